@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The frozen settings of one run: what the command line and the project file together ask for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from haros_ci.results.rule import Level
+
+PROFILES = ("ros", "strict", "google", "bugs-only", "all")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinterSettings:
+    """What a project says of one tool. ``enabled`` None means: run it if it is on by default or installed.
+
+    ``timeout`` is in seconds for one batch; ``arguments`` are passed on only under ``--trust-config``.
+    """
+
+    enabled: bool | None = None
+    timeout: float | None = None
+    arguments: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Policy:
+    """Selectors that choose rules: ids, ``tool:id``, ``tool``, globs of these, tags and aliases.
+
+    The last of ``ignore``, ``select`` and the profile that speaks of a rule wins in this order: ``ignore`` beats
+    ``select`` beats the profile. ``levels`` maps selectors to levels; the last match wins.
+    """
+
+    select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    levels: tuple[tuple[str, Level], ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PathPolicy:
+    """A Policy (and, if set, a profile) for the files that match one of *globs* (``**`` crosses directories)."""
+
+    globs: tuple[str, ...]
+    policy: Policy
+    profile: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Settings:
+    """Everything a run depends on besides the workspace's bytes.
+
+    ``root`` is absolute; ``paths`` are POSIX-style, relative to it (``.`` is all of it). ``fail_on`` None never fails.
+    ``notes`` are sentences on how the configuration was read (what was accepted but has no effect, what differs at
+    the head of a pull request), which the report repeats as notifications.
+    """
+
+    root: Path
+    paths: tuple[str, ...] = (".",)
+    project_file: str | None = None
+    project: dict[str, object] = field(default_factory=dict)
+    profile: str = "ros"
+    policy: Policy = Policy()
+    command_line: Policy = Policy()
+    per_path: tuple[PathPolicy, ...] = ()
+    exclude: tuple[str, ...] = ()
+    linters: tuple[tuple[str, LinterSettings], ...] = ()
+    linter_timeout: float = 600.0
+    fail_on: Level | None = Level.WARNING
+    jobs: int = 1
+    max_file_size: int = 2_000_000
+    compile_database: str | None = None
+    imports: tuple[str, ...] = ()
+    baseline: str | None = None
+    baseline_rev: str | None = None
+    require_baseline: bool = False
+    allow_tool_failure: frozenset[str] = frozenset()
+    trust_config: bool = False
+    cache_dir: Path | None = None  # None: no cache on disk
+    notes: tuple[str, ...] = ()

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What an adapter is: a module with these names. The runner in run.py does everything else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Workspace
+from haros_ci.results.result import Related, Result
+from haros_ci.results.rule import Level
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """How to start a tool (*argv* prefix) and its version, "" if it does not tell."""
+
+    argv: tuple[str, ...]
+    version: str
+
+
+@dataclass(frozen=True, slots=True)
+class LintOptions:
+    """The part of the settings that adapters see. ``enabled`` are the tools to run; ``requested`` those asked for by name."""
+
+    enabled: frozenset[str]
+    requested: frozenset[str] = frozenset()
+    timeouts: dict[str, float] = field(default_factory=dict)
+    timeout: float = 600.0
+    jobs: int = 1
+    trust_config: bool = False
+    arguments: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    compile_database: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Batch:
+    """Files for one process. *scratch* is an empty directory outside the workspace for the adapter's own files."""
+
+    workspace: Workspace
+    files: tuple[SourceFile, ...]
+    options: LintOptions
+    scratch: Path
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """One process: it runs in *cwd* (default: the workspace root), without a shell, in its own process group."""
+
+    argv: tuple[str, ...]
+    stdin: bytes = b""
+    environment: dict[str, str] = field(default_factory=dict)
+    cwd: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """What a finished process left: *truncated* when the byte cap cut it."""
+
+    stdout: bytes
+    stderr: bytes
+    code: int
+    truncated: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """A result together with the analysed file (*unit*) whose analysis produced it; it may stand in another file."""
+
+    unit: str
+    result: Result
+
+
+@dataclass(frozen=True, slots=True)
+class GaveUp:
+    """A file that the tool could not analyse: a notification, never a finding."""
+
+    unit: str
+    message: str
+    line: int | None = None
+
+
+class Linter(Protocol):
+    """An adapter module. ``COST`` is seconds per megabyte of source on one core, for scheduling only."""
+
+    NAME: str
+    LANGUAGES: frozenset[str]
+    DEFAULT: bool
+    COST: float
+
+    def locate(self, options: LintOptions) -> Program | None:
+        """The installed tool, or None."""
+        ...
+
+    def fingerprint(self, workspace: Workspace, options: LintOptions) -> str:
+        """Everything besides tool version and file contents that the results depend on: arguments, configuration."""
+        ...
+
+    def dependencies(self, workspace: Workspace, file: SourceFile) -> Iterable[str]:
+        """Paths of other workspace files whose contents can change the results for *file*."""
+        ...
+
+    def command(self, program: Program, batch: Batch) -> Command: ...
+
+    def parse(self, output: Output, batch: Batch) -> Iterable[Finding | GaveUp]:
+        """Pure: from captured output to findings. Raises ValueError when the output is not what the tool writes."""
+        ...
+
+
+__all__ = ["Batch", "Command", "Finding", "GaveUp", "Level", "LintOptions", "Linter", "Output", "Program", "Related", "Result"]

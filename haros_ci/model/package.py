@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages and files of a workspace, as values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+#: The kinds of file that anything here reads. ``cpp`` is C and C++, headers included.
+LANGUAGES = ("cpp", "python", "launch", "package", "cmake", "yaml", "interface", "xml", "setup")
+
+
+@dataclass(frozen=True, slots=True)
+class Dependency:
+    """One dependency tag of a manifest (REP 127, 140, 149); *kind* is the tag's name, for example ``exec_depend``."""
+
+    name: str
+    kind: str
+    condition: str | None = None
+    line: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Package:
+    """A ROS package: the directory that holds a package.xml.
+
+    *path* is the directory, POSIX-style, relative to the workspace root (``.`` for the root itself). *ros* is 1 or 2
+    by build type and dependencies, None where the manifest does not tell.
+    """
+
+    name: str
+    path: str
+    format: int = 1
+    version: str = ""
+    build_type: str = ""
+    ros: int | None = None
+    dependencies: tuple[Dependency, ...] = ()
+    is_metapackage: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SourceFile:
+    """One file that can be analysed.
+
+    *path* is POSIX-style and relative to the workspace root; *digest* is the SHA-256 of its bytes in hex; *size* is
+    in bytes; *package* is the name of the innermost package that contains it, or None.
+    """
+
+    path: str
+    language: str
+    size: int
+    digest: str
+    package: str | None = None

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The read-only view of the files under analysis that every stage after discovery gets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from haros_ci.model.package import Package, SourceFile
+
+
+class Reader(Protocol):
+    """What a Workspace reads through; the implementation lives in the workspace room."""
+
+    def text(self, path: str) -> str:
+        """The decoded text of a file, newlines as they stand, BOM removed; "" if it cannot be read."""
+        ...
+
+
+class Store(Protocol):
+    """A cache of JSON values by content key. A miss is None; a hit is data, not trust: readers check its shape."""
+
+    def get(self, group: str, path: str, key: str) -> object | None: ...
+
+    def put(self, group: str, path: str, key: str, value: object) -> None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """An input that could not be read or understood: *path* (and *line*) say where, *message* what and what to do."""
+
+    path: str
+    message: str
+    line: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Workspace:
+    """Packages and files at one revision.
+
+    ``root`` is the directory on disk that paths are relative to. ``files`` is sorted by path. ``targets`` are the
+    paths to report on when file arguments were given, None for all. ``problems`` become notifications; ``faults``
+    are malformed manifests, which become findings.
+    """
+
+    root: Path
+    packages: tuple[Package, ...]
+    files: tuple[SourceFile, ...]
+    reader: Reader
+    targets: frozenset[str] | None = None
+    problems: tuple[Problem, ...] = ()
+    faults: tuple[Problem, ...] = ()
+
+    def text(self, path: str) -> str:
+        """The decoded text of the file at *path*; "" if it is not there or not text."""
+        return self.reader.text(path)
+
+    def reports_on(self, path: str) -> bool:
+        """Whether findings in *path* are wanted in this run."""
+        return self.targets is None or path in self.targets

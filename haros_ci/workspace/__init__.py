@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Everything that reads the workspace: discovery, manifests, git, the cache."""

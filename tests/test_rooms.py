@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The rooms' one-way doors (docs/start-to-finish.md), held against every import in the package."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = ROOT / "haros_ci"
+
+DOORS: dict[str, set[str]] = {
+    "errors": set(),
+    "model": set(),
+    "results": {"model"},
+    "config": {"model", "results", "errors"},
+    "workspace": {"model", "results", "errors"},
+    "linters": {"model", "results", "errors"},
+    "report": {"model", "results", "errors"},
+    "registry": {"model", "results", "errors", "linters"},
+    "api": {"model", "results", "linters"},
+    "pipeline": {"model", "results", "errors", "config", "workspace", "linters", "registry"},
+    "cli": {"model", "results", "errors", "config", "pipeline", "report", "registry", "workspace"},
+    "__main__": {"cli"},
+    "__init__": set(),
+}
+PURE_ROOMS = {"model", "results"}
+EFFECTS = {"subprocess", "socket", "shutil", "tempfile", "multiprocessing"}
+
+
+def room(path: Path) -> str:
+    parts = path.relative_to(PACKAGE).with_suffix("").parts
+    return parts[0]
+
+
+def imports(tree: ast.AST) -> set[str]:
+    names: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, "imports are absolute"
+            assert node.module is not None
+            names.add(node.module)
+            names.update(f"{node.module}.{alias.name}" for alias in node.names)
+    return names
+
+
+def door_breaks(here: str, names: set[str]) -> set[str]:
+    """The rooms among *names* that *here* may not open; ``haros_ci`` itself (version, address) is open to all."""
+    rooms = {name.split(".")[1] for name in names if name.startswith("haros_ci.")}
+    return {there for there in rooms & DOORS.keys() if there != here and there not in DOORS[here]}
+
+
+def modules() -> list[Path]:
+    return sorted(PACKAGE.rglob("*.py"))
+
+
+@pytest.mark.parametrize("path", modules(), ids=lambda p: p.relative_to(ROOT).as_posix())
+def test_doors_are_one_way(path: Path) -> None:
+    here = room(path)
+    names = imports(ast.parse(path.read_text(encoding="utf-8")))
+    assert here in DOORS, f"{here}: a new room needs its row in the table"
+    assert not door_breaks(here, names)
+    assert not (here in PURE_ROOMS and names & EFFECTS)
+
+
+def test_the_table_can_fail() -> None:
+    assert door_breaks("model", {"haros_ci.results.rule"}) == {"results"}
+    assert door_breaks("report", {"haros_ci.linters.run"}) == {"linters"}
+    assert door_breaks("results", {"haros_ci.model.location"}) == set()
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "checks").glob("*.py")), ids=lambda p: p.name)
+def test_checks_see_only_the_api(path: Path) -> None:
+    ours = {n for n in imports(ast.parse(path.read_text(encoding="utf-8"))) if n.startswith("haros_ci")}
+    assert all(n == "haros_ci.api" or n.startswith("haros_ci.api.") for n in ours)
+
+
+@pytest.mark.parametrize("path", modules(), ids=lambda p: p.relative_to(ROOT).as_posix())
+def test_every_file_carries_its_licence(path: Path) -> None:
+    assert path.read_text(encoding="utf-8").startswith("# SPDX-License-Identifier: Apache-2.0\n")
