@@ -27,13 +27,14 @@ class LinterSettings:
 class Policy:
     """Selectors that choose rules: ids, ``tool:id``, ``tool``, globs of these, tags and aliases.
 
-    The last of ``ignore``, ``select`` and the profile that speaks of a rule wins in this order: ``ignore`` beats
-    ``select`` beats the profile. ``levels`` maps selectors to levels; the last match wins.
+    The most specific selector that names a rule decides (the ranks stand in selector.py); between equals ``ignore``
+    beats ``select``, and both beat the profile. ``levels`` maps selectors to levels, None is ``off``; the most
+    specific match wins, between equals the last.
     """
 
     select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
-    levels: tuple[tuple[str, Level], ...] = ()
+    levels: tuple[tuple[str, Level | None], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,6 +51,12 @@ class Settings:
     """Everything a run depends on besides the workspace's bytes.
 
     ``root`` is absolute; ``paths`` are POSIX-style, relative to it (``.`` is all of it). ``fail_on`` None never fails.
+    ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
+    ``project`` is the project file as plain data. ``packages`` are the packages to analyse, empty for all.
+    ``ignore_files`` are HAROS patterns on ``<package>/<path in package>`` (``Selection.ignores_file`` matches them).
+    ``plugins`` are those a trusted project file names. ``origins`` says where a value stands, ``FILE:LINE`` or
+    ``command line``, by key (``fail-on``), ``selector <text>``, ``haros <text>`` (a selector of a HAROS ignore list) or
+    ``linter <tool>``; what it does not name is a default.
     ``notes`` are sentences on how the configuration was read (what was accepted but has no effect, what differs at
     the head of a pull request), which the report repeats as notifications.
     """
@@ -77,3 +84,7 @@ class Settings:
     trust_config: bool = False
     cache_dir: Path | None = None  # None: no cache on disk
     notes: tuple[str, ...] = ()
+    packages: tuple[str, ...] = ()
+    ignore_files: tuple[str, ...] = ()
+    plugins: tuple[str, ...] = ()
+    origins: tuple[tuple[str, str], ...] = ()

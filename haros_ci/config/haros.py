@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The HAROS part of a project file: keys of HAROS's project files and of its configs.yaml.
+
+Whatever HAROS reads without an error is read without an error. What HAROS refuses (a configuration without launch
+files, a rule without tags) is an error here, too. Keys as read by HAROS 3.10: ``extractor.py:ProjectExtractor._setup``,
+``haros.py:_extract_configurations``, ``data.py:HarosSettings`` and ``HarosDatabase.register_rules``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from haros_ci.config.shapes import File, Named, kind
+from haros_ci.config.suggestion import did_you_mean, quoted
+from haros_ci.config.yaml_lines import Value
+
+#: Keys of a HAROS project file, and of HAROS's own configs.yaml.
+PROJECT_KEYS = ("project", "packages", "repositories", "configurations", "nodes", "rules", "analysis")
+HOME_KEYS = ("workspace", "environment", "plugin_blacklist", "cpp")
+IGNORE_KEYS = ("tags", "rules", "metrics", "files")
+NEEDS_MODEL = ("configurations", "nodes", "repositories", "rules")
+
+#: The HAROS rules on each HAROS metric (HAROS definitions.yaml); a metric without rules has nothing to ignore.
+METRIC_RULES: dict[str, tuple[str, ...]] = {
+    "comment_ratio": ("min_comment_ratio_20", "max_comment_ratio_30", "max_comment_ratio_40"),
+    "comments": (),
+    "coupling": ("max_coupling_objects_5",),
+    "cyclomatic_complexity": ("max_cyclomatic_complexity_10", "max_cyclomatic_complexity_15"),
+    "depth_in_tree": ("max_deepest_inheritance_5",),
+    "eloc": ("max_eloc_50", "max_eloc_70"),
+    "function_calls": ("max_function_calls_7", "max_function_calls_10"),
+    "function_parameters": ("max_function_parameters_6",),
+    "halstead_bugs": ("halstead_bugs_above_2",),
+    "halstead_time": (),
+    "halstead_volume": ("halstead_volume_above_8000",),
+    "lloc": (),
+    "maintainability_index": ("mi_below_20", "mi_below_65"),
+    "methods_available": ("max_methods_available_20",),
+    "nested_control": ("max_control_nesting_4", "max_control_nesting_5"),
+    "number_of_children": ("max_immediate_children_10",),
+    "ploc": ("max_function_length_40", "max_file_length_400"),
+    "sloc": (),
+    "static_path_count": ("max_static_path_80", "max_static_path_200", "max_static_path_250"),
+    "unique_function_calls": (),
+    "weighted_methods": ("max_weighted_methods_50", "max_weighted_methods_100"),
+}
+#: HAROS plug-ins that stand for one of our tools.
+PLUGIN_TOOLS = ("cppcheck", "cpplint", "lizard", "pylint", "radon")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HarosPart:
+    """What a project file says in HAROS's words. *ignore* are selectors, *disabled* tools."""
+
+    packages: tuple[str, ...] = ()
+    ignore: tuple[Named, ...] = ()
+    ignore_files: tuple[str, ...] = ()
+    disabled: tuple[Named, ...] = ()
+
+
+def read_haros(file: File, top: dict[str, Value]) -> HarosPart:
+    """Check and read the HAROS keys among *top*; UserError where HAROS would refuse the file as well."""
+    if "configurations" in top:
+        _check_configurations(file, top["configurations"])
+    if "nodes" in top:
+        _check_nodes(file, top["nodes"])
+    if "repositories" in top:
+        _check_required(file, top["repositories"], "repositories", ("type", "url", "version", "packages"))
+    if "rules" in top:
+        _check_required(file, top["rules"], "rules", ("name", "description", "tags"))
+    idle = [key for key in NEEDS_MODEL if key in top and top[key].data]
+    if idle:
+        file.note(f"read, but without effect yet, as they need the architecture model: {', '.join(idle)}")
+    home = [key for key in ("workspace", "environment", "cpp") if key in top]
+    if home:
+        file.note(f"of no use here, where neither ROS nor a build is needed: {', '.join(home)}")
+    ignore, ignore_files = _analysis(file, top.get("analysis"))
+    return HarosPart(
+        packages=tuple(dict.fromkeys(n.text for n in file.names(top["packages"], "packages")))
+        if "packages" in top
+        else (),
+        ignore=ignore,
+        ignore_files=ignore_files,
+        disabled=_blacklist(file, top.get("plugin_blacklist")),
+    )
+
+
+def file_pattern(pattern: str) -> str:
+    """HAROS puts ``*/`` in front of a pattern that begins neither with ``/`` nor with a wildcard."""
+    return pattern if pattern[0] in "/*?[" else f"*/{pattern}"
+
+
+def _analysis(file: File, value: Value | None) -> tuple[tuple[Named, ...], tuple[str, ...]]:
+    if value is None:
+        return (), ()
+    analysis = file.map(value, "'analysis'", "analysis: {ignore: {tags: […], rules: […], files: […]}}", ("ignore",))
+    if "ignore" not in analysis:
+        return (), ()
+    ignore = file.map(analysis["ignore"], "'ignore'", "ignore: {tags: […], rules: […], files: […]}", IGNORE_KEYS)
+    lists = {key: file.names(ignore[key], key) for key in IGNORE_KEYS if key in ignore}
+    selectors = [*lists.get("tags", ()), *lists.get("rules", ())]
+    for metric in lists.get("metrics", ()):
+        if metric.text in METRIC_RULES:
+            selectors.extend(Named(rule, metric.line) for rule in METRIC_RULES[metric.text])
+        else:
+            file.note(f"no metric {quoted(metric.text)} here", metric.line, did_you_mean(metric.text, METRIC_RULES))
+    return tuple(selectors), tuple(file_pattern(n.text) for n in lists.get("files", ()))
+
+
+def _blacklist(file: File, value: Value | None) -> tuple[Named, ...]:
+    if value is None:
+        return ()
+    plugins = tuple(Named(n.text.removeprefix("haros_plugin_"), n.line) for n in file.names(value, "plugin_blacklist"))
+    for plugin in plugins:
+        if plugin.text not in PLUGIN_TOOLS:
+            file.note(f"no tool here stands for the plug-in {quoted(plugin.text)}", plugin.line)
+    return tuple(plugin for plugin in plugins if plugin.text in PLUGIN_TOOLS)
+
+
+def _check_configurations(file: File, value: Value) -> None:
+    form = "configurations: {robot: {launch: [package/launch/file.launch]}}"
+    for name, item in file.map(value, "'configurations'", form).items():
+        launch = item
+        if not isinstance(item.data, tuple):
+            entries = file.map(item, f"configuration {quoted(name)}", form)
+            if "launch" not in entries:
+                raise file.error(item.key_line, f"configuration {quoted(name)} has no 'launch'", f"write {form}")
+            launch = entries["launch"]
+        if not isinstance(launch.data, tuple):
+            raise file.error(launch.line, f"'launch' must be a list, not {kind(launch)}", f"write {form}")
+        for entry in launch.data:
+            if not isinstance(entry.data, str) or "/" not in entry.data:
+                raise file.error(
+                    entry.line, "a launch file is named as package/path", "for example robot/launch/a.launch"
+                )
+
+
+def _check_nodes(file: File, value: Value) -> None:
+    for name, item in file.map(value, "'nodes'", "nodes: {package/executable: {…}}").items():
+        if name.count("/") != 1:
+            raise file.error(item.key_line, f"node {quoted(name)} must be named as package/executable")
+        file.map(item, f"node {quoted(name)}", "package/executable: {hpl: {…}}")
+
+
+def _check_required(file: File, value: Value, what: str, required: tuple[str, ...]) -> None:
+    form = f"{what}: {{name: {{{', '.join(f'{key}: …' for key in required)}}}}}"
+    for name, item in file.map(value, f"'{what}'", form).items():
+        entry = file.map(item, f"{quoted(name)} in '{what}'", form)
+        missing = [key for key in required if key not in entry]
+        if missing:
+            raise file.error(item.key_line, f"{quoted(name)} in '{what}' lacks {', '.join(missing)}", f"write {form}")

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A project file, ours or HAROS's, as the values of Settings that it sets."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.config.haros import HOME_KEYS, PROJECT_KEYS, read_haros
+from haros_ci.config.settings import PROFILES, LinterSettings, PathPolicy, Policy
+from haros_ci.config.shapes import File, Named
+from haros_ci.config.suggestion import quoted
+from haros_ci.config.yaml_lines import Value, parse, plain
+from haros_ci.errors import UserError
+from haros_ci.results.rule import Level
+
+OWN_KEYS = (
+    "profile", "select", "ignore", "levels", "per-path", "exclude", "linters", "fail-on", "max-file-size",
+    "compile-database", "baseline", "plugins",
+)  # fmt: skip
+KNOWN_KEYS = (*OWN_KEYS, *PROJECT_KEYS, *HOME_KEYS)
+POLICY_KEYS = ("select", "ignore", "levels")
+LINTER_KEYS = ("enabled", "timeout", "arguments")
+LEVELS = ("error", "warning", "note", "off")
+FAIL_ON = ("error", "warning", "note", "never")
+MAX_SELECTORS = 500
+MAX_PATH_GLOBS = 200
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ProjectFile:
+    """*values* are fields of Settings; *origins* and *notes* as there."""
+
+    values: Mapping[str, Any]
+    origins: tuple[tuple[str, str], ...]
+    notes: tuple[str, ...]
+
+
+def read_project(data: bytes, name: str, *, trust_config: bool = False) -> ProjectFile:
+    """Read the project file *name*; UserError, with the line, for whatever is wrong in it.
+
+    A file with ``haros-ci`` in its name is ours: unknown and repeated keys are errors. Any other may be one that HAROS
+    reads as well, and HAROS passes over both: they are notes.
+    """
+    file = File(name, strict="haros-ci" in name.rsplit("/", 1)[-1])
+    document = parse(data, name)
+    for twice in document.duplicates:
+        message = f"key {quoted(twice.key)} stands here again, first on line {twice.first}"
+        if file.strict:
+            raise file.error(twice.line, message, "keep one of them")
+        file.note(f"{message}; the last one counts", twice.line)
+    top = file.map(document.top, "a project file", "keys such as profile: ros", KNOWN_KEYS) if document.top else {}
+
+    origins = {key: f"{name}:{value.key_line}" for key, value in top.items() if key in KNOWN_KEYS}
+    haros = read_haros(file, top)
+    for selector in haros.ignore:
+        origins.setdefault(f"haros {selector.text}", f"{name}:{selector.line}")
+    own = _Own(file, trust_config, origins)
+    policy = own.policy(top)
+    per_path = own.per_path(top)
+    own.check_numbers(per_path)
+    values: dict[str, Any] = {
+        "policy": Policy(
+            select=policy.select,
+            ignore=(*policy.ignore, *dict.fromkeys(n.text for n in haros.ignore)),
+            levels=policy.levels,
+        ),
+        "per_path": per_path,
+        "linters": own.linters(top, haros.disabled),
+        "packages": haros.packages,
+        "ignore_files": haros.ignore_files,
+        "project": plain(document.top) if document.top and top else {},
+        **own.simple(top),
+    }
+    return ProjectFile(values=values, origins=tuple(sorted(origins.items())), notes=file.notes)
+
+
+@dataclass(frozen=True, slots=True)
+class _Own:
+    """Reads our own keys; adds to *origins* where each selector stands."""
+
+    file: File
+    trust_config: bool
+    origins: dict[str, str]
+
+    def simple(self, top: dict[str, Value]) -> dict[str, Any]:
+        """The keys that set one value each."""
+        file, trust = self.file, self.trust_config
+        values: dict[str, Any] = {}
+        if "profile" in top:
+            values["profile"] = file.choice(top["profile"], "'profile'", PROFILES)
+        if "exclude" in top:
+            values["exclude"] = tuple(file.glob(n) for n in file.texts(top["exclude"], "exclude"))
+        if "fail-on" in top:
+            fail_on = file.choice(top["fail-on"], "'fail-on'", FAIL_ON)
+            values["fail_on"] = None if fail_on == "never" else Level(fail_on)
+        if "max-file-size" in top:
+            values["max_file_size"] = file.count(top["max-file-size"], "'max-file-size'", "bytes")
+        if "compile-database" in top:
+            values["compile_database"] = file.path(top["compile-database"], "'compile-database'", anywhere=trust)
+        if "baseline" in top:
+            values["baseline"] = file.path(top["baseline"], "'baseline'", anywhere=trust)
+        if "plugins" in top:
+            plugins = tuple(n.text for n in file.texts(top["plugins"], "plugins"))
+            if trust:
+                values["plugins"] = plugins
+            elif plugins:
+                file.note("plugins are loaded only with --trust-config", top["plugins"].key_line)
+        return values
+
+    def check_numbers(self, per_path: tuple[PathPolicy, ...]) -> None:
+        """Every selector is held against every rule, every glob against every file."""
+        selectors = sum(origin.startswith(("selector ", "haros ")) for origin in self.origins)
+        if selectors > MAX_SELECTORS:
+            raise UserError(f"{self.file.name}: more than {MAX_SELECTORS} selectors", help="use globs or tags")
+        if sum(len(entry.globs) for entry in per_path) > MAX_PATH_GLOBS:
+            raise UserError(f"{self.file.name}: more than {MAX_PATH_GLOBS} globs in 'per-path'", help="use wider globs")
+
+    def policy(self, entries: dict[str, Value]) -> Policy:
+        return Policy(
+            select=self.selectors(entries, "select"),
+            ignore=self.selectors(entries, "ignore"),
+            levels=self.levels(entries),
+        )
+
+    def selectors(self, entries: dict[str, Value], key: str) -> tuple[str, ...]:
+        if key not in entries:
+            return ()
+        return tuple(self.selector(named) for named in self.file.texts(entries[key], key))
+
+    def selector(self, named: Named) -> str:
+        self.origins.setdefault(f"selector {named.text}", f"{self.file.name}:{named.line}")
+        return named.text
+
+    def levels(self, entries: dict[str, Value]) -> tuple[tuple[str, Level | None], ...]:
+        if "levels" not in entries:
+            return ()
+        chosen: list[tuple[str, Level | None]] = []
+        for text, value in self.file.map(entries["levels"], "'levels'", "levels: {unused-import: note}").items():
+            selector = self.selector(Named(text, value.key_line))
+            # YAML 1.1 reads a bare off as false
+            word = "off" if value.data is False else self.file.choice(value, f"the level of {quoted(text)}", LEVELS)
+            chosen.append((selector, None if word == "off" else Level(word)))
+        return tuple(chosen)
+
+    def per_path(self, top: dict[str, Value]) -> tuple[PathPolicy, ...]:
+        if "per-path" not in top:
+            return ()
+        policies: list[PathPolicy] = []
+        for globs, value in self.file.map(
+            top["per-path"], "'per-path'", "per-path: {'test/**': {ignore: […]}}"
+        ).items():
+            form = f"{quoted(globs)}: {{ignore: […]}}"
+            entries = self.file.map(value, f"per-path {quoted(globs)}", form, ("profile", *POLICY_KEYS))
+            policies.append(
+                PathPolicy(
+                    globs=tuple(self.path_glob(Named(glob.strip(), value.key_line)) for glob in globs.split(",")),
+                    policy=self.policy(entries),
+                    profile=self.file.choice(entries["profile"], "'profile'", PROFILES)
+                    if "profile" in entries
+                    else None,
+                )
+            )
+        return tuple(policies)
+
+    def path_glob(self, glob: Named) -> str:
+        if glob.text.startswith("!"):
+            raise self.file.error(
+                glob.line, f"{quoted(glob.text)}: '!' has a meaning in 'exclude' only", "leave it out"
+            )
+        return self.file.glob(glob)
+
+    def linters(self, top: dict[str, Value], disabled: tuple[Named, ...]) -> tuple[tuple[str, LinterSettings], ...]:
+        """By tool, sorted; what our own key says of a tool beats HAROS's plugin_blacklist."""
+        chosen = {named.text: LinterSettings(enabled=False) for named in disabled}
+        if "linters" in top:
+            for tool, value in self.file.map(top["linters"], "'linters'", "linters: {pylint: false}").items():
+                self.origins.setdefault(f"linter {tool}", f"{self.file.name}:{value.key_line}")
+                chosen[tool] = self.linter(tool, value)
+        return tuple(sorted(chosen.items(), key=lambda entry: entry[0]))
+
+    def linter(self, tool: str, value: Value) -> LinterSettings:
+        file, what = self.file, f"linter {quoted(tool)}"
+        if isinstance(value.data, bool):
+            return LinterSettings(enabled=value.data)
+        if not isinstance(value.data, dict):
+            raise file.error(value.line, f"{what} must be true, false or a map", f"write {tool}: {{timeout: 60}}")
+        entries = file.map(value, what, f"{tool}: {{timeout: 60}}", LINTER_KEYS)
+        arguments = (
+            tuple(n.text for n in file.texts(entries["arguments"], "arguments")) if "arguments" in entries else ()
+        )
+        if arguments and not self.trust_config:
+            file.note(f"arguments reach {quoted(tool)} only with --trust-config", entries["arguments"].key_line)
+        return LinterSettings(
+            enabled=file.flag(entries["enabled"], f"'enabled' of {what}") if "enabled" in entries else None,
+            timeout=float(file.number(entries["timeout"], f"'timeout' of {what}", "seconds"))
+            if "timeout" in entries
+            else None,
+            arguments=arguments,
+        )

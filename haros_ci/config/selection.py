@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which rules are on, where, and at what level."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from haros_ci.config import globs
+from haros_ci.config.selector import NO_MATCH, Rank, rank
+from haros_ci.config.settings import Policy, Settings
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level, Rule
+
+Catalogue = Callable[[str], Mapping[str, Rule]]
+#: Whether a rule is on, and the level that the settings give it (None: its own).
+_Decision = tuple[bool, Level | None]
+
+
+@dataclass(frozen=True, slots=True)
+class _State:
+    """What the layers so far make of a rule; *off* when its level is off."""
+
+    on: bool
+    level: Level | None = None
+    off: bool = False
+
+
+class Selection:
+    """The settings as decisions on rules.
+
+    Layers, each beating those before it: the profile; the project file; the per-path entries that match, in file
+    order; the command line. Within a layer the most specific selector that names the rule decides (selector.py has the
+    ranks), and between equals ``ignore``. A layer that does not name the rule leaves it as it was. ``levels`` follow
+    the same order, between equals the last wins; ``off`` turns the rule off until a later layer selects it or gives it
+    a level.
+    """
+
+    def __init__(
+        self, settings: Settings, catalogue: Catalogue, unlisted: Callable[[str, str], Rule] | None = None
+    ) -> None:
+        """*catalogue* gives the documented rules of a tool by id, empty for a tool it does not know.
+
+        *unlisted* makes a rule of a tool and an id that the catalogue lacks; without it such a rule has no profiles, so
+        that only ``all`` or a selector turns it on.
+        """
+        self._settings = settings
+        self._catalogue = catalogue
+        self._unlisted = unlisted
+        self._zones: dict[str, tuple[int, ...]] = {}
+        self._decisions: dict[tuple[str, str | Rule, tuple[int, ...]], _Decision] = {}
+
+    def decide(self, tool: str, rule: str | Rule, path: str, default: Level | None = None) -> Level | None:
+        """The level of *rule* in the file *path*, or None if it is off there.
+
+        Where no setting names a level it is *default*, or else the rule's own.
+        """
+        on, level = self._decision(tool, rule, path)
+        if not on:
+            return None
+        return level or default or self.rule(tool, rule).level
+
+    def wants(self, tool: str, rule: str | Rule, path: str) -> bool:
+        """Whether *rule* is on in the file *path*."""
+        return self._decision(tool, rule, path)[0]
+
+    def rule(self, tool: str, rule: str | Rule) -> Rule:
+        """*rule* itself, or the catalogue's rule of that id, or one made for it."""
+        if isinstance(rule, Rule):
+            return rule
+        known = self._catalogue(tool).get(rule)
+        if known is not None:
+            return known
+        return self._unlisted(tool, rule) if self._unlisted else Rule(id=rule, summary="")
+
+    def matches(self, selector: str, result: Result) -> bool:
+        """Whether *selector* names the rule of *result*, or a rule of another tool that found the same defect."""
+        named = (
+            (result.tool, result.rule),
+            *((tool, rule) for tool, _, rule in (a.partition(":") for a in result.also)),
+        )
+        return any(rank(selector, tool, self.rule(tool, rule)) > NO_MATCH for tool, rule in named)
+
+    def ignores_file(self, package: str | None, path: str) -> bool:
+        """Whether a HAROS ``analysis.ignore.files`` pattern names *path* in *package*; ``*`` crosses directories."""
+        if package is None:
+            return False
+        name = f"{package}/{path}"
+        return any(globs.compiled(pattern)(name) for pattern in self._settings.ignore_files)
+
+    def _decision(self, tool: str, rule: str | Rule, path: str) -> _Decision:
+        zone = self._zone(path) if self._settings.per_path else ()
+        key = (tool, rule, zone)
+        decision = self._decisions.get(key)
+        if decision is None:
+            decision = self._decisions[key] = self._decide(tool, self.rule(tool, rule), zone)
+        return decision
+
+    def _zone(self, path: str) -> tuple[int, ...]:
+        """Which per-path entries hold for *path*."""
+        zone = self._zones.get(path)
+        if zone is None:
+            entries = enumerate(self._settings.per_path)
+            zone = tuple(i for i, entry in entries if any(globs.matches(glob, path) for glob in entry.globs))
+            self._zones[path] = zone
+        return zone
+
+    def _decide(self, tool: str, rule: Rule, zone: tuple[int, ...]) -> _Decision:
+        settings = self._settings
+        local = [settings.per_path[i] for i in zone]
+        profile = next((entry.profile for entry in reversed(local) if entry.profile), settings.profile)
+        state = _State(profile == "all" or profile in rule.profiles)
+        for policy in (settings.policy, *(entry.policy for entry in local), settings.command_line):
+            state = _apply(policy, tool, rule, state)
+        return state.on and not state.off, state.level
+
+
+def _apply(policy: Policy, tool: str, rule: Rule, before: _State) -> _State:
+    selected = _best(policy.select, tool, rule)
+    ignored = _best(policy.ignore, tool, rule)
+    mapped, mapping = NO_MATCH, before.level
+    for selector, level in policy.levels:
+        here = rank(selector, tool, rule)
+        if here > NO_MATCH and here >= mapped:
+            mapped, mapping = here, level
+
+    on, off = before.on, before.off
+    if selected > ignored:
+        on, off = True, False
+    elif ignored > NO_MATCH:
+        on = False
+    if mapped > NO_MATCH:
+        off = mapping is None and mapped >= selected
+    return _State(on, mapping or before.level, off)
+
+
+def _best(selectors: tuple[str, ...], tool: str, rule: Rule) -> Rank:
+    return max((rank(selector, tool, rule) for selector in selectors), default=NO_MATCH)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a selector names, how specific it is, and whether it names anything at all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping
+
+from haros_ci.config.globs import compiled
+from haros_ci.config.settings import PROFILES, Settings
+from haros_ci.config.suggestion import did_you_mean, nearest, quoted, suggestion
+from haros_ci.errors import UserError
+from haros_ci.results.rule import Rule
+
+#: How specific a match is: larger is more specific; the second number tells globs apart.
+Rank = tuple[int, int]
+NO_MATCH: Rank = (-1, 0)
+MAX_NOTES = 20
+_EVERYTHING, _TOOL_OR_TAG, _GLOB, _ALIAS, _ID, _FULL_ID = range(6)
+_HAROS = "haros_plugin_"
+
+
+def rank(selector: str, tool: str, rule: Rule) -> Rank:
+    """How specifically *selector* names *rule* of *tool*; NO_MATCH if it does not.
+
+    From most to least specific: ``tool:id``; the bare id; a HAROS or catalogue alias, also written
+    ``haros_plugin_<tool>:<id>``; a glob, the longer the more; a tool or a tag; ``*``. Case counts.
+    """
+    own = (rule.id, *rule.deprecated_ids)
+    prefix, _, rest = selector.partition(":")
+    if prefix == tool and rest in own:
+        return (_FULL_ID, 0)
+    if selector in own:
+        return (_ID, 0)
+    if selector in rule.aliases:
+        return (_ALIAS, 0)
+    ours = prefix in (tool, _HAROS + tool)
+    if ours and rest and (rest in own or rest in rule.aliases or f"{_HAROS}{tool}:{rest}" in rule.aliases):
+        return (_ALIAS, 0)
+    if selector == "*":
+        return (_EVERYTHING, 0)
+    if selector in rule.tags or (ours and rest in ("", "*")):
+        return (_TOOL_OR_TAG, 0)
+    if is_glob(selector):
+        match = compiled(selector)
+        for name in own:
+            if match(name) or match(f"{tool}:{name}"):
+                return (_GLOB, len(selector))
+        if any(map(match, rule.aliases)):
+            return (_GLOB, len(selector))
+    return NO_MATCH
+
+
+def is_glob(selector: str) -> bool:
+    return "*" in selector or "?" in selector or "[" in selector
+
+
+def check_selectors(
+    settings: Settings,
+    catalogue: Callable[[str], Mapping[str, Rule]],
+    tools: Iterable[str],
+    *,
+    linters: Iterable[str] = (),
+    unserved: Collection[str] = (),
+    open_tools: Collection[str] = (),
+) -> tuple[str, ...]:
+    """Notes on selectors that name nothing here; UserError for one that is misspelt.
+
+    *tools* are the names that results carry, *open_tools* those whose catalogue may lack rules: of them any ``tool:id``
+    is good. *linters* are the names for the ``linters`` key, where they are not *tools*.
+    *unserved* are HAROS ids and tags without a rule here. A HAROS ignore list may name anything, as in HAROS: that is a
+    note. So is a ``tool:id`` of a tool that is none of ours, which may be for an imported log.
+    """
+    names = tuple(sorted(tools))
+    runnable = tuple(sorted(linters)) or names
+    origins = dict(settings.origins)
+    for entry, where in settings.origins:
+        if entry.startswith("linter ") and entry.removeprefix("linter ") not in runnable:
+            tool = entry.removeprefix("linter ")
+            raise UserError(f"{where}: unknown tool {quoted(tool)}", help=suggestion(tool, runnable))
+    written = _written(settings)
+    if not written:
+        return ()
+    known = _Known(names, catalogue, open_tools)
+    idle: list[str] = []
+    notes: list[str] = []
+    for selector in written:
+        if known.names_something(selector) or _is_user_query(selector, settings):
+            continue
+        where = origins.get(f"selector {selector}") or origins.get(f"haros {selector}") or "command line"
+        if selector in unserved or selector.removeprefix(_HAROS).partition(":")[2] in unserved:
+            idle.append(selector)
+        elif f"haros {selector}" in origins and f"selector {selector}" not in origins:
+            near = did_you_mean(selector, known.words) if len(notes) < MAX_NOTES else None
+            notes.append(f"{where}: no rule or tag {quoted(selector)} here" + (f"; {near}" if near else ""))
+        elif ":" in selector and not known.is_ours(selector) and not nearest(selector.partition(":")[0], names):
+            notes.append(f"{where}: {quoted(selector)} can only match in an imported log: no tool here has that name")
+        else:
+            what = "no rule matches" if is_glob(selector) else "unknown rule or tag"
+            raise UserError(f"{where}: {what} {quoted(selector)}", help=known.help(selector))
+    if idle:
+        notes.append(f"HAROS names without a rule here, so nothing to turn on or off: {', '.join(sorted(idle))}")
+    if len(notes) > MAX_NOTES + 1:
+        notes[MAX_NOTES:] = [f"and {len(notes) - MAX_NOTES} more notes on selectors"]
+    return tuple(notes)
+
+
+def _written(settings: Settings) -> tuple[str, ...]:
+    """Every selector of the settings, once, in the order of the layers."""
+    policies = (settings.policy, *(entry.policy for entry in settings.per_path), settings.command_line)
+    return tuple(dict.fromkeys(s for p in policies for s in (*p.select, *p.ignore, *(name for name, _ in p.levels))))
+
+
+def _is_user_query(selector: str, settings: Settings) -> bool:
+    """``user:<id>``: a query that the project file defines under ``rules``."""
+    rules = settings.project.get("rules")
+    return isinstance(rules, dict) and selector.startswith("user:") and selector.removeprefix("user:") in rules
+
+
+class _Known:
+    """Every name that a selector can have, gathered once."""
+
+    def __init__(
+        self, tools: tuple[str, ...], catalogue: Callable[[str], Mapping[str, Rule]], open_tools: Collection[str]
+    ) -> None:
+        self.tools = tools
+        self.open_tools = open_tools
+        self.rules = [(tool, rule) for tool in tools for rule in catalogue(tool).values()]
+        self.words = {*tools}
+        for tool, rule in self.rules:
+            self.words.update((rule.id, f"{tool}:{rule.id}", *rule.tags, *rule.aliases, *rule.deprecated_ids))
+
+    def names_something(self, selector: str) -> bool:
+        if selector in self.words or selector == "*":
+            return True
+        tool = selector.partition(":")[0].removeprefix(_HAROS)
+        if tool in self.open_tools:
+            return True
+        return any(rank(selector, tool, rule) > NO_MATCH for tool, rule in self.rules)
+
+    def is_ours(self, selector: str) -> bool:
+        return selector.partition(":")[0].removeprefix(_HAROS) in (*self.tools, "user")
+
+    def help(self, selector: str) -> str:
+        if selector in PROFILES:
+            return f"{selector!r} is a profile: choose it with profile: {selector} or --profile {selector}"
+        near = None if is_glob(selector) else did_you_mean(selector, self.words)
+        return near or "haros-ci rules lists every rule; ids are case-sensitive"

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The schema for editors says what the loader does."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import haros_ci.config
+from haros_ci import PROJECT_URL
+from haros_ci.config import project, shapes
+from haros_ci.config.haros import IGNORE_KEYS
+from haros_ci.config.project import read_project
+from haros_ci.config.settings import PROFILES, Settings
+from haros_ci.config.yaml_lines import parse, plain
+from haros_ci.errors import UserError
+
+SCHEMA: dict[str, Any] = json.loads((Path(haros_ci.config.__file__).parent / "schema.json").read_text(encoding="utf-8"))
+DEFS = SCHEMA["$defs"]
+
+
+def test_the_same_keys() -> None:
+    assert set(SCHEMA["properties"]) == set(project.KNOWN_KEYS)
+    assert set(DEFS["perPath"]["properties"]) == {"profile", *project.POLICY_KEYS}
+    assert set(DEFS["linter"]["properties"]) == set(project.LINTER_KEYS)
+    assert set(SCHEMA["properties"]["analysis"]["properties"]["ignore"]["properties"]) == set(IGNORE_KEYS)
+
+
+def test_the_same_words_and_limits() -> None:
+    assert DEFS["profile"]["enum"] == list(PROFILES)
+    assert set(DEFS["levels"]["additionalProperties"]["enum"]) - {False, None} == set(project.LEVELS)
+    assert set(SCHEMA["properties"]["fail-on"]["enum"]) - {None} == set(project.FAIL_ON)
+    assert DEFS["selectors"]["maxItems"] == DEFS["texts"]["maxItems"] == shapes.MAX_ENTRIES
+    defaults = Settings(root=Path("/"))
+    for key, value in (("max-file-size", defaults.max_file_size), ("profile", defaults.profile)):
+        assert re.search(rf"Default: {value}\.", SCHEMA["properties"][key]["description"])
+    assert f"Default: {defaults.linter_timeout:.0f}." in DEFS["linter"]["properties"]["timeout"]["description"]
+    assert SCHEMA["$id"].startswith(PROJECT_URL)
+
+
+VALID = [
+    "",
+    "profile: strict",
+    "profile:\nselect:\nlevels:\nper-path:\nexclude:\nlinters:\nfail-on:\nanalysis:\nconfigurations:",
+    "select: [pylint, 'cpplint:build/*']\nignore: [formatting]",
+    "levels: {a: off, b: 'off', c: error}",
+    "per-path: {'test/**, doc': {profile: all, select: [a], ignore: [b], levels: {c: note}}, x: }",
+    "exclude: [third_party, './a', /build, '!a/b', 'b/**', '..a', 'a..b']",
+    "linters: {ruff: true, pylint: {enabled: false, timeout: 1.5, arguments: [-v]}, radon: }",
+    "fail-on: never\nmax-file-size: 10\ncompile-database: build\nbaseline: a.jsonl\nplugins: [mine]",
+    "project: x\npackages: [a, 1]\nanalysis: {ignore: {tags: x, rules: [y], metrics: [ploc], files: ['*']}}",
+    "configurations: {a: [p/x.launch], b: {launch: [p/y.launch], hints: {}}}\nnodes: {p/x: {hpl: {}}, p/y: }",
+    "rules: {a: {name: n, description: d, tags: [t], query: q}}",
+    "repositories: {a: {type: git, url: u, version: v, packages: [p]}}",
+    "workspace: /x\nenvironment: copy\nplugin_blacklist: [radon]\ncpp: {parser_lib: x}",
+]
+INVALID = [
+    "exlude: [a]",
+    "[a]",
+    "profile: roz",
+    "profile: 3",
+    "select: a",
+    "select: [1]",
+    "ignore: ['']",
+    "levels: [a]",
+    "levels: {a: errors}",
+    "levels: {a: true}",
+    "per-path: [a]",
+    "per-path: {a: [b]}",
+    "per-path: {a: {ignored: [b]}}",
+    "per-path: {'!a': {}}",
+    "per-path: {'a, ../b': {}}",
+    "exclude: a",
+    "exclude: [../a]",
+    "exclude: [a/../b]",
+    "exclude: ['./']",
+    "linters: [a]",
+    "linters: {a: text}",
+    "linters: {a: {time: 1}}",
+    "linters: {a: {timeout: 0}}",
+    "linters: {a: {timeout: long}}",
+    "linters: {a: {enabled: 1}}",
+    "linters: {a: {arguments: -v}}",
+    "fail-on: warnings",
+    "max-file-size: 0",
+    "max-file-size: 1.5",
+    "max-file-size: true",
+    "compile-database: [a]",
+    "baseline: ' '",
+    "plugins: a",
+    "packages: [[a]]",
+    "configurations: {a: {hints: {}}}",
+    "configurations: {a: [x]}",
+    "nodes: {a: {b: c}}",
+    "rules: {a: {name: n}}",
+    "repositories: {a: {type: git}}",
+    "analysis: {ignored: {}}",
+    "analysis: {ignore: {tag: []}}",
+    "analysis: {ignore: {tags: [[a]]}}",
+]
+
+
+@pytest.mark.parametrize("text", VALID)
+def test_valid_in_both(text: str) -> None:
+    read_project(text.encode(), ".haros-ci.yaml")
+    assert not faults(text)
+
+
+@pytest.mark.parametrize("text", INVALID)
+def test_invalid_in_both(text: str) -> None:
+    with pytest.raises(UserError):
+        read_project(text.encode(), ".haros-ci.yaml")
+    assert faults(text)
+
+
+def faults(text: str) -> list[str]:
+    """What a JSON Schema validator says of *text*."""
+    jsonschema = pytest.importorskip("jsonschema")
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    top = parse(text.encode(), "f").top
+    data = None if top is None else plain(top)
+    return [error.message for error in jsonschema.Draft202012Validator(SCHEMA).iter_errors(data)]
