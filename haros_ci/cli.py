@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command line: flags and exit codes. The work is in commands.py, imported only when a command runs."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import click
+
+from haros_ci import __version__
+from haros_ci.errors import UserError
+
+EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
+
+EXIT_CODES = """
+\b
+Exit codes:
+  0    clean, or nothing new
+  1    a new, unsuppressed result at or above --fail-on
+  2    wrong usage or configuration
+  3    a tool was missing, crashed or timed out; or no baseline under --require-baseline
+  130  interrupted
+"""
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run the command line; returns the exit code and never raises (design: exit codes)."""
+    try:
+        outcome = haros_ci.main(args=argv, prog_name="haros-ci", standalone_mode=False)
+        sys.stdout.flush()
+        return outcome if isinstance(outcome, int) else 0
+    except click.exceptions.Abort:
+        return EXIT_INTERRUPTED
+    except KeyboardInterrupt:
+        return EXIT_INTERRUPTED
+    except click.ClickException as err:
+        err.show()
+        return EXIT_USAGE
+    except UserError as err:
+        from haros_ci.report.escape import terminal
+
+        click.echo(f"error: {terminal(err.message)}", err=True)
+        if err.help:
+            click.echo(f"help: {terminal(err.help)}", err=True)
+        return EXIT_USAGE
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return EXIT_TOOL_TROUBLE
+    except Exception as err:
+        if os.environ.get("HAROS_CI_DEBUG"):
+            raise
+        from haros_ci.report.escape import terminal
+
+        click.echo(f"internal error: {type(err).__name__}: {terminal(str(err))[:500]}", err=True)
+        click.echo("help: this is a fault of haros-ci; set HAROS_CI_DEBUG=1 for the trace and report it", err=True)
+        return EXIT_TOOL_TROUBLE
+
+
+class Words(click.ParamType):
+    """A comma-separated list, given once or several times."""
+
+    name = "sel,..."
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        return value if isinstance(value, tuple) else tuple(w for w in (p.strip() for p in value.split(",")) if w)
+
+
+def options(*decorators: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    def apply(function: Any) -> Any:
+        for decorator in reversed(decorators):
+            function = decorator(function)
+        return function
+
+    return apply
+
+
+LEVELS = click.Choice(["error", "warning", "note", "never"])
+FORMATS = ("text", "sarif", "github", "json")
+
+what_options = options(
+    click.argument("paths", nargs=-1, type=click.Path()),
+    click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found."),
+    click.option("--isolated", is_flag=True, help="Read no project file."),
+    click.option("--profile", metavar="NAME", help="ros (default), strict, google, bugs-only or all."),
+    click.option("--select", type=Words(), multiple=True, help="Turn rules on: ids, tool:id, tools, globs or tags."),
+    click.option("--ignore", type=Words(), multiple=True, help="Turn rules off."),
+    click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
+    click.option("--compile-database", type=click.Path(), help="compile_commands.json, or its directory."),
+    click.option("--trust-config", is_flag=True, help="Let the workspace's tool configuration run code."),
+    click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores."),
+    click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),
+    click.option("--no-cache", is_flag=True, help="Neither read nor write the cache."),
+    click.option("--timings", is_flag=True, help="Say on stderr where the time went."),
+)
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}, epilog=EXIT_CODES)
+@click.version_option(__version__, prog_name="haros-ci")
+def haros_ci() -> None:
+    """Linters, metrics and ROS architecture checks for ROS 1 and ROS 2 workspaces, as SARIF, with baselines.
+
+    Needs no ROS, no build, no configuration: haros-ci check .
+    """
+
+
+@haros_ci.command()
+@what_options
+@click.option("--output", metavar="FORMAT[=PATH]", multiple=True, help="text, sarif, github or json; repeatable.")
+@click.option("--sarif-for", type=click.Choice(["archive", "github"]), default="archive", show_default=True, help="Who reads the SARIF.")
+@click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl.")
+@click.option("--baseline-rev", metavar="REV", help="Known findings: those of the merge-base with this git revision.")
+@click.option("--no-baseline", is_flag=True, help="Ignore the workspace's own baseline file.")
+@click.option("--require-baseline", is_flag=True, help="Exit with 3 if there is no baseline to compare with.")
+@click.option("--import", "imports", metavar="FILE.sarif", multiple=True, help="Take in another tool's log.")
+@click.option("--fail-on", type=LEVELS, help="Lowest level of a new result that fails the run; default: warning.")
+@click.option("--allow-tool-failure", metavar="TOOL", multiple=True, help="This tool's trouble does not fail the run.")
+@click.option("--why", is_flag=True, help="Say for each result why it is new or which old one it matched.")
+@click.option("--statistics", is_flag=True, help="Counts per rule and tool at the end.")
+@click.option("--show-settings", is_flag=True, help="Print the effective settings and stop.")
+def check(**flags: Any) -> int:
+    """Analyse PATHS (default: the current directory) and report what is new."""
+    from haros_ci import commands
+
+    return commands.check(flags)
+
+
+@haros_ci.group()
+def baseline() -> None:
+    """Keep the file of known findings (.haros-ci-baseline.jsonl)."""
+
+
+file_option = click.option("--file", type=click.Path(dir_okay=False), help="Default: .haros-ci-baseline.jsonl at the root.")
+
+
+@baseline.command()
+@what_options
+@file_option
+def create(**flags: Any) -> int:
+    """Record today's findings as known."""
+    from haros_ci import commands
+
+    return commands.baseline_create(flags)
+
+
+@baseline.command()
+@what_options
+@file_option
+@click.option("--accept-new", is_flag=True, help="Record new findings, too.")
+def update(**flags: Any) -> int:
+    """Refresh known findings that have moved or changed, and drop those that are gone."""
+    from haros_ci import commands
+
+    return commands.baseline_update(flags)
+
+
+@baseline.command()
+@what_options
+@file_option
+def prune(**flags: Any) -> int:
+    """Drop known findings that are gone; change nothing else."""
+    from haros_ci import commands
+
+    return commands.baseline_prune(flags)
+
+
+@baseline.command()
+@file_option
+def show(**flags: Any) -> int:
+    """List what a baseline file holds."""
+    from haros_ci import commands
+
+    return commands.baseline_show(flags)
+
+
+@haros_ci.command()
+@click.option("--json", "as_json", is_flag=True, help="As JSON.")
+@click.option("--profile", metavar="NAME", default="ros", show_default=True, help="Mark what this profile enables.")
+def rules(as_json: bool, profile: str) -> int:
+    """List every documented rule: id, level, and whether the profile enables it."""
+    from haros_ci import commands
+
+    return commands.rules(as_json=as_json, profile=profile)
+
+
+@haros_ci.command()
+@click.argument("rule")
+def explain(rule: str) -> int:
+    """Say what a RULE means, why it matters and how to silence it."""
+    from haros_ci import commands
+
+    return commands.explain(rule)
+
+
+@haros_ci.command()
+@click.argument("action", type=click.Choice(["dir", "stats", "clear"]))
+@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
+def cache(action: str, cache_dir: str | None) -> int:
+    """Show or clear the cache; deleting it is always safe."""
+    from haros_ci import commands
+
+    return commands.cache(action, cache_dir)

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Escaping for each sink: names, messages and source lines are chosen by whoever wrote the analysed code."""
+
+from __future__ import annotations
+
+import re
+
+REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
+
+#: C0, DEL and C1 controls, line and paragraph separators, bidirectional controls, surrogates, Unicode tags.
+_UNSAFE = "\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufff9-\ufffb\U000e0000-\U000e007f"
+_UNSAFE_IN_TEXT = re.compile(f"[{_UNSAFE}]")
+_UNSAFE_IN_LINE = re.compile(f"[{_UNSAFE}\n]")
+_MARKDOWN_ACTIVE = re.compile(r"[!#$&()*+:<=>@\[\\\]^_`{|}~]")
+
+
+def terminal(text: str) -> str:
+    """One line that moves no cursor: every control or bidi character becomes U+FFFD, one for one, a tab a space."""
+    if text.isprintable():
+        return text
+    return _UNSAFE_IN_LINE.sub(REPLACEMENT, text.replace("\t", " "))
+
+
+def multiline(text: str) -> str:
+    """As ``terminal``, but newlines and tabs stay and CR LF becomes LF."""
+    if text.isprintable():
+        return text
+    return _UNSAFE_IN_TEXT.sub(REPLACEMENT, text.replace("\r\n", "\n"))
+
+
+def workflow_data(text: str) -> str:
+    """The text behind ``::`` of a GitHub workflow command (actions/toolkit, command.ts)."""
+    return multiline(text).replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def workflow_property(text: str) -> str:
+    """A property value of a GitHub workflow command."""
+    return workflow_data(text).replace(":", "%3A").replace(",", "%2C")
+
+
+def markdown(text: str) -> str:
+    """Text that GitHub-flavoured Markdown shows as it stands, also inside a table cell.
+
+    Active punctuation becomes entities, which cannot form links, images, HTML, code or tables; a zero-width space
+    behind ``@`` keeps teams from being mentioned, as mentions are found after rendering.
+    """
+    return _MARKDOWN_ACTIVE.sub(_entity, terminal(text))
+
+
+def markdown_code(text: str) -> str:
+    """Inline code, also inside a table cell; entities as above, since pipes and backticks end other forms."""
+    return f"<code>{_MARKDOWN_ACTIVE.sub(lambda m: f'&#{ord(m[0])};', terminal(text))}</code>"
+
+
+def _entity(match: re.Match[str]) -> str:
+    return "&#64;\N{ZERO WIDTH SPACE}" if match[0] == "@" else f"&#{ord(match[0])};"

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report as one JSON document for scripts: schema version 1, to which keys are added but never renamed.
+
+Top level: ``schemaVersion``, ``tool`` {name, version}, ``failOn`` (level or null), ``counts`` {open, errors, warnings,
+notes, failing, unchanged, updated, absent, suppressed}, ``baseline`` {kind, source, available, message} or null,
+``coverage`` {packages, files, lines, targets, unseen}, ``provenance`` {repositoryUri, revision, branch} or null,
+``runs`` [{tool, version, successful, imported, analysed, results}] (the last two are counts), ``notifications``
+[{level, message, tool, path, line, configuration}], and ``results``, one a line, in the order of every output:
+{tool, rule, level, message, path, line, column, endLine, endColumn, open, state, reason, scope, value, limit,
+subject, also, occurrence, snippet, related [{path, line, column, message}], suppressions [{kind, justification}]}.
+A key without a value is null; lines and columns count as SARIF's do.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from haros_ci import __version__
+from haros_ci.report import summary
+from haros_ci.report.message import label, number, plain
+from haros_ci.report.source_lines import quoted
+from haros_ci.results.result import Notification, Related, Report, Result, Run, is_open
+
+SCHEMA_VERSION = 1
+
+
+def render(report: Report) -> str:
+    """The document; ASCII, with a final newline."""
+    counts = summary.count(report)
+    head: dict[str, Any] = {
+        "schemaVersion": SCHEMA_VERSION,
+        "tool": {"name": "haros-ci", "version": __version__},
+        "failOn": report.fail_on.value if report.fail_on else None,
+        "counts": {
+            "open": counts.open,
+            "errors": counts.errors,
+            "warnings": counts.warnings,
+            "notes": counts.notes,
+            "failing": counts.failing,
+            "unchanged": counts.unchanged,
+            "updated": counts.updated,
+            "absent": counts.absent,
+            "suppressed": counts.suppressed,
+        },
+        "baseline": _baseline(report),
+        "coverage": _coverage(report),
+        "provenance": _provenance(report),
+        "runs": [_run(run) for run in sorted(report.runs, key=lambda run: (run.imported, run.tool.name))],
+        "notifications": [_notification(note) for note in summary.notifications(report)],
+    }
+    results = ",\n".join(_dumps(_result(result)) for result in report.results)
+    return f'{_dumps(head)[:-1]},"results":[\n{results}\n]}}\n' if results else f'{_dumps(head)[:-1]},"results":[]}}\n'
+
+
+def _dumps(value: object) -> str:
+    return json.dumps(value, ensure_ascii=True, allow_nan=False)
+
+
+def _result(result: Result) -> dict[str, Any]:
+    place, identity = result.location, result.identity
+    return {
+        "tool": result.tool,
+        "rule": result.rule,
+        "level": result.level.value,
+        "message": plain(result),
+        "path": place.path,
+        "line": place.line,
+        "column": place.column,
+        "endLine": place.end_line,
+        "endColumn": place.end_column,
+        "open": is_open(result),
+        "state": result.state.value if result.state else None,
+        "reason": result.reason or None,
+        "scope": result.scope or (identity.scope if identity else "") or None,
+        "value": number(result.value),
+        "limit": number(result.limit),
+        "subject": list(result.subject),
+        "also": list(result.also),
+        "occurrence": identity.occurrence if identity else None,
+        "snippet": (quoted(identity.snippet) if identity else "") or None,
+        "related": [_related(near) for near in result.related],
+        "suppressions": [{"kind": s.kind, "justification": s.justification or None} for s in result.suppressions],
+    }
+
+
+def _related(near: Related) -> dict[str, Any]:
+    place = near.location
+    return {"path": place.path, "line": place.line, "column": place.column, "message": label(near)}
+
+
+def _run(run: Run) -> dict[str, Any]:
+    return {
+        "tool": run.tool.name,
+        "version": run.tool.version or None,
+        "successful": run.successful,
+        "imported": run.imported,
+        "analysed": len(run.analysed),
+        "results": len(run.results),
+    }
+
+
+def _notification(note: Notification) -> dict[str, Any]:
+    return {
+        "level": note.level.value,
+        "message": note.message,
+        "tool": note.tool,
+        "path": note.path,
+        "line": note.line,
+        "configuration": note.configuration,
+    }
+
+
+def _baseline(report: Report) -> dict[str, Any] | None:
+    baseline = report.baseline
+    if baseline is None:
+        return None
+    return {
+        "kind": baseline.kind,
+        "source": baseline.source,
+        "available": baseline.available,
+        "message": baseline.message or None,
+    }
+
+
+def _coverage(report: Report) -> dict[str, Any]:
+    coverage = report.coverage
+    return {
+        "packages": coverage.packages,
+        "files": coverage.files,
+        "lines": coverage.lines,
+        "targets": coverage.targets,
+        "unseen": list(coverage.unseen),
+    }
+
+
+def _provenance(report: Report) -> dict[str, Any] | None:
+    provenance = report.provenance
+    if provenance is None:
+        return None
+    return {
+        "repositoryUri": provenance.repository_uri or None,
+        "revision": provenance.revision or None,
+        "branch": provenance.branch or None,
+    }

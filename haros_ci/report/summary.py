@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Counts and closing sentences that every form for people shares; texts come unescaped."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+from haros_ci.results.result import BaselineState, Notification, Report, is_open
+from haros_ci.results.rule import Level
+
+#: More open findings than this call for a baseline.
+MANY = 50
+
+
+@dataclass(frozen=True, slots=True)
+class Counts:
+    """How many results there are of each kind; *errors*, *warnings* and *notes* are the open ones."""
+
+    errors: int
+    warnings: int
+    notes: int
+    failing: int
+    unchanged: int
+    updated: int
+    absent: int
+    suppressed: int
+
+    @property
+    def open(self) -> int:
+        return self.errors + self.warnings + self.notes
+
+
+def count(report: Report) -> Counts:
+    """Every result falls in one kind: absent, else suppressed, else open by level, else unchanged or updated."""
+    kinds: Counter[str] = Counter()
+    for run in report.runs:
+        for result in run.results:
+            if result.state is BaselineState.ABSENT:
+                kinds["absent"] += 1
+            elif result.suppressions:
+                kinds["suppressed"] += 1
+            elif is_open(result):
+                kinds[result.level.value] += 1
+            elif result.state is not None:
+                kinds[result.state.value] += 1
+    return Counts(
+        errors=kinds["error"],
+        warnings=kinds["warning"],
+        notes=kinds["note"],
+        failing=len(report.failing()),
+        unchanged=kinds["unchanged"],
+        updated=kinds["updated"],
+        absent=kinds["absent"],
+        suppressed=kinds["suppressed"],
+    )
+
+
+def compared(report: Report) -> bool:
+    """Whether findings were matched against a baseline, so that the open ones are new."""
+    return report.baseline is not None and report.baseline.available
+
+
+def headline(report: Report, counts: Counts) -> str:
+    """``3 new findings: 1 error, 2 warnings``; never without what makes it less than the truth."""
+    new = "new " if compared(report) else ""
+    failed = len(report.failed_tools())
+    but = (f"; {plural(failed, 'tool')} failed" if failed else "") + ("; no baseline" if no_baseline(report) else "")
+    if not counts.open:
+        return f"No {new}findings{but}"
+    levels = [
+        plural(number, noun)
+        for number, noun in ((counts.errors, "error"), (counts.warnings, "warning"), (counts.notes, "note"))
+        if number
+    ]
+    return f"{plural(counts.open, f'{new}finding')}: {', '.join(levels)}{but}"
+
+
+def known(counts: Counts) -> str:
+    """``known: 120 unchanged, 4 updated; gone: 7; suppressed: 12``, or "" if there is nothing of it."""
+    old = [f"{n:,} {word}" for n, word in ((counts.unchanged, "unchanged"), (counts.updated, "updated")) if n]
+    parts = [f"known: {', '.join(old)}"] if old else []
+    parts += [f"gone: {counts.absent:,}"] if counts.absent else []
+    parts += [f"suppressed: {counts.suppressed:,}"] if counts.suppressed else []
+    return "; ".join(parts)
+
+
+def verdict(report: Report, counts: Counts) -> str:
+    """What decides about failure as far as findings do."""
+    if report.fail_on is None:
+        return "Findings do not fail this run."
+    threshold = f"at or above '{report.fail_on.value}'"
+    if counts.failing:
+        return f"{plural(counts.failing, 'finding')} {threshold}."
+    return f"Nothing {'new ' if compared(report) else ''}{threshold}."
+
+
+def no_baseline(report: Report) -> str:
+    """Why there is no baseline although one was asked for, else ""."""
+    if report.baseline is None or report.baseline.available:
+        return ""
+    reason = report.baseline.message or report.baseline.source
+    return f"No baseline: {reason.rstrip('.')}. Every finding counts as new."
+
+
+def covered(report: Report) -> str:
+    """What was looked at, and with which tools."""
+    coverage = report.coverage
+    seen = [plural(coverage.packages, "package"), plural(coverage.files, "file"), plural(coverage.lines, "line")]
+    if coverage.targets is not None:
+        seen.append(f"reporting on {plural(coverage.targets, 'file')}")
+    tools = sorted({f"{run.tool.name} {run.tool.version}".strip() for run in report.runs if run.successful})
+    return f"Looked at {', '.join(seen)}" + (f" with {', '.join(tools)}." if tools else " with no tool.")
+
+
+def given_up(report: Report) -> str:
+    """How many files each tool could not analyse, else ""."""
+    files: dict[str, set[str]] = {}
+    for note in notifications(report):
+        if note.tool and note.path and not note.configuration:
+            files.setdefault(note.tool, set()).add(note.path)
+    said = [f"{tool} on {plural(len(paths), 'file')}" for tool, paths in sorted(files.items())]
+    return f"Gave up: {', '.join(said)}." if said else ""
+
+
+def notifications(report: Report) -> tuple[Notification, ...]:
+    """All of them, each once, worst first, then by tool and place."""
+    every = {*report.notifications, *(note for run in report.runs for note in run.notifications)}
+    return tuple(
+        sorted(every, key=lambda n: (n.level.rank, n.tool or "", n.path or "", n.line or 0, n.message, n.configuration))
+    )
+
+
+def failures(report: Report) -> tuple[str, ...]:
+    """A sentence for each tool whose run did not succeed."""
+    said = []
+    for run in sorted(report.runs, key=lambda run: run.tool.name):
+        if not run.successful:
+            why = next((n.message for n in run.notifications if n.level is Level.ERROR), "it did not finish")
+            said.append(f"{run.tool.name} failed: {why.rstrip('.')}. Its findings are missing or incomplete.")
+    return tuple(said)
+
+
+def plural(number: int, noun: str) -> str:
+    return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"

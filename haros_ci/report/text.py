@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report for a person at a terminal: findings by file with their line of code, trouble, then a summary."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
+
+from haros_ci.report import summary
+from haros_ci.report.escape import terminal
+from haros_ci.report.message import label, plain, shorten
+from haros_ci.report.source_lines import Reader, lines_of
+from haros_ci.results.result import BaselineState, Notification, Report, Result
+from haros_ci.results.rule import Level
+
+MAX_TROUBLE = 10  # of one tool and level; the rest is counted
+TAB = "    "
+RESET, BOLD, DIM = "\x1b[0m", "\x1b[1m", "\x1b[2m"
+COLORS = {Level.ERROR: "\x1b[1;31m", Level.WARNING: "\x1b[33m", Level.NOTE: "\x1b[36m"}
+
+Paint = Callable[[str, str], str]
+
+
+def render(report: Report, *, color: bool, width: int, why: bool, source: Reader | None = None) -> str:
+    """The whole text. *width* is in columns; *source* gives lines of code where results do not bring their own.
+
+    Each finding starts with ``path:line:column: level: message [tool:rule]``, which editors find. Only open findings
+    are shown; *why* adds the reason of each, and one line for each that the baseline knows.
+    """
+    paint: Paint = (lambda code, text: f"{code}{text}{RESET}") if color else (lambda code, text: text)
+    lines = lines_of(source or (lambda path: ""))
+    counts = summary.count(report)
+    blocks: list[Iterable[str]] = [
+        _file(tuple(results), paint, lines, width, why)
+        for _, results in groupby(report.shown(), lambda r: r.location.path)
+    ]
+    if why:
+        blocks.append(_matched(report, paint))
+    blocks.append(_trouble(report, paint))
+    blocks.append(_summary(report, counts, paint))
+    return "\n".join("".join(f"{line}\n" for line in block) for block in map(tuple, blocks) if block)
+
+
+def summary_line(report: Report) -> str:
+    """One line for stderr when the report itself goes to files."""
+    counts = summary.count(report)
+    parts = (summary.headline(report, counts), summary.known(counts))
+    return terminal("; ".join(part for part in parts if part))
+
+
+def frame(line: str, columns: Sequence[tuple[int, int]], width: int) -> tuple[str, str]:
+    """A line of code and the marks below it, both at most *width* wide.
+
+    *columns* are (start, end) in code points, 1-based, end exclusive. Tabs are widened, wide characters count as two;
+    of a long line the part around the first mark is kept.
+    """
+    first = min((start for start, _ in columns), default=1)
+    begin = 0
+    if len(line) >= width or sum(map(_shown_cells, line)) >= width:
+        begin, room = min(first - 1, len(line)), width // 2
+        while begin and (room := room - _shown_cells(line[begin - 1])) >= 0:
+            begin -= 1
+    code, marks = ("...", "   ") if begin else ("", "")
+    for i, character in enumerate(line[begin:], start=begin + 1):
+        cells = _shown_cells(character)
+        if len(marks) + cells > (width if i == len(line) else width - 3):
+            code += "..."
+            break
+        code += TAB if character == "\t" else terminal(character)
+        start = next((start for start, end in columns if start <= i < max(end, start + 1)), None)
+        marks += (" " if start is None else "^" if start == i else "~") * cells
+    if first > len(line):
+        marks += "^"
+    return code.rstrip(), marks.rstrip()
+
+
+def _file(
+    results: tuple[Result, ...], paint: Paint, lines: Callable[[str], list[str]], width: int, why: bool
+) -> Iterator[str]:
+    """The findings of one file; those of one line share its frame."""
+    for number, group in groupby(results, lambda r: r.location.line):
+        here = tuple(group)
+        for result in here:
+            yield _head(result, paint)
+            if why and result.reason:
+                yield paint(DIM, f"      why: {terminal(result.reason)}")
+        if number is not None:
+            yield from _frame(here, number, lines(here[0].location.path), paint, width)
+        for result in here:
+            for near in result.related:
+                yield f"      {terminal(str(near.location))}: {paint(COLORS[Level.NOTE], 'note')}: {label(near)}"
+
+
+def _head(result: Result, paint: Paint) -> str:
+    also = "".join(f", {terminal(other)}" for other in result.also)
+    place = paint(BOLD, terminal(str(result.location)))
+    level = paint(COLORS[result.level], result.level.value)
+    return f"{place}: {level}: {plain(result)} {paint(DIM, f'[{terminal(result.full_id)}{also}]')}"
+
+
+def _frame(here: tuple[Result, ...], number: int, lines: list[str], paint: Paint, width: int) -> Iterator[str]:
+    identity = here[0].identity
+    text = lines[number - 1] if number <= len(lines) else identity.snippet if identity else ""
+    if not text.strip():
+        return
+    columns = [_columns(r) for r in here if r.location.column is not None]
+    code, marks = frame(text, columns, max(width - 10, 20))
+    yield f"{paint(DIM, f'{number:>6} |')} {code}"
+    if marks:
+        worst = min((r.level for r in here), key=lambda level: level.rank)
+        yield f"{paint(DIM, '       |')} {paint(COLORS[worst], marks)}"
+
+
+def _columns(result: Result) -> tuple[int, int]:
+    place = result.location
+    start = place.column or 1
+    one_line = place.end_column is not None and place.end_line in (None, place.line)
+    return start, place.end_column if one_line and place.end_column else start + 1
+
+
+def _matched(report: Report, paint: Paint) -> Iterator[str]:
+    """One line for each result that is not shown, with what became of it."""
+    for result in report.results:
+        if result.state in (None, BaselineState.NEW) and not result.suppressions:
+            continue
+        state = "suppressed" if result.suppressions else result.state.value if result.state else ""
+        reason = result.reason or next((s.justification for s in result.suppressions if s.justification), "")
+        line = f"{terminal(str(result.location))}: {state}: {plain(result)} [{terminal(result.full_id)}]"
+        yield paint(DIM, f"{line} {terminal(reason)}".rstrip())
+
+
+def _trouble(report: Report, paint: Paint) -> Iterator[str]:
+    for _, group in groupby(summary.notifications(report), lambda n: (n.level, n.tool)):
+        notes = tuple(group)
+        for note in notes[:MAX_TROUBLE]:
+            yield f"{paint(COLORS[note.level], note.level.value)}: {_place(note)}{shorten(terminal(note.message), 500)}"
+        if len(notes) > MAX_TROUBLE:
+            yield paint(DIM, f"  and {len(notes) - MAX_TROUBLE:,} more of {terminal(notes[0].tool or 'this kind')}")
+
+
+def _place(note: Notification) -> str:
+    tool = f"{terminal(note.tool)}: " if note.tool else ""
+    if not note.path:
+        return tool
+    return f"{tool}{terminal(note.path)}{f':{note.line}' if note.line else ''}: "
+
+
+def _summary(report: Report, counts: summary.Counts, paint: Paint) -> Iterator[str]:
+    loud = COLORS[Level.ERROR]
+    failed = counts.failing or report.failed_tools() or summary.no_baseline(report)
+    yield paint(loud if failed else BOLD, summary.headline(report, counts))
+    if known := summary.known(counts):
+        yield f"  {known}"
+    yield f"  {summary.verdict(report, counts)}"
+    yield f"  {terminal(summary.covered(report))}"
+    if given_up := summary.given_up(report):
+        yield f"  {terminal(given_up)}"
+    for sentence in report.coverage.unseen:
+        yield f"  Not seen: {terminal(sentence)}"
+    if counts.open:
+        rule, _ = max(Counter(r.full_id for r in report.shown()).items(), key=lambda pair: (pair[1], pair[0]))
+        yield paint(DIM, f"  What a rule means: haros-ci explain {terminal(rule)}")
+    if counts.open > summary.MANY and report.baseline is None:
+        yield paint(
+            DIM, "  Too many at once? haros-ci baseline create records them; from then on only new ones are shown."
+        )
+    if missing := summary.no_baseline(report):
+        yield paint(loud, terminal(missing))
+    for failure in summary.failures(report):
+        yield paint(loud, terminal(failure))
+
+
+def _shown_cells(character: str) -> int:
+    """Columns of a terminal that one character of source takes."""
+    if character.isascii():
+        return len(TAB) if character == "\t" else 1
+    from unicodedata import combining, east_asian_width
+
+    return 0 if combining(character) else 2 if east_asian_width(character) in "WF" else 1
