@@ -1,2 +1,238 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of contents: from settings to a report, each stage a function from values to values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from haros_ci import PROJECT_URL, __version__
+from haros_ci.baselines import compare, read_input, sarif_runs
+from haros_ci.config.selection import Selection
+from haros_ci.config.selector import check_selectors
+from haros_ci.config.settings import PROFILES, Settings
+from haros_ci.linters import catalogue
+from haros_ci.linters.duplicates import merge_same_defects
+from haros_ci.linters.linter import LintOptions
+from haros_ci.linters.metrics import keep_worst_band
+from haros_ci.linters.run import lint
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.registry import LINTERS
+from haros_ci.results import own
+from haros_ci.results.fingerprint import fingerprint
+from haros_ci.results.result import Artifact, Coverage, Notification, Report, Result, Run, Tool
+from haros_ci.results.rule import Level, Rule
+from haros_ci.results.suppress import suppress
+from haros_ci.workspace.discover import discover
+from haros_ci.workspace.git import provenance
+
+Progress = Callable[[str], None]
+
+#: The metrics of both languages are one run, whatever measured them.
+METRICS = "metrics"
+MEASURED_BY = ("lizard", "radon")
+
+#: The names that results of ours carry.
+TOOLS = (own.TOOL, *catalogue.TOOLS)
+ADAPTERS = tuple(linter.NAME for linter in LINTERS)
+#: Tools with more rules than the catalogue lists: any id of theirs may be selected.
+OPEN_ENDED = ("catkin_lint", "clang-tidy", "cppcheck", "pylint", "ruff")
+
+
+def analyse(settings: Settings, store: Store, *, progress: Progress | None = None) -> tuple[Report, Workspace]:
+    """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed."""
+    selection = Selection(settings, rules_of, unlisted=catalogue.rule)
+    misfits = check_selectors(
+        settings, rules_of, TOOLS, linters=ADAPTERS, unserved=catalogue.UNSERVED, open_tools=OPEN_ENDED
+    )
+    workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
+    workspace = narrowed(workspace, settings, selection)
+    runs = examine(workspace, settings, selection, store, progress)
+    compared = compare(
+        (*runs, *imported(settings, workspace, selection)),
+        workspace,
+        settings,
+        examine=lambda base: examine(narrowed(base, settings, selection), settings, selection, store, progress),
+    )
+    runs = tuple(described(run) for run in compared.runs)
+    report = Report(
+        runs=runs,
+        notifications=(
+            *(Notification(Level.NOTE, note, configuration=True) for note in (*settings.notes, *misfits)),
+            *compared.notifications,
+            *(Notification(Level.WARNING, p.message, path=p.path, line=p.line) for p in workspace.problems),
+        ),
+        baseline=compared.baseline,
+        coverage=coverage(workspace, runs),
+        artifacts=tuple(Artifact(f.path, f.digest, f.size, f.language) for f in workspace.files),
+        provenance=provenance(workspace.root),
+        fail_on=settings.fail_on,
+    )
+    return report, workspace
+
+
+def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> Workspace:
+    """The workspace with HAROS's ``packages`` and ``analysis.ignore.files`` as targets; unchanged without them."""
+    if not settings.packages and not settings.ignore_files:
+        return workspace
+    place = {package.name: package.path for package in workspace.packages}
+    targets = []
+    for file in workspace.files:
+        home = place.get(file.package or "", ".")
+        inside = file.path if home == "." else file.path.removeprefix(f"{home}/")
+        wanted = not settings.packages or file.package in settings.packages
+        if wanted and workspace.reports_on(file.path) and not selection.ignores_file(file.package, inside):
+            targets.append(file.path)
+    return replace(workspace, targets=frozenset(targets))
+
+
+def examine(
+    workspace: Workspace, settings: Settings, selection: Selection, store: Store, progress: Progress | None
+) -> tuple[Run, ...]:
+    """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline."""
+    raw = lint(workspace, LINTERS, lint_options(settings), store, selection.wants, progress)
+    runs = (own_run(workspace), *with_metrics(raw))
+    results = selected(results_of(runs), selection, workspace)
+    return finished(distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection)
+
+
+def imported(settings: Settings, workspace: Workspace, selection: Selection) -> tuple[Run, ...]:
+    """The logs of other tools that ``--import`` names; all their rules are on unless the settings say otherwise."""
+    runs = []
+    for name in settings.imports:
+        for run in sarif_runs(read_input(Path(name), name), name, workspace.root):
+            rules = {rule.id: replace(rule, profiles=PROFILES) for rule in run.rules}
+            results = []
+            for result in run.results:
+                rule = rules.get(result.rule) or Rule(result.rule, "", profiles=PROFILES)
+                level = selection.decide(run.tool.name, rule, result.location.path, default=result.level)
+                if level is not None and workspace.reports_on(result.location.path):
+                    results.append(replace(result, level=level))
+            runs.append(replace(run, results=tuple(results)))
+    return finished(tuple(runs), workspace, selection)
+
+
+def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection) -> tuple[Run, ...]:
+    """The last steps before comparison: suppressions, and an identity for each result."""
+    files = {file.path: file for file in workspace.files}
+
+    def language(path: str) -> str:
+        return files[path].language if path in files else ""
+
+    runs, unused = suppress(
+        runs,
+        workspace.text,
+        language,
+        selection.matches,
+        enabled=lambda tool, path: (rule for rule in rules_of(tool) if selection.wants(tool, rule, path)),
+        mentions=lambda path: path in files and files[path].has_directive,
+    )
+    runs = distribute(runs, (*results_of(runs), *selected(unused, selection, workspace)))
+    return fingerprint(runs, workspace.text, language)
+
+
+def lint_options(settings: Settings) -> LintOptions:
+    """The part of the settings that the linters room sees."""
+    chosen = dict(settings.linters)
+    return LintOptions(
+        enabled=frozenset(name for name, s in chosen.items() if s.enabled),
+        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False),
+        timeouts={name: s.timeout for name, s in chosen.items() if s.timeout is not None},
+        timeout=settings.linter_timeout,
+        jobs=settings.jobs,
+        trust_config=settings.trust_config,
+        arguments={name: s.arguments for name, s in chosen.items() if s.arguments},
+        compile_database=settings.compile_database,
+    )
+
+
+def selected(results: Iterable[Result], selection: Selection, workspace: Workspace) -> tuple[Result, ...]:
+    """Those results whose rule is on for their file, at the level that the settings give them."""
+    kept = []
+    for result in results:
+        if not workspace.reports_on(result.location.path):
+            continue
+        level = selection.decide(result.tool, result.rule, result.location.path)
+        if level is not None:
+            kept.append(result if level is result.level else replace(result, level=level))
+    return tuple(kept)
+
+
+def results_of(runs: Iterable[Run]) -> tuple[Result, ...]:
+    return tuple(result for run in runs for result in run.results)
+
+
+def distribute(runs: Iterable[Run], results: Iterable[Result]) -> tuple[Run, ...]:
+    """The same runs with *results* in place of their own, each under its tool, in output order."""
+    by_tool: dict[str, list[Result]] = {}
+    for result in results:
+        by_tool.setdefault(result.tool, []).append(result)
+    return tuple(
+        replace(run, results=tuple(sorted(by_tool.get(run.tool.name, ()), key=lambda r: r.sort_key))) for run in runs
+    )
+
+
+def own_run(workspace: Workspace) -> Run:
+    """What haros-ci itself says: manifests that cannot be read."""
+    tool = Tool(own.TOOL, __version__, PROJECT_URL, f"haros-ci {__version__}")
+    analysed = frozenset(f.path for f in workspace.files if workspace.reports_on(f.path))
+    return Run(tool, results=own.manifest_results(workspace.faults), analysed=analysed)
+
+
+def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
+    """Lizard's and radon's runs joined into the one run named ``metrics``, after the linters."""
+    runs = tuple(runs)
+    parts = [run for run in runs if run.tool.name in MEASURED_BY]
+    others = tuple(run for run in runs if run.tool.name not in MEASURED_BY)
+    if not parts:
+        return others
+    by = ", ".join(f"{run.tool.name} {run.tool.version}".strip() for run in parts)
+    metrics = Run(
+        tool=Tool(METRICS, __version__, PROJECT_URL, f"haros-ci metrics (measured by {by})"),
+        results=results_of(parts),
+        notifications=tuple(n for run in parts for n in run.notifications),
+        analysed=frozenset().union(*(run.analysed for run in parts)),
+        successful=all(run.successful for run in parts),
+    )
+    return (*others, metrics)
+
+
+def rules_of(tool: str) -> Mapping[str, Rule]:
+    """The documented rules of a tool, haros-ci itself included."""
+    return own.RULES if tool == own.TOOL else catalogue.rules_of(tool)
+
+
+def documented_rules() -> Iterator[tuple[str, Rule]]:
+    """Every documented rule with its tool's name, in order."""
+    for tool in sorted(TOOLS):
+        for _, rule in sorted(rules_of(tool).items()):
+            yield tool, rule
+
+
+def described(run: Run) -> Run:
+    """The run with the rules that its results refer to."""
+    if run.imported:
+        return run
+    ids = sorted({result.rule for result in run.results})
+    return replace(run, rules=tuple(own.RULES.get(id) or catalogue.rule(run.tool.name, id) for id in ids))
+
+
+def coverage(workspace: Workspace, runs: Iterable[Run]) -> Coverage:
+    """What was looked at, and in whole sentences what was not."""
+    unseen = []
+    if not workspace.packages:
+        unseen.append("No package.xml was found: files are analysed one by one, nothing is known of packages.")
+    if workspace.problems:
+        unseen.append(f"{len(workspace.problems)} inputs could not be read as they stand.")
+    for run in runs:
+        given_up = {n.path for n in run.notifications if n.path is not None}
+        if given_up:
+            unseen.append(f"{run.tool.name} gave up on {len(given_up)} files.")
+    return Coverage(
+        packages=len(workspace.packages),
+        files=len(workspace.files),
+        lines=sum(file.lines for file in workspace.files if file.language in ("cpp", "python")),
+        targets=None if workspace.targets is None else len(workspace.targets),
+        unseen=tuple(unseen),
+    )

@@ -21,8 +21,10 @@ DOORS: dict[str, set[str]] = {
     "report": {"model", "results", "errors"},
     "registry": {"model", "results", "errors", "linters"},
     "api": {"model", "results", "linters"},
-    "pipeline": {"model", "results", "errors", "config", "workspace", "linters", "registry"},
-    "cli": {"model", "results", "errors", "config", "pipeline", "report", "registry", "workspace"},
+    "baselines": {"model", "results", "errors", "config", "workspace"},
+    "pipeline": {"model", "results", "errors", "config", "workspace", "linters", "registry", "baselines"},
+    "commands": {"model", "results", "errors", "config", "workspace", "report", "baselines", "pipeline", "cli"},
+    "cli": {"errors", "commands", "report"},
     "__main__": {"cli"},
     "__init__": set(),
 }

@@ -24,16 +24,38 @@ class Program:
 
 @dataclass(frozen=True, slots=True)
 class LintOptions:
-    """The part of the settings that adapters see. ``enabled`` are the tools to run; ``requested`` those asked for by name."""
+    """The part of the settings that adapters see.
 
-    enabled: frozenset[str]
-    requested: frozenset[str] = frozenset()
+    ``enabled`` are the tools asked for by name, ``disabled`` those switched off; any other tool runs if it is on by
+    default or installed. ``root`` is the user's checkout, from which no program is ever taken (the workspace under
+    analysis may be a copy of a base revision). ``timeout`` is in seconds for one process.
+    """
+
+    enabled: frozenset[str] = frozenset()
+    disabled: frozenset[str] = frozenset()
     timeouts: dict[str, float] = field(default_factory=dict)
     timeout: float = 600.0
     jobs: int = 1
     trust_config: bool = False
     arguments: dict[str, tuple[str, ...]] = field(default_factory=dict)
     compile_database: str | None = None
+    root: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """What a tool analyses at a time: one file, and everything that its results depend on.
+
+    Only units of one *group* share a process. *dependencies* are paths of other workspace files whose contents can
+    change the results, *salt* is anything else that can. *covers* are further files (headers) whose findings come
+    from this unit's analysis.
+    """
+
+    file: SourceFile
+    group: str = ""
+    dependencies: tuple[str, ...] = ()
+    covers: tuple[str, ...] = ()
+    salt: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +66,7 @@ class Batch:
     files: tuple[SourceFile, ...]
     options: LintOptions
     scratch: Path
+    group: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +81,7 @@ class Command:
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """What a finished process left: *truncated* when the byte cap cut it."""
+    """What a finished process left: *truncated* when the byte cap cut it. *code* is negative for a signal."""
 
     stdout: bytes
     stderr: bytes
@@ -84,7 +107,11 @@ class GaveUp:
 
 
 class Linter(Protocol):
-    """An adapter module. ``COST`` is seconds per megabyte of source on one core, for scheduling only."""
+    """An adapter module. ``COST`` is seconds per megabyte of source on one core, for scheduling only.
+
+    An adapter may also have ``BATCH_SECONDS``, the estimated length of one process, and
+    ``plan(workspace, options, store) -> Iterable[Unit]``, which then takes the place of LANGUAGES and dependencies().
+    """
 
     NAME: str
     LANGUAGES: frozenset[str]
@@ -110,4 +137,17 @@ class Linter(Protocol):
         ...
 
 
-__all__ = ["Batch", "Command", "Finding", "GaveUp", "Level", "LintOptions", "Linter", "Output", "Program", "Related", "Result"]
+__all__ = [
+    "Batch",
+    "Command",
+    "Finding",
+    "GaveUp",
+    "Level",
+    "LintOptions",
+    "Linter",
+    "Output",
+    "Program",
+    "Related",
+    "Result",
+    "Unit",
+]

@@ -42,7 +42,8 @@ class SourceFile:
     """One file that can be analysed.
 
     *path* is POSIX-style and relative to the workspace root; *digest* is the SHA-256 of its bytes in hex; *size* is
-    in bytes; *package* is the name of the innermost package that contains it, or None.
+    in bytes; *package* is the name of the innermost package that contains it, or None; *lines* counts line feeds;
+    *has_directive* is False where no suppression comment of ours can be in it.
     """
 
     path: str
@@ -50,3 +51,5 @@ class SourceFile:
     size: int
     digest: str
     package: str | None = None
+    lines: int = 0
+    has_directive: bool = True

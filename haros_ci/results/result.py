@@ -40,9 +40,10 @@ class Suppression:
 class Identity:
     """What a result is about, without line numbers; hashes are the first 16 hex digits of a SHA-256.
 
-    ``text`` is of the normalised line, ``before`` and ``after`` of the three nearest non-blank lines on each side;
-    ``template`` is the message with numbers and quoted names replaced; ``occurrence`` counts equal (tool, rule, path,
-    scope, text) from 1, top to bottom; ``line_hash`` is GitHub's primaryLocationLineHash, "" if the file has no such line.
+    ``text`` is of the normalised line, ``shape`` of that line with names and numbers replaced, ``before`` and
+    ``after`` of the three nearest non-blank lines on each side; ``template`` is the message with numbers and quoted
+    names replaced; ``occurrence`` counts equal (tool, rule, path, scope, text) from 1, top to bottom; ``line_hash`` is
+    GitHub's primaryLocationLineHash, "" if the file has no such line.
     """
 
     scope: str = ""
@@ -53,6 +54,7 @@ class Identity:
     occurrence: int = 1
     line_hash: str = ""
     snippet: str = ""
+    shape: str = ""
 
 
 @dataclass(frozen=True, slots=True)

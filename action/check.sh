@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Run haros-ci as the inputs ask, set the outputs, and end with the command's exit code.
+# Inputs come through the environment and reach the command as one argument each; nothing is evaluated.
+# Works with bash 3.2 (macOS).
+set -euo pipefail
+
+fail() {
+  printf '::error title=haros-ci::%s\n' "$1"
+  printf 'exit-code=2\n' >> "$GITHUB_OUTPUT"
+  exit 2
+}
+
+arguments=(-I -m haros_ci check)
+
+option() { # NAME VALUE: give the option if there is a value
+  [[ -z "$2" ]] || arguments+=("--$1=$2")
+}
+
+options() { # NAME VALUES: give the option once for each line
+  local line
+  while IFS= read -r line; do
+    option "$1" "$line"
+  done < <(lines "$2")
+}
+
+lines() { # TEXT: its lines without surrounding blanks, empty ones left out
+  printf '%s\n' "$1" | tr -d '\r' | sed -e 's/^[[:blank:]]*//' -e 's/[[:blank:]]*$//' -e '/^$/d'
+}
+
+flag() { # INPUT VALUE: whether it is true
+  case "$2" in
+    true) return 0 ;;
+    false) return 1 ;;
+    *) fail "The input '$1' is neither true nor false." ;;
+  esac
+}
+
+repository_of() { # PATH: the nearest directory upwards with a .git; none of git's own search, which a planted bare repository deceives
+  local directory
+  directory="$1"
+  [[ -d "$directory" ]] || directory="$(dirname -- "$directory")"
+  directory="$(CDPATH='' cd -- "$directory" && pwd -P)" || return 1
+  while [[ ! -e "$directory/.git" ]]; do
+    [[ "$directory" != / ]] || return 1
+    directory="$(dirname -- "$directory")"
+  done
+  printf '%s\n' "$directory"
+}
+
+git_here() {
+  GIT_TERMINAL_PROMPT=0 GIT_HTTP_LOW_SPEED_LIMIT=1000 GIT_HTTP_LOW_SPEED_TIME=60 \
+    git --git-dir="$repository/.git" --work-tree="$repository" -c core.fsmonitor=false -c core.hooksPath=/dev/null "$@"
+}
+
+has_merge_base() {
+  git_here merge-base HEAD "$base" > /dev/null 2>&1
+}
+
+fetch_merge_base() { # BRANCH: make the merge-base of HEAD and origin's branch known, deepening a shallow clone as far as needed
+  local base="refs/remotes/origin/$1" refspec="+refs/heads/$1:refs/remotes/origin/$1" head step
+  ! has_merge_base || return 0
+  if [[ "$(git_here rev-parse --is-shallow-repository)" != true ]]; then
+    git_here fetch --quiet --no-tags origin "$refspec" || return 1
+    has_merge_base
+    return
+  fi
+  head="$(git_here rev-parse --verify --quiet HEAD)" || return 1
+  git_here rev-parse --verify --quiet "$base^{commit}" > /dev/null ||
+    git_here fetch --quiet --no-tags --depth=1 origin "$refspec" || return 1
+  for step in --deepen=1 --deepen=50 --deepen=1000 --unshallow; do
+    ! has_merge_base || return 0
+    git_here fetch --quiet --no-tags "$step" origin "$refspec" "$head" || return 1
+  done
+  has_merge_base
+}
+
+python="$INPUT_PYTHON"
+! flag install "$INPUT_INSTALL" || python="$RUNNER_TEMP/haros-ci-environment/bin/python"
+sarif="${INPUT_SARIF_FILE:-$RUNNER_TEMP/haros-ci.sarif}"
+counts="$RUNNER_TEMP/haros-ci.json"
+annotations="$RUNNER_TEMP/haros-ci-annotations"
+[[ "$sarif" != *$'\n'* && "$sarif" != *$'\r'* ]] || fail "The input 'sarif-file' is more than one line."
+
+# With a revision the command reads project file and baseline file from there, so that a pull request cannot bring its own.
+if [[ -z "$INPUT_BASELINE_REV" && -n "${GITHUB_BASE_REF:-}" ]]; then
+  INPUT_BASELINE_REV="refs/remotes/origin/$GITHUB_BASE_REF"
+  first="$(lines "$INPUT_PATHS" | sed -n 1p)"
+  if ! { repository="$(repository_of "${first:-.}")" && fetch_merge_base "$GITHUB_BASE_REF"; }; then
+    printf '::warning title=haros-ci::%s\n' \
+      "The merge-base with the target branch could not be fetched, so there is no baseline. Use fetch-depth: 0 in actions/checkout."
+  fi
+fi
+
+option project "$INPUT_PROJECT"
+option profile "$INPUT_PROFILE"
+options select "$INPUT_SELECT"
+options ignore "$INPUT_IGNORE"
+option baseline "$INPUT_BASELINE"
+option baseline-rev "$INPUT_BASELINE_REV"
+! flag require-baseline "$INPUT_REQUIRE_BASELINE" || arguments+=(--require-baseline)
+option fail-on "$INPUT_FAIL_ON"
+options allow-tool-failure "$INPUT_ALLOW_TOOL_FAILURE"
+option compile-database "$INPUT_COMPILE_DATABASE"
+option jobs "$INPUT_JOBS"
+option cache-dir "${INPUT_CACHE_DIR:-$RUNNER_TEMP/haros-ci-cache}"
+option sarif-for "$INPUT_SARIF_FOR"
+option output text
+! flag annotations "$INPUT_ANNOTATIONS" || option output "github=$annotations"
+option output "sarif=$sarif"
+option output "json=$counts"
+arguments+=(--)
+while IFS= read -r path; do
+  arguments+=("$path")
+done < <(lines "$INPUT_PATHS")
+
+rm -f -- "$sarif" "$counts" "$annotations" # what stands there afterwards is this run's
+code=0
+token="$("$python" -I -c 'import secrets; print(secrets.token_hex(16))')"
+printf '::stop-commands::%s\n' "$token" # the log quotes the pull request's file names and code: none of it is a command
+"$python" "${arguments[@]}" || code=$?
+printf '::%s::\n' "$token"
+
+[[ ! -f "$annotations" ]] || cat -- "$annotations"
+printf 'exit-code=%d\n' "$code" >> "$GITHUB_OUTPUT"
+if [[ -f "$sarif" && -f "$counts" ]]; then
+  new="$("$python" -I -c 'import json, sys; print(json.load(open(sys.argv[1], "rb"))["counts"]["open"])' "$counts")"
+  printf 'sarif=%s\nnew-count=%d\n' "$sarif" "$new" >> "$GITHUB_OUTPUT"
+else
+  printf '::error title=haros-ci::Nothing was checked, because of wrong inputs or configuration; see the log.\n'
+fi
+exit "$code"

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the known findings come from: a file of ours, a SARIF log, or the analysis of a base revision."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from haros_ci.config.settings import Settings
+from haros_ci.errors import UserError
+from haros_ci.model.workspace import Workspace
+from haros_ci.results.compact import MAX_BYTES, BaselineFormatError, read_compact
+from haros_ci.results.known import Known, Sides, known_from_results, known_from_sarif, rule_aliases
+from haros_ci.results.matching import match
+from haros_ci.results.result import Baseline, Notification, Result, Run
+from haros_ci.results.rule import Level
+from haros_ci.results.sarif_reader import SarifError, read_sarif
+from haros_ci.workspace.base import base_workspace
+from haros_ci.workspace.files import TooLarge, read_regular
+from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at
+
+#: The baseline file that is used without being named.
+COMPACT_NAME = ".haros-ci-baseline.jsonl"
+
+Examine = Callable[[Workspace], tuple[Run, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """Runs whose results carry their state, how the baseline was come by, and what went wrong on the way."""
+
+    runs: tuple[Run, ...]
+    baseline: Baseline | None = None
+    notifications: tuple[Notification, ...] = ()
+
+
+def compare(runs: tuple[Run, ...], workspace: Workspace, settings: Settings, *, examine: Examine) -> Comparison:
+    """Match *runs* against the baseline that *settings* ask for; without one their results stay without a state.
+
+    A baseline file given together with a revision is read from that revision, so that a change cannot bring its own.
+    A revision that cannot be had is an unavailable baseline, never an empty one.
+    """
+    try:
+        if settings.baseline is not None:
+            return _against_file(runs, workspace, settings)
+        if settings.baseline_rev is not None:
+            return _against_revision(runs, workspace, settings, settings.baseline_rev, examine)
+    except BaselineUnavailable as err:
+        source = settings.baseline_rev or settings.baseline or ""
+        return Comparison(
+            runs,
+            Baseline("revision", source, available=False, message=str(err)),
+            (Notification(Level.WARNING, f"No baseline: {err}", configuration=True),),
+        )
+    return Comparison(runs)
+
+
+def known_findings(settings: Settings) -> tuple[Known, ...]:
+    """What the baseline file of *settings* holds, read from the base revision if one is given."""
+    assert settings.baseline is not None
+    name = settings.baseline
+    data = _bytes_of(settings)
+    if is_sarif(data):
+        return known_from_sarif(sarif_runs(data, name, settings.root))
+    try:
+        return read_compact(data, name)
+    except BaselineFormatError as err:
+        raise UserError(f"{name}:{err.line}: {err.message}", help="or write it anew: haros-ci baseline create") from err
+
+
+def is_sarif(data: bytes) -> bool:
+    """Whether *data* is one JSON document with runs, rather than our lines."""
+    head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
+    return b'"haros-ci-baseline"' not in head.split(b"\n", 1)[0] and (b'"runs"' in data or b'"$schema"' in head)
+
+
+def sarif_runs(data: bytes, name: str, root: Path) -> tuple[Run, ...]:
+    """The runs of a SARIF log, with notifications of what was left out of them; UserError if it is none."""
+    try:
+        return read_sarif(data, name, root=root.as_posix())
+    except SarifError as err:
+        raise UserError(f"{name}: {err}", help="give a SARIF 2.1.0 log, or leave the file out") from err
+
+
+def sides(
+    workspace: Workspace,
+    runs: Iterable[Run],
+    paths: tuple[str, ...],
+    base: Workspace | None = None,
+    renames: Mapping[str, str] | None = None,
+) -> Sides:
+    """The files on the two sides of a comparison, as the matcher asks for them.
+
+    *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone.
+    """
+    language = {file.path: file.language for side in (base, workspace) if side for file in side.files}
+    present = {file.path for file in workspace.files}
+    analysed = {run.tool.name: run.analysed for run in runs}
+    above = tuple(f"{path}/" for path in paths if path != ".")
+    return Sides(
+        head=workspace.text,
+        language=lambda path: language.get(path, ""),
+        exists=lambda path: path in present or ("." not in paths and not path.startswith(above)),
+        analysed=lambda tool, path: path in analysed.get(tool, ()),
+        base=base.text if base else None,
+        renames=renames or {},
+        aliases=rule_aliases(runs),
+        partial=workspace.targets is not None,
+    )
+
+
+def _against_file(runs: tuple[Run, ...], workspace: Workspace, settings: Settings) -> Comparison:
+    known = known_findings(settings)
+    kind = "file" if settings.baseline_rev is None else "file at revision"
+    return Comparison(_matched(runs, known, sides(workspace, runs, settings.paths)), Baseline(kind, settings.baseline or ""))
+
+
+def _against_revision(
+    runs: tuple[Run, ...], workspace: Workspace, settings: Settings, rev: str, examine: Examine
+) -> Comparison:
+    with base_workspace(
+        workspace, rev, paths=settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size
+    ) as base:
+        past = examine(base.workspace)
+        known = known_from_results(result for run in past for result in run.results)
+        compared = tuple(run for run in runs if not run.imported)
+        found = sides(workspace, compared, settings.paths, base.workspace, base.renames)
+        matched = _matched(compared, known, found)
+    logs = tuple(run for run in runs if run.imported)
+    notes = [
+        Notification(Level.WARNING, f"The imported log of {run.tool.name} has no counterpart at {rev}: all of it counts.", configuration=True)
+        for run in logs
+    ]
+    broken = {run.tool.name for run in past if not run.successful}
+    notes += [
+        Notification(Level.WARNING, f"{tool} failed on the base revision: its old findings count as new.", tool=tool)
+        for tool in sorted(broken)
+    ]
+    return Comparison((*matched, *logs), Baseline("revision", f"{rev} ({base.revision[:12]})"), tuple(notes))
+
+
+def _matched(runs: tuple[Run, ...], known: tuple[Known, ...], sides: Sides) -> tuple[Run, ...]:
+    """Each run with its results' states and, at the end, its absent ones."""
+    by_tool: dict[str, list[Known]] = {}
+    for entry in known:
+        by_tool.setdefault(entry.tool, []).append(entry)
+    return tuple(
+        replace(run, results=tuple(sorted(match(run.results, by_tool.get(run.tool.name, ()), sides), key=_order)))
+        for run in runs
+    )
+
+
+def _order(result: Result) -> tuple[object, ...]:
+    return (*result.sort_key, result.state.value if result.state else "")
+
+
+def _bytes_of(settings: Settings) -> bytes:
+    name = settings.baseline or ""
+    path = settings.root / name
+    if settings.baseline_rev is not None and not Path(name).is_absolute():
+        data = read_at(settings.root, merge_base(settings.root, settings.baseline_rev), name)
+        if data is None:
+            raise BaselineUnavailable(f"{name} is not in the base revision")
+        return data
+    return read_input(path, name)
+
+
+def read_input(path: Path, name: str) -> bytes:
+    """A file that the command line names; UserError if it is not a readable regular file of sane size."""
+    try:
+        data = read_regular(path, MAX_BYTES)
+    except TooLarge as err:
+        raise UserError(f"{name}: larger than {MAX_BYTES // 1_000_000} MB", help="this is no log of findings") from err
+    except OSError as err:
+        raise UserError(f"{name}: cannot be read: {err.strerror}", help="check the path") from err
+    if data is None:
+        raise UserError(f"{name}: not a regular file", help="check the path")
+    return data

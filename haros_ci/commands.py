@@ -1,0 +1,375 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What each command does: flags become settings, the pipeline runs, renderers' text is written, an exit code results."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import click
+
+from haros_ci.baselines import COMPACT_NAME, known_findings, sides
+from haros_ci.cli import EXIT_TOOL_TROUBLE, FORMATS
+from haros_ci.config.settings import PROFILES, Settings
+from haros_ci.errors import UserError
+from haros_ci.model.workspace import Workspace
+from haros_ci.results.known import Known, Sides
+from haros_ci.results.result import Report
+from haros_ci.results.rule import Level
+from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
+
+Flags = Mapping[str, Any]
+
+
+def check(flags: Flags) -> int:
+    """``haros-ci check``: analyse, write every output asked for, and give the exit code of design.md."""
+    outputs = parse_outputs(flags["output"])
+    settings = settings_from(flags)
+    if flags["show_settings"]:
+        from haros_ci.config.describe import describe
+
+        click.echo(describe(settings), nl=False)
+        return 0
+    report, workspace = run(settings, flags)
+    for format, path in outputs:
+        write(rendered(report, workspace.text, format, flags, to_file=path is not None), path)
+    if flags["statistics"]:
+        from haros_ci.report.statistics import render
+
+        click.echo(render(report), err=any(path is None and format != "text" for format, path in outputs), nl=False)
+    if not any(path is None for _, path in outputs):
+        from haros_ci.report.text import summary_line
+
+        click.echo(summary_line(report), err=True)
+    return exit_code(report, settings)
+
+
+def exit_code(report: Report, settings: Settings) -> int:
+    """3 before 1 before 0 (design.md: tool trouble is never green)."""
+    if set(report.failed_tools()) - settings.allow_tool_failure:
+        return EXIT_TOOL_TROUBLE
+    if settings.require_baseline and (report.baseline is None or not report.baseline.available):
+        return EXIT_TOOL_TROUBLE
+    return 1 if report.failing() else 0
+
+
+def run(settings: Settings, flags: Flags) -> tuple[Report, Workspace]:
+    """Analyse under a cache, saying on stderr what is being done when a person watches."""
+    from haros_ci.pipeline import analyse
+
+    store = store_for(settings)
+    started = time.perf_counter()
+    clock: list[tuple[float, str]] = []
+    watched = sys.stderr.isatty() and not os.environ.get("CI")
+
+    def progress(what: str) -> None:
+        clock.append((time.perf_counter() - started, what))
+        if watched:
+            click.echo(f"\r\x1b[K{what}", nl=False, err=True)
+
+    try:
+        report, workspace = analyse(settings, store, progress=progress)
+    finally:
+        if watched:
+            click.echo("\r\x1b[K", nl=False, err=True)
+        trouble = store.flush()
+        if trouble:
+            click.echo(f"warning: {trouble}", err=True)
+    if flags.get("timings"):
+        for seconds, what in clock:
+            click.echo(f"{seconds:8.3f} s  {what}", err=True)
+        click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
+    return report, workspace
+
+
+def store_for(settings: Settings) -> DiskCache | MemoryCache:
+    return MemoryCache() if settings.cache_dir is None else DiskCache(settings.cache_dir)
+
+
+# -- settings -----------------------------------------------------------------------------------------------------
+
+
+def settings_from(flags: Flags) -> Settings:
+    """Flags and project file as one value; on a pull request (``--baseline-rev``) the file is the base revision's."""
+    from haros_ci.config.load import load
+    from haros_ci.workspace.roots import locate
+
+    place = locate(tuple(flags["paths"]), Path.cwd())
+    command_line: dict[str, Any] = {
+        "paths": place.paths,
+        "profile": flags.get("profile"),
+        "select": flatten(flags.get("select")),
+        "ignore": flatten(flags.get("ignore")),
+        "exclude": tuple(flags.get("exclude") or ()),
+        "fail_on": flags.get("fail_on"),
+        "jobs": flags.get("jobs") or cores(),
+        "compile_database": flags.get("compile_database"),
+        "imports": tuple(flags.get("imports") or ()),
+        "baseline": flags.get("baseline"),
+        "baseline_rev": flags.get("baseline_rev"),
+        "no_baseline": flags.get("no_baseline") or False,
+        "require_baseline": flags.get("require_baseline") or False,
+        "allow_tool_failure": frozenset(flags.get("allow_tool_failure") or ()),
+        "cache_dir": cache_dir(flags, place.root),
+    }
+    settings = load(
+        place.root,
+        start=place.start,
+        project=Path(flags["project"]) if flags.get("project") else None,
+        isolated=flags.get("isolated") or False,
+        read=reader_at(place.root, flags.get("baseline_rev")),
+        trust_config=flags.get("trust_config") or False,
+        command_line=command_line,
+    )
+    unnamed = settings.baseline is None and settings.baseline_rev is None and not flags.get("no_baseline")
+    if unnamed and (place.root / COMPACT_NAME).is_file():
+        settings = replace(settings, baseline=COMPACT_NAME)
+    return settings
+
+
+def reader_at(root: Path, rev: str | None) -> Callable[[Path], bytes | None] | None:
+    """How to read a project file at the base revision; None to read from disk (no revision, or it cannot be had)."""
+    if rev is None:
+        return None
+    from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at
+
+    try:
+        base = merge_base(root, rev)
+    except BaselineUnavailable:  # said loudly by the comparison; only what the head says is left
+        return None
+    return lambda path: read_at(root, base, path.relative_to(root).as_posix()) if path.is_relative_to(root) else None
+
+
+def flatten(groups: tuple[tuple[str, ...], ...] | None) -> tuple[str, ...]:
+    return tuple(word for group in groups or () for word in group)
+
+
+def cores() -> int:
+    """The processors that this process may use, not those that the machine has."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def cache_dir(flags: Flags, root: Path) -> Path | None:
+    if flags.get("no_cache"):
+        return None
+    named = Path(flags["cache_dir"]).absolute() if flags.get("cache_dir") else None
+    return cache_directory(named, os.environ, root, explicit=named is not None)
+
+
+# -- outputs ------------------------------------------------------------------------------------------------------
+
+
+def parse_outputs(wanted: tuple[str, ...]) -> tuple[tuple[str, Path | None], ...]:
+    """``FORMAT[=PATH]`` as pairs; at most one format may go to stdout beside none other."""
+    outputs = []
+    for item in wanted or ("text",):
+        format, _, path = item.partition("=")
+        if format not in FORMATS:
+            raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(FORMATS)}")
+        outputs.append((format, Path(path) if path else None))
+    on_stdout = [format for format, path in outputs if path is None]
+    if len(on_stdout) > 1 and set(on_stdout) - {"text", "github"}:
+        raise UserError(
+            f"--output: {' and '.join(on_stdout)} cannot share stdout", help="give all but one a path: sarif=FILE"
+        )
+    return tuple(outputs)
+
+
+def rendered(report: Report, source: Callable[[str], str], format: str, flags: Flags, *, to_file: bool) -> str:
+    match format:
+        case "sarif":
+            from haros_ci.report.sarif import render as sarif
+
+            return sarif(report, audience=flags["sarif_for"], source=source)
+        case "json":
+            from haros_ci.report.json_report import render as as_json
+
+            return as_json(report)
+        case "github":
+            from haros_ci.report.github import annotations, summary
+
+            page = os.environ.get("GITHUB_STEP_SUMMARY")
+            if page:
+                append(Path(page), summary(report))
+            return annotations(report)
+        case _:
+            from haros_ci.report.text import render as text
+
+            color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
+            width = int(os.environ.get("COLUMNS") or 0) or 120
+            return text(report, color=color, width=width, why=flags["why"], source=source)
+
+
+def write(text: str, path: Path | None) -> None:
+    """To stdout, or to a file that appears whole or not at all."""
+    if path is None:
+        sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
+        return
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        draft = path.with_name(f".{path.name}.{os.getpid()}")
+        draft.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
+        draft.replace(path)
+    except OSError as err:
+        raise UserError(f"{path}: cannot be written: {err.strerror}", help="name another --output path") from err
+
+
+def append(path: Path, text: str) -> None:
+    try:
+        with path.open("a", encoding="utf-8", errors="backslashreplace") as page:
+            page.write(text)
+    except OSError as err:
+        click.echo(f"warning: {path}: the job summary cannot be written: {err.strerror}", err=True)
+
+
+# -- baseline file ------------------------------------------------------------------------------------------------
+
+
+def baseline_create(flags: Flags) -> int:
+    """``haros-ci baseline create``: today's findings become known; an existing file is written anew."""
+    from haros_ci.results.known import known_from_results
+
+    _, report, _ = examined(flags)
+    known = known_from_results(report.results)
+    return keep(flags, known, report, f"{len(known)} findings are known now")
+
+
+def baseline_update(flags: Flags) -> int:
+    """``haros-ci baseline update``: known findings follow the code; new ones join under ``--accept-new`` only."""
+    from haros_ci.results.upkeep import update
+
+    settings, report, sides = examined(flags)
+    before = known_file(flags, settings)
+    known = update(before, report.results, sides, accept_new=flags["accept_new"])
+    return keep(flags, known, report, f"{len(before)} findings were known, {len(known)} are now")
+
+
+def baseline_prune(flags: Flags) -> int:
+    """``haros-ci baseline prune``: what is gone is dropped."""
+    from haros_ci.results.upkeep import prune
+
+    settings, report, sides = examined(flags)
+    before = known_file(flags, settings)
+    known = prune(before, report.results, sides)
+    return keep(flags, known, report, f"{len(before) - len(known)} of {len(before)} known findings are gone")
+
+
+def baseline_show(flags: Flags) -> int:
+    """``haros-ci baseline show``: what the file holds, one finding a line."""
+    from haros_ci.report.escape import terminal
+
+    settings = settings_from({"paths": (), "isolated": True})
+    for known in known_file(flags, settings):
+        scope = f" in {known.scope}" if known.scope else ""
+        reason = f" ({known.reason})" if known.reason else ""
+        click.echo(terminal(f"{known.path}{scope}: {known.template} [{known.tool}:{known.rule}]{reason}"))
+    return 0
+
+
+def examined(flags: Flags) -> tuple[Settings, Report, Sides]:
+    """Today's findings without any baseline, and the files as the matcher asks for them."""
+    settings = settings_from({**flags, "no_baseline": True})
+    report, workspace = run(settings, flags)
+    return settings, report, sides(workspace, report.runs, settings.paths)
+
+
+def known_file(flags: Flags, settings: Settings) -> tuple[Known, ...]:
+    path = baseline_path(flags, settings)
+    if not path.exists():
+        raise UserError(f"{path}: no such baseline", help="haros-ci baseline create writes one")
+    return known_findings(replace(settings, baseline=str(path), baseline_rev=None))
+
+
+def baseline_path(flags: Flags, settings: Settings) -> Path:
+    return Path(flags["file"]).absolute() if flags.get("file") else settings.root / COMPACT_NAME
+
+
+def keep(flags: Flags, known: tuple[Known, ...], report: Report, said: str) -> int:
+    """Write the file, unless a tool failed: its findings would be missing from it."""
+    from haros_ci.results.compact import write_compact
+
+    settings = settings_from({**flags, "no_baseline": True})
+    path = baseline_path(flags, settings)
+    if failed := report.failed_tools():
+        click.echo(f"error: {', '.join(failed)} failed, so {path} is left as it is", err=True)
+        for run in report.runs:
+            for note in run.notifications:
+                if note.level is Level.ERROR:
+                    click.echo(f"  {run.tool.name}: {note.message}", err=True)
+        return EXIT_TOOL_TROUBLE
+    write(write_compact(known), path)
+    click.echo(f"{path}: {said}.")
+    return 0
+
+
+# -- rules and cache ----------------------------------------------------------------------------------------------
+
+
+def rules(*, as_json: bool, profile: str) -> int:
+    """``haros-ci rules``: every documented rule, marked when *profile* turns it on."""
+    from haros_ci.pipeline import documented_rules
+
+    if profile not in PROFILES:
+        raise UserError(f"unknown profile '{profile}'", help=f"one of {', '.join(PROFILES)}")
+    rows = [
+        {
+            "id": f"{tool}:{rule.id}",
+            "level": rule.level.value,
+            "enabled": profile == "all" or profile in rule.profiles,
+            "summary": rule.summary,
+            "aliases": list(rule.aliases),
+            "tags": list(rule.tags),
+        }
+        for tool, rule in documented_rules()
+    ]
+    if as_json:
+        click.echo(json.dumps(rows, indent=1, ensure_ascii=False))
+        return 0
+    for row in rows:
+        click.echo(f"{'+' if row['enabled'] else ' '} {row['level']:<8} {row['id']:<48} {row['summary']}")
+    return 0
+
+
+def explain(name: str) -> int:
+    """``haros-ci explain RULE``: what the rule says, why it matters, how to turn it off."""
+    from haros_ci.pipeline import documented_rules
+
+    known = list(documented_rules())
+    found = [
+        (tool, rule) for tool, rule in known if name in (rule.id, f"{tool}:{rule.id}", *rule.aliases, *rule.deprecated_ids)
+    ]
+    if not found:
+        from difflib import get_close_matches
+
+        near = get_close_matches(name, [word for tool, rule in known for word in (rule.id, f"{tool}:{rule.id}")], 3)
+        raise UserError(f"unknown rule '{name}'", help=f"did you mean {' or '.join(near)}?" if near else "see haros-ci rules")
+    for tool, rule in found:
+        on = ", ".join((*rule.profiles, "all"))
+        lines = [f"{tool}:{rule.id} ({rule.level.value})", "", rule.summary, "", rule.help.strip() or None, "" if rule.help else None]
+        lines.append(f"Profiles: {on}")
+        lines.append(f"Aliases: {', '.join(rule.aliases)}" if rule.aliases else None)
+        lines.append(f"Tags: {', '.join(rule.tags)}" if rule.tags else None)
+        lines.append(f"See: {rule.help_uri}" if rule.help_uri else None)
+        click.echo("\n".join(line for line in lines if line is not None) + "\n")
+    return 0
+
+
+def cache(action: str, directory: str | None) -> int:
+    """``haros-ci cache dir|stats|clear``."""
+    place = cache_dir({"cache_dir": directory}, Path.cwd())
+    assert place is not None
+    match action:
+        case "dir":
+            click.echo(place)
+        case "stats":
+            size = sum(f.stat().st_size for f in place.rglob("*.json")) if place.is_dir() else 0
+            click.echo(f"{place}: {size / 1e6:.1f} MB")
+        case _:
+            DiskCache(place).clear()
+    return 0

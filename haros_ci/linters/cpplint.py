@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""cpplint: the Google C++ style guide, all categories; CPPLINT.cfg files inside the workspace are honoured."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from posixpath import dirname, join
+
+from haros_ci.linters import installed
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+NAME = "cpplint"
+LANGUAGES = frozenset({"cpp"})
+DEFAULT = True
+COST = 12.0
+
+CONFIG = "CPPLINT.cfg"
+#: ROS 1 allows 120 columns and ROS 2 asks for 100 (their C++ style guides); a CPPLINT.cfg may say otherwise.
+LINE_LENGTH = {1: 120, 2: 100, None: 100}
+HEADERS = "h,hh,hpp,hxx,h++,cuh"
+SUFFIXES = frozenset("c cc cpp cxx c++ h hh hpp hxx h++ ipp tpp txx inl cu cuh".split())
+
+_LINE = re.compile(r"(\d+|None):  (.*)  \[([\w/+]+)\] \[(\d)\]$", re.DOTALL)
+
+
+def locate(options: LintOptions) -> Program | None:
+    return installed.python_tool("cpplint", "cpplint_worker.py")
+
+
+def fingerprint(workspace: Workspace, options: LintOptions) -> str:
+    return "1"
+
+
+def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
+    """The CPPLINT.cfg of every directory from the file's up to the root."""
+    return (path for path in _configs(dirname(file.path)) if workspace.text(path))
+
+
+def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
+    """Groups by configuration, for a CPPLINT.cfg would act on the files after it, and by root of header guards."""
+    packages = {package.name: package for package in workspace.packages}
+    configs: dict[str, tuple[str, ...]] = {}
+    for file in workspace.files:
+        if file.language not in LANGUAGES:
+            continue
+        directory = dirname(file.path)
+        if directory not in configs:
+            configs[directory] = tuple(dependencies(workspace, file))
+        package = packages.get(file.package or "")
+        root = _guard_root(package.path, file.path) if package is not None else ""
+        length = LINE_LENGTH.get(package.ros if package is not None else None, 100)
+        group = json.dumps([root, length, *configs[directory]])
+        yield Unit(file, group=group, dependencies=configs[directory])
+
+
+def command(program: Program, batch: Batch) -> Command:
+    """Names go in through stdin and begin with ``./``, so that none can be taken for an option."""
+    root, length, *_ = json.loads(batch.group)
+    suffixes = {file.path.rpartition(".")[2] for file in batch.files}
+    options = [
+        "--verbose=0",
+        "--filter=+build/include_alpha",
+        f"--linelength={length}",
+        "--repository=.",
+        f"--headers={HEADERS}",
+        f"--extensions={','.join(sorted(SUFFIXES | suffixes))}",
+        *([f"--root={root}"] if root else []),
+    ]
+    names = json.dumps(["./" + file.path for file in batch.files])
+    return Command((*program.argv, *options), stdin=names.encode())
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """Lines ``./path:12:  message  [category] [confidence]``; cpplint also says when it is done with each file."""
+    text = output.stdout.decode("utf-8", "replace") + "\n" + output.stderr.decode("utf-8", "replace")
+    paths = {file.path for file in batch.files}
+    done = set(re.findall(r"^Done processing \./(.*)$", text, re.MULTILINE))
+    done.update(re.findall(r'^Ignoring "?\./(.*?)(?:": file excluded by|; not a valid file name)', text, re.MULTILINE))
+    if not paths <= done:
+        raise ValueError(f"no answer for {min(paths - done)}")
+    for line in text.split("\n"):
+        match = re.match(r"\./(.*?):(?=(?:\d+|None):  )", line)
+        if match is None or match[1] not in paths:
+            continue
+        said = _LINE.fullmatch(line, match.end())
+        if said is not None:
+            number = int(said[1]) if said[1].isdigit() else 0
+            place = Location(match[1], number or None)
+            yield Finding(match[1], Result(NAME, said[3], Level.WARNING, said[2], place))
+
+
+def _configs(directory: str) -> Iterator[str]:
+    yield join(directory, CONFIG)
+    if directory:
+        yield from _configs(dirname(directory))
+
+
+def _guard_root(package: str, path: str) -> str:
+    """Where a header's guard begins: below ``include`` as ROS headers are included, else with the package's directory."""
+    include = join("" if package == "." else package, "include")
+    if path.startswith(include + "/"):
+        return include
+    return "" if package == "." else dirname(package)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs cpplint over the files that stdin names: unchanged in what it says, about twice as fast, blind to outer settings.
+
+Run as a script in isolated mode: ``cpplint_worker.py DIRECTORY OPTIONS``, in the workspace's root.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable
+from typing import Any
+
+
+class GuardedPattern:
+    """A compiled pattern that is only tried on lines that contain its literal *word*."""
+
+    def __init__(self, pattern: Any, word: str) -> None:
+        self._search = pattern.search
+        self._word = word
+
+    def search(self, line: str) -> Any:
+        return self._search(line) if self._word in line else None
+
+
+def hasten(cpplint: Any) -> None:
+    """Short cuts that cannot change a verdict: most of cpplint's time goes to patterns whose word is not in the line."""
+    for name in ("_re_pattern_types_or_objs", "_re_pattern_functions", "_re_pattern_templates"):
+        rows = getattr(cpplint, name, [])
+        rows[:] = [_guarded(*row) for row in rows]
+    width: Callable[[str], int] = cpplint.GetLineWidth
+    cpplint.GetLineWidth = lambda line: len(line) if line.isascii() else width(line)
+
+
+def hide_outer_settings(root: str, name: str) -> None:
+    """Files called *name* outside *root* cease to exist: cpplint would read them in all parent directories."""
+    isfile = os.path.isfile
+    inside = root.rstrip(os.sep) + os.sep
+    os.path.isfile = lambda path: (os.path.basename(path) != name or path.startswith(inside)) and isfile(path)  # type: ignore[assignment,arg-type,type-var]
+
+
+def _guarded(pattern: Any, item: Any, header: str) -> tuple[Any, Any, str]:
+    word = item.removesuffix("<>") if isinstance(item, str) else ""
+    needed = (before + word + after for before in (r"\b", ")") for after in (r"\b", r"\([^\)]", r"\s*\<"))
+    literal = word.isidentifier() and pattern.pattern.endswith(tuple(needed))
+    return (GuardedPattern(pattern, word) if literal else pattern, item, header)
+
+
+def main() -> None:
+    _, directory, *options = sys.argv
+    if directory not in sys.path:
+        sys.path.append(directory)
+    import cpplint  # type: ignore[import-not-found,unused-ignore]
+
+    hasten(cpplint)
+    hide_outer_settings(os.getcwd(), "CPPLINT.cfg")
+    sys.argv = ["cpplint", *options, *json.load(sys.stdin.buffer)]
+    cpplint.main()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The same defect once: of results that several rules give for one defect, one is kept and names the others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from haros_ci.linters.catalogue.same_defect import SAME_DEFECT
+from haros_ci.results.result import Result
+
+#: cpplint counts a function's lines and reports them at its closing brace, the others at its head.
+_AT_THE_END = "cpplint:readability/fn_size"
+
+
+def merge_same_defects(
+    results: Iterable[Result], same_defect: Sequence[Sequence[str]] = SAME_DEFECT
+) -> tuple[Result, ...]:
+    """*results* in their order, without those that repeat another; call it after selection and :func:`keep_worst_band`.
+
+    Results in one file, on one line, whose rules stand in one set of *same_defect* are one defect. The one whose rule
+    stands first is kept with its message; ``also`` names the others, and its level is the worst of theirs. Where a
+    line has the defect several times (two unused imports), the n-th result of a rule goes with the n-th of the other.
+    """
+    given = tuple(results)
+    order = sorted(range(len(given)), key=lambda i: given[i].sort_key)
+    lines = _lines(given)
+    merged: dict[int, Result] = {}
+    dropped: set[int] = set()
+    for rules in same_defect:
+        for group in _groups(given, order, lines, rules, dropped):
+            if len(group) > 1:
+                first = group[0]
+                merged[first] = _merge(merged.get(first, given[first]), [merged.get(i, given[i]) for i in group[1:]])
+                dropped.update(group[1:])
+    return tuple(merged.get(i, result) for i, result in enumerate(given) if i not in dropped)
+
+
+def _groups(
+    given: Sequence[Result], order: Iterable[int], lines: Sequence[int], rules: Sequence[str], dropped: set[int]
+) -> Iterable[list[int]]:
+    """The positions of results that are one defect by *rules*, the one to keep first."""
+    rank = {rule: place for place, rule in enumerate(rules)}
+    groups: dict[tuple[str, int, int], list[int]] = {}
+    seen: dict[tuple[str, int, str], int] = {}
+    for i in order:
+        result = given[i]
+        if result.full_id not in rank or i in dropped:
+            continue
+        path, line = result.location.path, lines[i]
+        nth = seen.get((path, line, result.full_id), 0)
+        seen[path, line, result.full_id] = nth + 1
+        groups.setdefault((path, line, nth), []).append(i)
+    for group in groups.values():
+        yield sorted(group, key=lambda i: rank[given[i].full_id])
+
+
+def _merge(kept: Result, others: Sequence[Result]) -> Result:
+    also = dict.fromkeys((*kept.also, *(name for other in others for name in (other.full_id, *other.also))))
+    level = min((kept.level, *(other.level for other in others)), key=lambda level: level.rank)
+    return replace(kept, level=level, also=tuple(sorted(also)))
+
+
+def _lines(given: Sequence[Result]) -> list[int]:
+    """The line by which each result is compared."""
+    heads: dict[tuple[str, str], list[int]] = {}
+    for result in given:
+        if result.tool == "metrics" and result.scope and result.location.line:
+            name = result.scope.rpartition("::")[2]
+            heads.setdefault((result.location.path, name), []).append(result.location.line)
+    lines = []
+    for result in given:
+        line = result.location.line or 0
+        if result.full_id == _AT_THE_END:
+            name = result.message.partition(": ")[2].partition("(")[0].rpartition("::")[2]
+            line = max((head for head in heads.get((result.location.path, name), ()) if head <= line), default=line)
+        lines.append(line)
+    return lines

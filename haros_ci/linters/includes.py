@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which C++ files of the workspace include which, by the text of their #include lines."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from posixpath import dirname, normpath
+
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+
+#: Counts changes in what is stored.
+SCHEMA = "includes-1"
+
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include(?:_next)?[ \t]*["<]([^">\n]+)', re.MULTILINE)
+
+
+def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> dict[str, tuple[str, ...]]:
+    """For every file what its #include lines name, as written.
+
+    One entry of the store, from content digests to lists, holds them for all files: it says itself what it is valid for.
+    """
+    files = tuple(files)
+    stored = store.get("includes", "", SCHEMA)
+    known = stored if isinstance(stored, dict) else {}
+    found: dict[str, tuple[str, ...]] = {}
+    fresh: dict[str, list[str]] = {}
+    for file in files:
+        names = known.get(file.digest)
+        if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+            names = fresh[file.digest] = list(dict.fromkeys(_INCLUDE.findall(workspace.text(file.path))))
+        found[file.path] = tuple(names)
+    if fresh:
+        store.put("includes", "", SCHEMA, {file.digest: list(found[file.path]) for file in files})
+    return found
+
+
+def direct(workspace: Workspace, search: Sequence[str]) -> dict[str, tuple[str, ...]]:
+    """For every C++ file the files that it includes directly, if all have the *search* directories; nothing is cached."""
+    paths = [file.path for file in workspace.files if file.language == "cpp"]
+    return resolve({path: _INCLUDE.findall(workspace.text(path)) for path in paths}, dict.fromkeys(paths, search))
+
+
+def resolve(
+    directives: Mapping[str, Sequence[str]], search: Mapping[str, Sequence[str]]
+) -> dict[str, tuple[str, ...]]:
+    """For every file the files that it includes directly: beside itself, else in its *search* directories."""
+    resolved = {}
+    basenames = {path.rpartition("/")[2] for path in directives}
+    for path, names in directives.items():
+        hits: dict[str, None] = {}
+        for name in names:
+            if name.rpartition("/")[2] in basenames:  # most are headers of other packages or of the system
+                candidates = (_at(place, name) for place in (dirname(path), *search.get(path, ())))
+                hit = next((candidate for candidate in candidates if candidate in directives), path)
+                if hit != path:
+                    hits[hit] = None
+        resolved[path] = tuple(hits)
+    return resolved
+
+
+def _at(directory: str, name: str) -> str:
+    path = f"{directory}/{name}" if directory not in ("", ".") else name
+    return normpath(path) if "./" in path or "//" in path else path
+
+
+def closure(start: str, direct: Mapping[str, Sequence[str]]) -> frozenset[str]:
+    """All files that *start* includes, directly or not, without itself."""
+    seen, waiting = {start}, [start]
+    while waiting:
+        for path in direct.get(waiting.pop(), ()):
+            if path not in seen:
+                seen.add(path)
+                waiting.append(path)
+    return frozenset(seen - {start})

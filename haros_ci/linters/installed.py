@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Finding tools: first beside this interpreter, then on PATH; never in the workspace."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from haros_ci.linters.linter import LintOptions, Program
+from haros_ci.linters.process import environment, search_path
+
+
+@dataclass(frozen=True, slots=True)
+class Distribution:
+    """An installed Python distribution: the directory that it lies in, and its version."""
+
+    directory: Path
+    version: str
+
+
+def distribution(name: str) -> Distribution | None:
+    """The distribution *name* for this interpreter, by its ``.dist-info`` directory.
+
+    Reading the directory is much faster than importlib.metadata. Only absolute ``site-packages`` count: ``python -m``
+    puts the current directory, which may be the workspace, at the head of sys.path.
+    """
+    for entry in sys.path:
+        if not os.path.isabs(entry) or os.path.basename(entry) not in ("site-packages", "dist-packages"):
+            continue
+        for found in sorted(_listing(entry)):
+            head, _, version = found.removesuffix(".dist-info").partition("-")
+            if found.endswith(".dist-info") and head.lower() == name:
+                return Distribution(Path(entry), version)
+    return None
+
+
+def python_tool(name: str, worker: str) -> Program | None:
+    """The Python tool *name*, started through our script *worker* in isolated mode.
+
+    The script's first argument is the directory that holds the tool, which isolated mode hides if it is the user's.
+    """
+    found = distribution(name)
+    if found is None or not sys.executable:
+        return None
+    script = str(Path(__file__).with_name(worker))
+    return Program((sys.executable, "-I", "-X", "utf8", script, str(found.directory)), found.version)
+
+
+def binary(name: str, options: LintOptions, beside: str = "") -> Program | None:
+    """The native program *name*: *beside* this interpreter's packages, among its scripts, or on PATH."""
+    candidates = [os.path.join(sys.prefix, "bin", name)]
+    if beside and (found := distribution(name)) is not None:
+        candidates.insert(0, str(found.directory / beside))
+    candidates += [os.path.join(directory, name) for directory in search_path(os.environ, options.root)]
+    for path in candidates:
+        if os.path.isfile(path) and os.access(path, os.X_OK):
+            version = _version(path)
+            if version is not None:
+                return Program((path,), version)
+    return None
+
+
+def _version(path: str) -> str | None:
+    """The first number with a dot that ``--version`` prints, "" if there is none; None if the program does not run."""
+    try:
+        done = subprocess.run(
+            [path, "--version"],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=20,
+            cwd="/",
+            env=environment(os.environ, Path("/nonexistent"), Path("/nonexistent")),
+            check=True,
+        )
+    except (OSError, subprocess.SubprocessError):
+        return None
+    for word in done.stdout[:4000].decode("utf-8", "replace").split():
+        if word[:1].isdigit() and "." in word:
+            return word.rstrip(",;")
+    return ""
+
+
+def _listing(directory: str) -> list[str]:
+    try:
+        return os.listdir(directory)
+    except OSError:
+        return []

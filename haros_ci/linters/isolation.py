@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Starts a Python tool so that it can import nothing from the directories it looks at.
+
+Run as a script in isolated mode: ``isolation.py DIRECTORY MODULE ARGUMENTS``. pylint puts the directories of the files
+it checks at the head of sys.path and resolves names with the real import system; without this, ``import curses.x`` in a
+checked file would execute a ``curses/__init__.py`` that lies beside it.
+"""
+
+from __future__ import annotations
+
+import os
+import runpy
+import sys
+from collections.abc import Iterable, Sequence
+from importlib.machinery import ModuleSpec, PathFinder
+from types import ModuleType
+from typing import Any
+
+
+class TrustedFinder:
+    """PathFinder over the directories that were on sys.path at the start, whatever is put there later."""
+
+    trusted: tuple[str, ...] = ()
+
+    @classmethod
+    def find_spec(cls, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
+        if path is None:
+            return PathFinder.find_spec(name, cls.trusted, target)
+        inside = [p for p in path if any(p == root or p.startswith(root + os.sep) for root in cls.trusted)]
+        return PathFinder.find_spec(name, inside, target) if inside else None
+
+    @classmethod
+    def find_distributions(cls, context: Any = None) -> Iterable[Any]:
+        """What importlib.metadata asks of finders; some modules look for their own version when they are imported."""
+        from importlib.metadata import DistributionFinder
+
+        wanted = {"name": context.name} if context is not None else {}
+        return PathFinder.find_distributions(DistributionFinder.Context(path=list(cls.trusted), **wanted))
+
+    @staticmethod
+    def invalidate_caches() -> None:
+        PathFinder.invalidate_caches()
+
+
+def trust_only_the_present_path() -> None:
+    """From here on, imports come from today's sys.path alone."""
+    TrustedFinder.trusted = tuple(sys.path)
+    finders: list[object] = sys.meta_path  # type: ignore[assignment]
+    finders[:] = [TrustedFinder if finder is PathFinder else finder for finder in finders]
+
+
+def main() -> None:
+    _, directory, module, *arguments = sys.argv
+    if directory not in sys.path:
+        sys.path.append(directory)
+    trust_only_the_present_path()
+    sys.argv = [module, *arguments]
+    runpy.run_module(module, run_name="__main__", alter_sys=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the two measuring adapters share: thresholds, and from measurements to results of the tool ``metrics``."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, Output, Program
+from haros_ci.model.location import Location
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+TOOL = "metrics"
+
+
+@dataclass(frozen=True, slots=True)
+class Threshold:
+    """A rule: crossed when *metric* of a function or file is above *limit* (below it where *below*).
+
+    *phrase* is the message after its subject; ``{value}`` and ``{limit}`` are filled in.
+    """
+
+    rule: str
+    metric: str
+    limit: float
+    phrase: str
+    below: bool = False
+
+    def crossed(self, value: float) -> bool:
+        return value < self.limit if self.below else value > self.limit
+
+
+_COMPLEXITY = "has a cyclomatic complexity of {value:.0f} (limit {limit:.0f})"
+_EFFECTIVE = "has {value:.0f} effective lines of code (limit {limit:.0f})"
+_COMMENTS = "has a comment ratio of {value:.1%} (limit {limit:.0%})"
+_VOLUME = "has a Halstead volume of {value:.0f} (limit {limit:.0f})"
+_BUGS = "has an estimate of {value:.1f} bugs by Halstead (limit {limit:.0f})"
+_INDEX = "has a maintainability index of {value:.1f} (limit {limit:.0f})"
+
+#: HAROS's thresholds (its definitions.yaml); the bands of one metric stand together, the mildest first.
+FUNCTION_THRESHOLDS = (
+    Threshold("max-cyclomatic-complexity-10", "cc", 10, _COMPLEXITY),
+    Threshold("max-cyclomatic-complexity-15", "cc", 15, _COMPLEXITY),
+    Threshold("max-function-length-40", "nloc", 40, "has {value:.0f} lines of code (limit {limit:.0f})"),
+    Threshold("max-eloc-50", "eloc", 50, _EFFECTIVE),
+    Threshold("max-eloc-70", "eloc", 70, _EFFECTIVE),
+    Threshold("max-function-parameters-6", "parameters", 6, "has {value:.0f} parameters (limit {limit:.0f})"),
+)
+FILE_THRESHOLDS = (
+    Threshold("max-file-length-400", "nloc", 400, "has {value:.0f} lines of code (limit {limit:.0f})"),
+    Threshold("min-comment-ratio-20", "comment_ratio", 0.20, _COMMENTS, below=True),
+    Threshold("max-comment-ratio-30", "comment_ratio", 0.30, _COMMENTS),
+    Threshold("max-comment-ratio-40", "comment_ratio", 0.40, _COMMENTS),
+    Threshold("halstead-volume-above-8000", "volume", 8000, _VOLUME),
+    Threshold("halstead-bugs-above-2", "bugs", 2, _BUGS),
+    Threshold("mi-below-65", "mi", 65, _INDEX, below=True),
+    Threshold("mi-below-20", "mi", 20, _INDEX, below=True),
+)
+
+#: A milder rule and the stricter bands of the same metric that make it redundant.
+WORSE_BANDS: Mapping[str, frozenset[str]] = {
+    "max-cyclomatic-complexity-10": frozenset({"max-cyclomatic-complexity-15"}),
+    "max-eloc-50": frozenset({"max-eloc-70"}),
+    "max-comment-ratio-30": frozenset({"max-comment-ratio-40"}),
+    "mi-below-65": frozenset({"mi-below-20"}),
+}
+
+
+def keep_worst_band(results: Iterable[Result]) -> tuple[Result, ...]:
+    """*results* without those of a milder band where the same place also crosses a worse one; call it after selection.
+
+    Results of other tools pass through; the order stays.
+    """
+    given = tuple(results)
+    crossed = {(r.location, r.scope, r.rule) for r in given if r.tool == TOOL}
+    return tuple(
+        r
+        for r in given
+        if r.tool != TOOL or not any((r.location, r.scope, w) in crossed for w in WORSE_BANDS.get(r.rule, ()))
+    )
+
+
+def command(program: Program, batch: Batch) -> Command:
+    """The worker reads the names of the files from stdin, so that none can be taken for an option."""
+    request = {"root": str(batch.workspace.root), "files": [file.path for file in batch.files]}
+    return Command(program.argv, stdin=json.dumps(request).encode())
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """One result per threshold crossed, every band; ValueError if the worker did not answer for every file."""
+    answers = {answer["path"]: answer for answer in map(_answer, output.stdout.splitlines())}
+    for file in batch.files:
+        if file.path not in answers:
+            raise ValueError(f"no measurement of {file.path}")
+        yield from _findings(file.path, answers[file.path])
+
+
+def _answer(line: bytes) -> dict[str, object]:
+    answer = json.loads(line)
+    if not isinstance(answer, dict) or not isinstance(answer.get("path"), str):
+        raise ValueError("not a measurement")
+    return answer
+
+
+def _findings(path: str, answer: Mapping[str, object]) -> Iterator[Finding | GaveUp]:
+    if "problem" in answer:
+        line = answer.get("line")
+        yield GaveUp(path, str(answer["problem"]), line if isinstance(line, int) else None)
+        return
+    functions, metrics = answer.get("functions"), answer.get("file")
+    if not isinstance(functions, list) or not isinstance(metrics, dict):
+        raise ValueError(f"half a measurement of {path}")
+    for function in functions:
+        name = function["name"]
+        place = Location(path, function["line"], function["column"])
+        yield from _crossed(path, place, f"Function '{name}'", name, function, FUNCTION_THRESHOLDS)
+    if metrics["nloc"]:  # a file without code has no ratio to speak of
+        yield from _crossed(path, Location(path, 1), "File", "", metrics, FILE_THRESHOLDS)
+
+
+def _crossed(
+    path: str, place: Location, subject: str, scope: str, values: Mapping[str, float], thresholds: Iterable[Threshold]
+) -> Iterator[Finding]:
+    for threshold in thresholds:
+        value = values[threshold.metric]
+        if threshold.crossed(value):
+            message = f"{subject} {threshold.phrase.format(value=value, limit=threshold.limit)}."
+            yield Finding(
+                path,
+                Result(
+                    TOOL, threshold.rule, Level.WARNING, message, place, scope=scope, value=value, limit=threshold.limit
+                ),
+            )
+
+
+__all__ = [
+    "FILE_THRESHOLDS",
+    "FUNCTION_THRESHOLDS",
+    "TOOL",
+    "WORSE_BANDS",
+    "Threshold",
+    "command",
+    "keep_worst_band",
+    "parse",
+]

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Running one process: no shell, its own process group, a time limit, a cap on what it writes."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import threading
+from collections.abc import Mapping
+from pathlib import Path
+
+from haros_ci.linters.linter import Command, Output
+
+#: Bytes read of stdout and of stderr each; also the largest file that a tool may write.
+OUTPUT_LIMIT = 64_000_000
+#: Bytes of address space; far above what any tool needs, below what would take the machine down.
+MEMORY_LIMIT = 8_000_000_000
+
+
+class TimedOut(Exception):
+    """The process was killed when its time was up."""
+
+
+class Unstartable(Exception):
+    """The program could not be started at all."""
+
+
+class Processes:
+    """Starts processes and, when the run is abandoned, ends those that still live."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._alive: set[subprocess.Popen[bytes]] = set()
+        self._stopped = False
+
+    def run(self, command: Command, *, root: Path, scratch: Path, timeout: float) -> Output:
+        """What *command* left behind. Raises TimedOut, Unstartable.
+
+        Both streams go to files in *scratch*, so that neither a full pipe nor an orphan that keeps one open can hang us.
+        """
+        scratch.mkdir(parents=True, exist_ok=True)
+        streams = [scratch / name for name in (".stdin", ".stdout", ".stderr")]
+        streams[0].write_bytes(command.stdin)
+        with open(streams[0], "rb") as stdin, open(streams[1], "wb") as stdout, open(streams[2], "wb") as stderr:
+            process = self._start(command, root, scratch, stdin.fileno(), stdout.fileno(), stderr.fileno())
+        expired = threading.Event()
+        timer = threading.Timer(timeout, lambda: (expired.set(), kill_group(process)))
+        timer.start()
+        try:
+            code = process.wait()
+        except BaseException:
+            kill_group(process)
+            process.wait()
+            raise
+        finally:
+            timer.cancel()
+            with self._lock:
+                self._alive.discard(process)
+        kill_group(process)  # what it may have left running
+        if expired.is_set():
+            raise TimedOut
+        return Output(_head(streams[1]), _head(streams[2]), code, any(_size(s) >= OUTPUT_LIMIT for s in streams[1:]))
+
+    def stop(self) -> None:
+        """Ends every process and lets no further one start."""
+        with self._lock:
+            self._stopped = True
+            for process in self._alive:
+                kill_group(process)
+
+    def _start(
+        self, command: Command, root: Path, scratch: Path, stdin: int, stdout: int, stderr: int
+    ) -> subprocess.Popen[bytes]:
+        with self._lock:
+            if self._stopped:
+                raise Unstartable("the run was abandoned")
+            try:
+                process = subprocess.Popen(
+                    command.argv,
+                    stdin=stdin,
+                    stdout=stdout,
+                    stderr=stderr,
+                    cwd=command.cwd or root,
+                    env={**environment(os.environ, root, scratch), **command.environment},
+                    start_new_session=True,
+                )
+            except (OSError, ValueError) as err:
+                raise Unstartable(str(err)) from err
+            self._alive.add(process)
+        _limit(process.pid)
+        return process
+
+
+def environment(inherited: Mapping[str, str], root: Path, scratch: Path) -> dict[str, str]:
+    """A minimal environment: nothing of the user's configuration and nothing of the workspace leaks into a tool."""
+    return {
+        "PATH": os.pathsep.join(search_path(inherited, root)),
+        "HOME": str(scratch),
+        "TMPDIR": str(scratch),
+        "LANG": "C.UTF-8",
+        "LC_ALL": "C.UTF-8",
+    }
+
+
+def search_path(inherited: Mapping[str, str], *roots: Path | None) -> list[str]:
+    """The absolute directories of PATH that do not lie in one of *roots*."""
+    forbidden = [os.path.realpath(root) for root in roots if root is not None]
+    directories = inherited.get("PATH", os.defpath).split(os.pathsep)
+    return [d for d in dict.fromkeys(directories) if os.path.isabs(d) and not _within(os.path.realpath(d), forbidden)]
+
+
+def kill_group(process: subprocess.Popen[bytes]) -> None:
+    """Ends the process and everything it started in its group, if any of it is left."""
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except (ProcessLookupError, PermissionError):
+        pass
+
+
+def _within(path: str, roots: list[str]) -> bool:
+    return any(path == root or path.startswith(root.rstrip("/") + "/") for root in roots)
+
+
+def _limit(pid: int) -> None:
+    """Limits from outside (Linux): a preexec function would be unsafe beside threads."""
+    try:
+        import resource
+
+        resource.prlimit(pid, resource.RLIMIT_CORE, (0, 0))
+        resource.prlimit(pid, resource.RLIMIT_FSIZE, (OUTPUT_LIMIT, OUTPUT_LIMIT))
+        resource.prlimit(pid, resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
+    except (ImportError, AttributeError, OSError, ValueError):
+        pass
+
+
+def _head(path: Path) -> bytes:
+    with open(path, "rb") as stream:
+        return stream.read(OUTPUT_LIMIT)
+
+
+def _size(path: Path) -> int:
+    return path.stat().st_size

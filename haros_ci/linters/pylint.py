@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""pylint, with a configuration of our own unless the user trusts the workspace's; runs as a process, never imported."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from posixpath import dirname
+
+from haros_ci.linters import imports, installed, python2
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.linters.pylint_config import config_path, inert_options
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+NAME = "pylint"
+LANGUAGES = frozenset({"python"})
+DEFAULT = True
+COST = 35.0
+#: Long batches: every process starts for half a second and reads the standard library's modules anew.
+BATCH_SECONDS = 10.0
+
+#: duplicate-code and cyclic-import speak of the set of files in a process, which is ours to choose.
+DISABLED = "duplicate-code,cyclic-import"
+LEVELS = {"fatal": Level.ERROR, "error": Level.ERROR, "warning": Level.WARNING}
+#: Messages on the analysis itself.
+TROUBLE = frozenset({"astroid-error", "parse-error", "fatal", "method-check-failed", "config-parse-error"})
+#: Messages on pylint's options, which are not findings in code.
+ABOUT_OPTIONS = frozenset({"unknown-option-value", "unrecognized-option", "useless-option-value", "bad-configuration-section"})
+
+
+def locate(options: LintOptions) -> Program | None:
+    program = installed.python_tool("pylint", "isolation.py")
+    return program and Program((*program.argv, "pylint"), program.version)
+
+
+def fingerprint(workspace: Workspace, options: LintOptions) -> str:
+    import sys
+
+    own = options.arguments.get(NAME, ()) if options.trust_config else ()
+    return json.dumps(["1", sys.version_info[:2], options.trust_config, own])
+
+
+def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
+    return imports.closures(workspace).get(file.path, ())
+
+
+def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
+    """One group per configuration file; a file depends on the modules of its package that it imports."""
+    closures = imports.closures(workspace)
+    configs: dict[str, str | None] = {}
+    for file in workspace.files:
+        if file.language in LANGUAGES:
+            directory = dirname(file.path)
+            if directory not in configs:
+                configs[directory] = config_path(workspace, directory)
+            config = configs[directory]
+            needs = closures[file.path] + ((config,) if config else ())
+            yield Unit(file, group=config or "", dependencies=needs)
+
+
+def command(program: Program, batch: Batch) -> Command:
+    rc = batch.scratch / "pylintrc"
+    extra: tuple[str, ...] = ()
+    if batch.options.trust_config and batch.group:
+        rc = batch.workspace.root / batch.group
+        extra = (f"--disable={DISABLED}",)
+    else:
+        rc.write_text(_rc(batch), encoding="utf-8")
+        extra = ("--load-plugins=", "--init-hook=")
+    if batch.options.trust_config:
+        extra += batch.options.arguments.get(NAME, ())
+    argv = (*program.argv, f"--rcfile={rc}", *extra, "--output-format=json2", "--persistent=n", "--score=n", "--jobs=1")
+    return Command((*argv, "--", *("./" + file.path for file in batch.files)), environment={"PYLINTHOME": str(batch.scratch)})
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """The json2 report; columns there count code points from 0. Exit codes below 32 only say what was found."""
+    if output.code & 32:
+        raise ValueError("wrong usage")
+    files = {"./" + file.path: file for file in batch.files} | {file.path: file for file in batch.files}
+    silenced = set()
+    for said in json.loads(output.stdout)["messages"]:
+        file, rule = files.get(said["path"]), said["symbol"]
+        if file is None or rule in ABOUT_OPTIONS or file.path in silenced:
+            continue
+        if rule == "syntax-error" and python2.is_python2(batch.workspace.text(file.path)):
+            silenced.add(file.path)
+            yield GaveUp(file.path, "it is Python 2", said["line"] or None)
+        elif rule in TROUBLE:
+            yield GaveUp(file.path, f"{rule}, a fault of pylint")  # the message holds paths of this machine
+        else:
+            yield Finding(file.path, _result(file.path, said))
+
+
+def _result(path: str, said: dict[str, object]) -> Result:
+    line, column, end_line, end_column = (said[key] for key in ("line", "column", "endLine", "endColumn"))
+    place = Location(path, _count(line) or 1, _count(column, 1), _count(end_line), _count(end_column, 1))
+    level = LEVELS.get(str(said["type"]), Level.NOTE)
+    return Result(NAME, str(said["symbol"]), level, str(said["message"]), place, scope=str(said["obj"]))
+
+
+def _count(value: object, base: int = 0) -> int | None:
+    if value is not None and not isinstance(value, int):
+        raise ValueError("not a position")
+    return None if value is None or value + base < 1 else value + base
+
+
+def _rc(batch: Batch) -> str:
+    options = {"max-line-length": "100"}
+    if batch.group:
+        try:
+            options |= inert_options(batch.group.rpartition("/")[2], batch.workspace.text(batch.group))
+        except ValueError:
+            pass  # an unreadable configuration: as if there were none
+    options["disable"] = ",".join(filter(None, (options.get("disable", "").strip().strip(","), DISABLED)))
+    lines = (f"{key}={_continued(value)}" for key, value in sorted(options.items()))
+    return "[MAIN]\n" + "\n".join(lines) + "\n"
+
+
+def _continued(value: str) -> str:
+    """A value of several lines as INI continuation lines, so that none can begin a section or another option."""
+    return "\n    ".join(line.strip() for line in value.splitlines() if line.strip())

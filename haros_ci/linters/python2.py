@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Telling Python 2 source from broken Python 3."""
+
+from __future__ import annotations
+
+import re
+
+_SHEBANG = re.compile(r"#!.*\bpython2")
+#: Statements that no Python 3 parser accepts and every Python 2 did.
+_STATEMENTS = re.compile(
+    r"""^[ \t]*(?:
+        print[ \t]+(?![=.,:)\]%*/+&|<-])(?:>>|["'\w(\[{`]).*
+        | print[ \t]*>>[ \t]*\w.*
+        | except[ \t]+[\w.()\[\], \t]*?[\w.)][ \t]*,[ \t]*\w+[ \t]*:.*
+        | raise[ \t]+[\w.]+[ \t]*,[ \t]*.+
+        | exec[ \t]+["'\w].*
+    )$""",
+    re.MULTILINE | re.VERBOSE,
+)
+_OPERATORS = re.compile(r"^[^#'\"\n]*(?:<>|`\w+`|\b0[0-7]+[lL]?\b|\bur['\"])", re.MULTILINE)
+
+
+def is_python2(text: str) -> bool:
+    """Whether *text*, which is not valid Python 3, has the marks of Python 2."""
+    return any(pattern.search(text) for pattern in (_SHEBANG, _STATEMENTS, _OPERATORS))

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A unit's answer as JSON for the cache, grouped by rule so that unwanted rules cost nothing to read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.linters.linter import GaveUp
+from haros_ci.model.location import Location
+from haros_ci.results.result import Related, Result
+from haros_ci.results.rule import Level
+
+Wanted = Callable[[str, str, str], bool]
+
+LEVELS = {level.value: level for level in Level}
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What a tool said of one unit."""
+
+    results: tuple[Result, ...] = ()
+    gave_up: tuple[GaveUp, ...] = ()
+
+
+def encode(answer: Answer) -> dict[str, Any]:
+    """``{"rules": [[tool, rule, [row, …]], …], "gave_up": [[message, line], …]}``; every list sorted."""
+    groups: dict[tuple[str, str], list[list[Any]]] = {}
+    for result in sorted(set(answer.results), key=lambda r: r.sort_key):
+        groups.setdefault((result.tool, result.rule), []).append(_row(result))
+    return {
+        "rules": [[tool, rule, rows] for (tool, rule), rows in sorted(groups.items())],
+        "gave_up": sorted(([g.message, g.line] for g in set(answer.gave_up)), key=str),
+    }
+
+
+def decode(value: object, unit: str, wanted: Wanted, known: Collection[str]) -> Answer | None:
+    """The wanted part of a cached answer; None if *value* is not one: what lies in a cache is data, not trust.
+
+    Results outside the *known* files are dropped, as they are when a tool reports them.
+    """
+    try:
+        rules, gave_up = value["rules"], value["gave_up"]  # type: ignore[index]
+        results = [result for tool, rule, rows in rules for result in _results(tool, rule, rows, wanted, known)]
+        return Answer(tuple(results), tuple(GaveUp(unit, _text(message), _number(line)) for message, line in gave_up))
+    except (TypeError, ValueError, KeyError, IndexError):
+        return None
+
+
+def _row(result: Result) -> list[Any]:
+    related = [[*_place(r.location), r.message] for r in result.related]
+    extra = [result.scope, result.value, result.limit, list(result.subject), related]
+    while extra and not extra[-1]:
+        extra.pop()
+    return [result.level.value, result.message, *_place(result.location), *extra]
+
+
+def _place(location: Location) -> list[Any]:
+    return [location.path, location.line, location.column, location.end_line, location.end_column]
+
+
+def _results(tool: object, rule: object, rows: Any, wanted: Wanted, known: Collection[str]) -> Iterator[Result]:
+    tool, rule = _text(tool), _text(rule)
+    asked: dict[str, bool] = {}
+    for row in rows:
+        path = row[2]
+        if path not in asked:
+            asked[path] = path in known and wanted(tool, rule, path)
+        if asked[path]:
+            scope, value, limit, subject, related = (*row[7:], *("", None, None, (), ())[len(row) - 7 :])
+            yield Result(
+                tool,
+                rule,
+                LEVELS[row[0]],
+                _text(row[1]),
+                _location(row[2:7]),
+                related=tuple(Related(_location(r[:5]), _text(r[5])) for r in related if r[0] in known),
+                scope=_text(scope),
+                value=_real(value),
+                limit=_real(limit),
+                subject=tuple(map(_text, subject)),
+            )
+
+
+def _location(place: Iterable[object]) -> Location:
+    path, *numbers = place
+    line, column, end_line, end_column = map(_number, numbers)
+    return Location(_text(path), line, column, end_line, end_column)
+
+
+def _text(value: object) -> str:
+    if not isinstance(value, str):
+        raise ValueError("not a text")
+    return value
+
+
+def _number(value: object) -> int | None:
+    if value is not None and (type(value) is not int or value < 1):
+        raise ValueError("not a line or column")
+    return value
+
+
+def _real(value: object) -> float | None:
+    if value is not None and (not isinstance(value, (int, float)) or isinstance(value, bool) or value != value):
+        raise ValueError("not a number")
+    return value
+
+
+__all__ = ["Answer", "Wanted", "decode", "encode"]

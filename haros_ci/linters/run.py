@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one runner behind every adapter: what is known comes from the cache, the rest from batches of processes."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from haros_ci.linters import rows, schedule
+from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit
+from haros_ci.linters.process import Processes, TimedOut, Unstartable
+from haros_ci.linters.rows import Answer, Wanted
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Notification, Result, Run, Tool
+from haros_ci.results.rule import Level
+
+#: Counts changes in what is stored; older entries are then never found.
+SCHEMA = "1"
+#: Processes that may follow one failed batch in the search for the file that spoils it.
+RETRIES = 16
+
+Progress = Callable[[str], None]
+
+
+@dataclass(slots=True)
+class _Work:
+    """One tool's share of a run, filled in as answers arrive."""
+
+    linter: Linter
+    program: Program
+    options: LintOptions
+    units: tuple[Unit, ...]
+    keys: dict[str, str] = field(default_factory=dict)
+    missing: list[Unit] = field(default_factory=list)
+    results: set[Result] = field(default_factory=set)
+    notifications: list[Notification] = field(default_factory=list)
+    answered: set[str] = field(default_factory=set)
+    successful: bool = True
+
+    def take(self, unit: Unit, answer: Answer) -> None:
+        self.answered.add(unit.file.path)
+        self.results.update(answer.results)
+        for gave_up in answer.gave_up:
+            note = f"{self.linter.NAME} could not analyse this file: {gave_up.message}"
+            self.notifications.append(Notification(Level.WARNING, note, self.linter.NAME, gave_up.unit, gave_up.line))
+
+    def fail(self, message: str, path: str | None = None) -> None:
+        self.successful = False
+        self.notifications.append(Notification(Level.ERROR, message, self.linter.NAME, path))
+
+
+@dataclass(frozen=True, slots=True)
+class _Outcome:
+    """What became of one batch: answers by path, and sentences on what failed with the paths concerned."""
+
+    answers: tuple[tuple[str, Answer], ...] = ()
+    failures: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+def lint(
+    workspace: Workspace,
+    linters: Iterable[Linter],
+    options: LintOptions,
+    store: Store,
+    wanted: Wanted,
+    progress: Progress | None = None,
+) -> tuple[Run, ...]:
+    """One run per tool that applies, named after its adapter; ``rules`` are left empty.
+
+    Only results that are *wanted* (tool, rule, path) and in files to report on are kept, sorted, each once. A tool that is
+    missing although asked for or on by default, crashes, times out or talks nonsense makes its own run unsuccessful and
+    nothing else. Answers are cached per file, failures never.
+    """
+    options = replace(options, root=options.root or workspace.root)
+    digests = _Digests(workspace)
+
+    def keep(tool: str, rule: str, path: str) -> bool:
+        return workspace.reports_on(path) and wanted(tool, rule, path)
+
+    works: list[_Work | Run] = []
+    for linter in linters:
+        if linter.NAME in options.disabled:
+            continue
+        units = tuple(u for u in _plan(linter, workspace, options, store) if _is_asked_for(u, workspace))
+        needed = linter.DEFAULT or linter.NAME in options.enabled
+        if not units and not needed:
+            continue
+        program = linter.locate(options)
+        if program is None:
+            if needed:
+                works.append(_missing(linter))
+            continue
+        work = _Work(linter, program, options, units)
+        fingerprint = linter.fingerprint(workspace, options)
+        for unit in units:
+            key = work.keys[unit.file.path] = digests.key(linter.NAME, program.version, fingerprint, unit)
+            cached = store.get(linter.NAME, unit.file.path, key)
+            answer = None if cached is None else rows.decode(cached, unit.file.path, keep, digests.known)
+            if answer is None:
+                work.missing.append(unit)
+            else:
+                work.take(unit, answer)
+        works.append(work)
+    if any(work.missing for work in works if isinstance(work, _Work)):
+        _analyse([work for work in works if isinstance(work, _Work)], workspace, options, store, keep, digests, progress)
+    return tuple(work if isinstance(work, Run) else _run(work, workspace) for work in works)
+
+
+class _Digests:
+    """Content digests of workspace files, and cache keys made of them."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self._workspace = workspace
+        self.known = {file.path: file.digest for file in workspace.files}
+        self._others: dict[str, str] = {}
+
+    def key(self, tool: str, version: str, fingerprint: str, unit: Unit) -> str:
+        parts = [SCHEMA, tool, version, fingerprint, unit.group, unit.salt, unit.file.path, unit.file.digest]
+        for path in unit.dependencies:
+            parts += (path, self._of(path))
+        return hashlib.sha256("\0".join(parts).encode("utf-8", "surrogateescape")).hexdigest()
+
+    def _of(self, path: str) -> str:
+        digest = self.known.get(path) or self._others.get(path)
+        if digest is None:
+            text = self._workspace.text(path)
+            digest = self._others[path] = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+        return digest
+
+
+def _plan(linter: Linter, workspace: Workspace, options: LintOptions, store: Store) -> Iterable[Unit]:
+    plan: Callable[[Workspace, LintOptions, Store], Iterable[Unit]] | None = getattr(linter, "plan", None)
+    if plan is not None:
+        return plan(workspace, options, store)
+    files = (file for file in workspace.files if file.language in linter.LANGUAGES)
+    return [Unit(file, dependencies=tuple(linter.dependencies(workspace, file))) for file in files]
+
+
+def _is_asked_for(unit: Unit, workspace: Workspace) -> bool:
+    return workspace.targets is None or not workspace.targets.isdisjoint((unit.file.path, *unit.covers))
+
+
+def _missing(linter: Linter) -> Run:
+    message = f"{linter.NAME} is not installed, so nothing was checked with it; install it or switch it off"
+    return Run(
+        Tool(linter.NAME),
+        notifications=(Notification(Level.ERROR, message, linter.NAME),),
+        successful=False,
+    )
+
+
+def _analyse(
+    works: Sequence[_Work],
+    workspace: Workspace,
+    options: LintOptions,
+    store: Store,
+    keep: Wanted,
+    digests: _Digests,
+    progress: Progress | None,
+) -> None:
+    """Runs what is missing, the longest batches first, and puts the answers where they belong."""
+    import tempfile
+
+    jobs: list[tuple[_Work, tuple[Unit, ...]]] = []
+    for work in works:
+        sound = []
+        for unit in work.missing:
+            if unit.file.path.isprintable():
+                sound.append(unit)
+            else:
+                work.take(unit, Answer(gave_up=(GaveUp(unit.file.path, "its name has unprintable characters"),)))
+        seconds = getattr(work.linter, "BATCH_SECONDS", schedule.BATCH_SECONDS)
+        jobs += ((work, part) for part in schedule.batches(sound, work.linter.COST, seconds))
+    jobs.sort(key=lambda job: -schedule.estimate(job[1], job[0].linter.COST))  # stable: equal ones stay in order
+    total, done = sum(len(units) for _, units in jobs), 0
+    processes = Processes()
+    with tempfile.TemporaryDirectory(prefix="haros-ci-", ignore_cleanup_errors=True) as directory:
+
+        def execute(index: int) -> _Outcome:
+            work, units = jobs[index]
+            return _execute(work, units, workspace, processes, Path(directory, str(index)))
+
+        for index, outcome in _in_parallel(execute, len(jobs), options.jobs, processes):
+            work, units = jobs[index]
+            by_path = {unit.file.path: unit for unit in units}
+            for path, answer in outcome.answers:
+                value = rows.encode(answer)
+                store.put(work.linter.NAME, path, work.keys[path], value)
+                # What is reported now and what a warm run will report come from the same bytes.
+                work.take(by_path[path], rows.decode(value, path, keep, digests.known) or Answer())
+            for message, paths in outcome.failures:
+                work.fail(message, paths[0] if len(paths) == 1 else None)
+            done += len(units)
+            if progress is not None:
+                progress(f"{done}/{total} {work.linter.NAME}")
+
+
+def _in_parallel(
+    execute: Callable[[int], _Outcome], count: int, jobs: int, processes: Processes
+) -> Iterable[tuple[int, _Outcome]]:
+    """``execute(0 … count-1)`` on *jobs* threads, outcomes as they come; nothing survives an interruption."""
+    try:
+        if jobs == 1 or count == 1:
+            for index in range(count):
+                yield index, execute(index)
+            return
+        from concurrent.futures import ThreadPoolExecutor, as_completed
+
+        with ThreadPoolExecutor(max_workers=min(jobs, count)) as pool:
+            futures = {pool.submit(execute, index): index for index in range(count)}
+            try:
+                for future in as_completed(futures):
+                    yield futures[future], future.result()
+            except BaseException:
+                processes.stop()
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
+    finally:
+        processes.stop()
+
+
+def _execute(work: _Work, units: tuple[Unit, ...], workspace: Workspace, processes: Processes, scratch: Path) -> _Outcome:
+    """One batch; after a failure its halves, so that one file that a tool chokes on costs only itself."""
+    answers: list[tuple[str, Answer]] = []
+    failures: list[tuple[str, tuple[str, ...]]] = []
+    waiting = [units]
+    for attempt in range(1 + RETRIES):
+        if not waiting:
+            break
+        part = waiting.pop()
+        paths = tuple(unit.file.path for unit in part)
+        try:
+            answers += _ask(work, part, workspace, processes, scratch / str(attempt))
+        except (TimedOut, Unstartable) as err:
+            failures.append((_sentence(work, err, paths), paths))
+        except _Failed as err:
+            if len(part) == 1 or attempt + len(waiting) + 2 > RETRIES:
+                failures.append((_sentence(work, err, paths), paths))
+            else:
+                waiting += (part[len(part) // 2 :], part[: len(part) // 2])
+    for part in waiting:
+        paths = tuple(unit.file.path for unit in part)
+        failures.append((_sentence(work, _Failed("not tried again"), paths), paths))
+    return _Outcome(tuple(answers), tuple(failures))
+
+
+class _Failed(Exception):
+    """The tool crashed, wrote too much, or wrote what it never writes."""
+
+
+def _ask(
+    work: _Work, units: tuple[Unit, ...], workspace: Workspace, processes: Processes, scratch: Path
+) -> list[tuple[str, Answer]]:
+    name = work.linter.NAME
+    own, working = scratch / "own", scratch / "home"
+    own.mkdir(parents=True)
+    batch = Batch(workspace, tuple(unit.file for unit in units), work.options, own, units[0].group)
+    command = work.linter.command(work.program, batch)
+    timeout = work.options.timeouts.get(name, work.options.timeout)
+    output = processes.run(command, root=workspace.root, scratch=working, timeout=timeout)
+    if output.truncated:
+        raise _Failed("wrote more than it may")
+    if output.code < 0:
+        raise _Failed(f"was ended by signal {-output.code}")
+    collected: dict[str, tuple[list[Result], list[GaveUp]]] = {unit.file.path: ([], []) for unit in units}
+    try:
+        for said in work.linter.parse(output, batch):
+            results, gave_up = collected[said.unit]
+            if isinstance(said, Finding):
+                results.append(said.result)
+            else:
+                gave_up.append(said)
+    except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
+        raise _Failed(_last_words(output.stderr) or f"wrote what cannot be understood ({err})") from err
+    return [(path, Answer(tuple(results), tuple(gave_up))) for path, (results, gave_up) in sorted(collected.items())]
+
+
+def _sentence(work: _Work, error: Exception, paths: tuple[str, ...]) -> str:
+    name = work.linter.NAME
+    files = ", ".join(paths[:3]) + (f" and {len(paths) - 3} more" if len(paths) > 3 else "")
+    if isinstance(error, TimedOut):
+        timeout = work.options.timeouts.get(name, work.options.timeout)
+        return f"{name} was stopped after {timeout:g} s; without a result: {files}"
+    if isinstance(error, Unstartable):
+        return f"{name} could not be started ({error}); without a result: {files}"
+    return f"{name} failed: {error}; without a result: {files}"
+
+
+def _last_words(stderr: bytes) -> str:
+    """The last line that a tool wrote before it gave up: the exception of a traceback, the cause of a usage error."""
+    lines = [line for line in stderr[-4000:].decode("utf-8", "replace").splitlines() if line.strip()]
+    return lines[-1].strip()[:300] if lines else ""
+
+
+def _run(work: _Work, workspace: Workspace) -> Run:
+    """The finished run. A file counts as analysed when every unit that speaks of it has answered."""
+    answered, silent = set(work.answered), set()
+    for unit in work.units:
+        (answered if unit.file.path in work.answered else silent).update((unit.file.path, *unit.covers))
+    return Run(
+        Tool(work.linter.NAME, work.program.version),
+        results=tuple(sorted(work.results, key=lambda r: r.sort_key)),
+        notifications=tuple(sorted(set(work.notifications), key=_order)),
+        analysed=frozenset(path for path in answered - silent if workspace.reports_on(path)),
+        successful=work.successful,
+    )
+
+
+def _order(notification: Notification) -> tuple[object, ...]:
+    return (notification.path or "", notification.line or 0, notification.level.rank, notification.message)

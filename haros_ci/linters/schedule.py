@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which units share a process: the same for any number of jobs, so that the output is, too."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import groupby
+
+from haros_ci.linters.linter import Unit
+
+#: Estimated seconds of one process: long against a tool's start, short against a run, so that no core idles at its end.
+BATCH_SECONDS = 4.0
+#: Files in one process at most: keeps command lines far below the kernel's limit.
+BATCH_FILES = 200
+
+
+def batches(units: Iterable[Unit], cost: float, seconds: float = BATCH_SECONDS) -> list[tuple[Unit, ...]]:
+    """*units* in batches of one group each, neighbours together and of about equal cost (*cost* is in seconds per MB)."""
+    ordered = sorted(units, key=lambda u: (u.group, u.file.path))
+    return [part for _, group in groupby(ordered, key=lambda u: u.group) for part in _parts(tuple(group), cost, seconds)]
+
+
+def estimate(units: Iterable[Unit], cost: float) -> float:
+    """Seconds that the analysis of *units* will take, roughly."""
+    return sum(unit.file.size for unit in units) * cost / 1e6
+
+
+def _parts(units: tuple[Unit, ...], cost: float, seconds: float) -> Iterable[tuple[Unit, ...]]:
+    total = estimate(units, cost)
+    share = total / max(1, round(total / seconds))
+    part: list[Unit] = []
+    for unit in units:
+        part.append(unit)
+        if estimate(part, cost) >= share * (1 - 1e-9) or len(part) == BATCH_FILES:
+            yield tuple(part)
+            part = []
+    if part:
+        yield tuple(part)

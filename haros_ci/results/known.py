@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Known findings: what a baseline remembers of a result, and what the two sides of a comparison offer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+
+from haros_ci.results.fingerprint import message_template
+from haros_ci.results.result import BaselineState, Identity, Result, Run
+from haros_ci.results.rule import Level
+
+
+ABSENT = BaselineState.ABSENT
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Known:
+    """One finding of the past. The first eleven fields are all that a compact baseline holds, and ``reason``.
+
+    ``scope`` to ``occurrence`` are those of Identity. A finding of a foreign log has no ``text`` although it has a
+    ``line``. ``message`` is "" and ``level``, ``value``, ``line`` are None where the baseline does not tell.
+    ``reason`` is the user's own: why the finding is accepted.
+    """
+
+    tool: str
+    rule: str
+    path: str
+    scope: str = ""
+    text: str = ""
+    shape: str = ""
+    before: str = ""
+    after: str = ""
+    template: str = ""
+    occurrence: int = 1
+    reason: str = ""
+    message: str = ""
+    level: Level | None = None
+    value: float | None = None
+    line: int | None = None
+
+    @property
+    def sort_key(self) -> tuple[object, ...]:
+        """By content, so that an entry keeps its place when lines move."""
+        content = (self.path, self.tool, self.rule, self.scope, self.template, self.text)
+        return (*content, self.occurrence, self.shape, self.before, self.after)
+
+
+def _everything(tool: str, path: str) -> bool:
+    return True
+
+
+def _nothing(path: str) -> str:
+    return ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sides:
+    """The files behind a comparison, read on demand.
+
+    *head* and *base* give a file's text, "" where there is none; *base* is None where the past's files cannot be had.
+    *language* is of a path on either side. *renames* maps old paths to new, *aliases* old ``tool:rule`` to current.
+    *analysed* tells whether this run's tool answered for a file, *exists* whether the file is in the workspace now.
+    *partial* runs did not look at every file: nothing is absent only because its file is gone.
+    """
+
+    head: Callable[[str], str]
+    language: Callable[[str], str]
+    exists: Callable[[str], bool]
+    analysed: Callable[[str, str], bool] = _everything
+    base: Callable[[str], str] | None = None
+    renames: Mapping[str, str] = field(default_factory=dict)
+    aliases: Mapping[str, str] = field(default_factory=dict)
+    partial: bool = False
+
+    def rule(self, known: Known) -> str:
+        """Today's ``tool:rule`` of a known finding."""
+        name = f"{known.tool}:{known.rule}"
+        return self.aliases.get(name, name)
+
+    def answered(self, tool: str, path: str) -> bool:
+        """Whether this run can tell that a finding of *tool* in the old *path* is gone."""
+        now = self.renames.get(path, path)
+        return self.analysed(tool, now) if self.exists(now) else not self.partial
+
+
+def known_from_results(results: Iterable[Result]) -> tuple[Known, ...]:
+    """What a baseline remembers: every result that is neither suppressed nor absent, sorted by content."""
+    found = (known_from(result) for result in results if not result.suppressions and result.state != ABSENT)
+    return tuple(sorted(found, key=lambda known: known.sort_key))
+
+
+def known_from_sarif(runs: Iterable[Run]) -> tuple[Known, ...]:
+    """What the runs of a SARIF log remember."""
+    return known_from_results(result for run in runs for result in run.results)
+
+
+def identity_of(result: Result) -> Identity:
+    """The result's own, or what can be said without its file."""
+    if result.identity is not None:
+        return result.identity
+    template = message_template(result.message, keep_names=result.location.line is None)
+    return Identity(scope=result.scope, template=template)
+
+
+def known_from(result: Result, reason: str = "") -> Known:
+    """One result as a known finding."""
+    identity = identity_of(result)
+    return Known(
+        tool=result.tool,
+        rule=result.rule,
+        path=result.location.path,
+        scope=identity.scope,
+        text=identity.text,
+        shape=identity.shape,
+        before=identity.before,
+        after=identity.after,
+        template=identity.template,
+        occurrence=identity.occurrence,
+        reason=reason,
+        message=result.message,
+        level=result.level,
+        value=result.value,
+        line=result.location.line,
+    )
+
+
+def rule_aliases(runs: Iterable[Run]) -> dict[str, str]:
+    """Old ``tool:rule`` to current, from the rules' deprecated ids (SARIF §3.49.4)."""
+    return {
+        f"{run.tool.name}:{old}": f"{run.tool.name}:{rule.id}"
+        for run in runs
+        for rule in run.rules
+        for old in rule.deprecated_ids
+    }

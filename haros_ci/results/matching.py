@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The state of every result against what is known (SARIF §3.27.24), and why."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from haros_ci.model.location import Location
+from haros_ci.results.known import Known, Sides, identity_of
+from haros_ci.results.pairing import pair
+from haros_ci.results.result import BaselineState, Identity, Result
+from haros_ci.results.rule import Level
+
+
+def match(new: Sequence[Result], known: Sequence[Known], sides: Sides) -> tuple[Result, ...]:
+    """The results with ``state`` and ``reason`` set, in their order, then the absent ones, sorted.
+
+    *new* are fingerprinted; suppressed ones take part. A result is *updated* when its text, message, level, metric
+    or file has changed, *unchanged* when only its line has. A known finding is *absent* when its tool answered for
+    its file in this run, or the file is gone; of a file that was not looked at nothing is said.
+    """
+    pairs = {found.new: found for found in pair(new, known, sides)}
+    past = _Past(known, sides)
+    found = [
+        _matched(result, known[pairs[i].old], pairs[i].evidence)
+        if i in pairs
+        else replace(result, state=BaselineState.NEW, reason=past.why_new(result))
+        for i, result in enumerate(new)
+    ]
+    paired = {found.old for found in pairs.values()}
+    gone = [_absent(k, sides) for i, k in enumerate(known) if i not in paired and sides.answered(k.tool, k.path)]
+    return (*found, *sorted(gone, key=lambda result: result.sort_key))
+
+
+class _Past:
+    """What the baseline knew, to say why a result is new."""
+
+    def __init__(self, known: Sequence[Known], sides: Sides) -> None:
+        self.rules: set[str] = set()
+        self.files: set[tuple[str, str]] = set()
+        self.texts: set[tuple[str, str, str]] = set()
+        for entry in known:
+            rule = sides.rule(entry)
+            path = sides.renames.get(entry.path, entry.path)
+            self.rules.add(rule)
+            self.files.add((rule, path))
+            self.texts.add((rule, path, entry.text))
+
+    def why_new(self, result: Result) -> str:
+        rule, path = result.full_id, result.location.path
+        text = identity_of(result).text
+        if rule not in self.rules:
+            return f"new: the baseline has no '{result.rule}'"
+        if (rule, path) not in self.files:
+            return f"new: no earlier '{result.rule}' in this file"
+        if (rule, path, text) not in self.texts:
+            return f"new: no earlier '{result.rule}' in this file has this text"
+        return f"new: every earlier '{result.rule}' with this text stands elsewhere or is matched to another result"
+
+
+def _matched(result: Result, known: Known, evidence: str) -> Result:
+    now, place = identity_of(result), result.location
+    changes = []
+    if known.path != place.path:
+        changes.append("file changed")
+    if known.text and known.text != now.text:
+        changes.append("text changed")
+    if known.message != result.message if known.message else known.template != now.template:
+        changes.append("message changed")
+    if known.level not in (None, result.level):
+        changes.append(f"level {known.level.value if known.level else ''} → {result.level.value}")
+    if known.value is not None and result.value is not None and known.value != result.value:
+        changes.append(f"value {known.value:g} → {result.value:g}")
+    if (name := f"{known.tool}:{known.rule}") != result.full_id:
+        changes.append(f"rule was {name}")
+    state = BaselineState.UPDATED if changes else BaselineState.UNCHANGED
+    return replace(result, state=state, reason="; ".join((evidence + _way(known, place), *changes)))
+
+
+def _way(known: Known, place: Location) -> str:
+    """From where to where, as far as the baseline tells."""
+    if known.path != place.path:
+        return f" ({Location(known.path, known.line)} → {Location(place.path, place.line)})"
+    if known.line is None or place.line is None:
+        return ""
+    return f" (line {place.line})" if known.line == place.line else f" ({known.line} → {place.line})"
+
+
+def _absent(known: Known, sides: Sides) -> Result:
+    now = sides.renames.get(known.path, known.path)
+    return Result(
+        tool=known.tool,
+        rule=known.rule,
+        level=known.level or Level.WARNING,
+        message=known.message or known.template,
+        location=Location(known.path, known.line),
+        scope=known.scope,
+        value=known.value,
+        identity=Identity(
+            scope=known.scope,
+            text=known.text,
+            shape=known.shape,
+            before=known.before,
+            after=known.after,
+            template=known.template,
+            occurrence=known.occurrence,
+        ),
+        state=BaselineState.ABSENT,
+        reason=f"gone: '{known.rule}' is no longer found here" if sides.exists(now) else "gone with its file",
+    )
+

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Comments in the source that silence findings, and those among them that silence nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from haros_ci.model.location import Location
+from haros_ci.results import own
+from haros_ci.results.comments import syntax
+from haros_ci.results.directives import Directive, directives
+from haros_ci.results.result import Result, Run
+from haros_ci.results.rule import Level
+
+Matches = Callable[[str, Result], bool]
+Enabled = Callable[[str, str], Iterable[str]]
+
+
+def suppress(
+    runs: Iterable[Run],
+    text: Callable[[str], str],
+    language: Callable[[str], str],
+    matches: Matches,
+    *,
+    enabled: Enabled | None = None,
+    mentions: Callable[[str], bool] | None = None,
+) -> tuple[tuple[Run, ...], tuple[Result, ...]]:
+    """The runs with ``suppressions`` filled in, and a result for each comment that suppressed nothing.
+
+    *matches* tells whether a selector names a result's rule. *enabled* gives the rules of a tool that are on for a
+    path: a comment is called unused only where a tool that has answered for the file could have reported what it
+    names; without *enabled*, that is judged by the rules that were reported anywhere. *mentions* may tell without
+    reading a file that it has no ``haros:`` in it.
+    """
+    runs = tuple(runs)
+    measured = {r.location.path for run in runs for r in run.results if r.value is not None}
+    paths = {r.location.path for run in runs for r in run.results}.union(*(run.analysed for run in runs))
+    found: list[Directive] = []
+    by_line: dict[tuple[str, int | None], list[Directive]] = {}
+    for path in sorted(paths):
+        if path in measured or mentions is None or mentions(path):
+            for directive in directives(text(path), path, syntax(language(path), path), metrics=path in measured):
+                found.append(directive)
+                by_line.setdefault((path, directive.line), []).append(directive)
+    if not found:
+        return runs, ()
+    used: set[tuple[int, str]] = set()  # (id of a directive, selector)
+    silenced = tuple(
+        replace(run, results=tuple(_silenced(result, by_line, matches, used) for result in run.results))
+        for run in runs
+    )
+    judge = _Judge(runs, matches, enabled)
+    unused = []
+    for directive in found:
+        if directive.metrics_only:
+            continue
+        idle = [name for name in directive.selectors or ("",) if (id(directive), name) not in used]
+        idle = [name for name in idle if judge.knows(name, directive.place.path)]
+        if idle:
+            unused.append(_unused(directive, idle))
+    return silenced, tuple(unused)
+
+
+def _silenced(
+    result: Result,
+    by_line: dict[tuple[str, int | None], list[Directive]],
+    matches: Matches,
+    used: set[tuple[int, str]],
+) -> Result:
+    suppressions = list(result.suppressions)
+    for directive in by_line.get((result.location.path, result.location.line), ()):
+        if directive.metrics_only and result.value is None:
+            continue
+        names = [name for name in directive.selectors if matches(name, result)] if directive.selectors else [""]
+        if names:
+            suppressions.append(directive.suppression)
+            used.update((id(directive), name) for name in names)
+    if len(suppressions) == len(result.suppressions):
+        return result
+    return replace(result, suppressions=tuple(suppressions))
+
+
+class _Judge:
+    """Whether this run could have reported what a comment names."""
+
+    def __init__(self, runs: tuple[Run, ...], matches: Matches, enabled: Enabled | None) -> None:
+        self.runs = runs
+        self.matches = matches
+        self.enabled = enabled
+        self.complete = all(run.successful for run in runs)
+        self.known: dict[tuple[str, str, str], bool] = {}
+
+    def knows(self, selector: str, path: str) -> bool:
+        """*selector* "" stands for every rule: judged only if no tool failed."""
+        answered = [run for run in self.runs if path in run.analysed and run.successful and run.tool.name != own.TOOL]
+        if not selector:
+            return bool(answered) and self.complete
+        return any(self._reports(run, selector, path) for run in answered)
+
+    def _reports(self, run: Run, selector: str, path: str) -> bool:
+        tool = run.tool.name
+        if self.enabled is None:
+            rules = {rule.id for rule in run.rules} | {result.rule for result in run.results}
+        else:
+            rules = set(self.enabled(tool, path))
+        place = Location(path)
+        return any(self.matches(selector, Result(tool, rule, Level.NOTE, "", place)) for rule in sorted(rules))
+
+
+def _unused(directive: Directive, idle: list[str]) -> Result:
+    if idle == [""]:
+        told = "No rule reports anything there."
+    else:
+        told = f"{', '.join(repr(name) for name in idle)} {'reports' if len(idle) == 1 else 'report'} nothing there."
+    rule = own.UNUSED_SUPPRESSION
+    message = f"The comment '{directive.words}' suppresses nothing: {told} Remove it."
+    if idle != [""]:
+        message = f"In the comment '{directive.words}', {told} Remove {'it' if len(idle) == 1 else 'them'}."
+    return Result(own.TOOL, rule.id, rule.level, message, directive.place)

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The base revision as a second Workspace, made from git's objects in a temporary directory."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.workspace.assemble import Content, assemble
+from haros_ci.workspace.discover import MAX_FILE_SIZE, manifests_above, scope_of, unusable_name
+from haros_ci.workspace.excludes import Excludes
+from haros_ci.workspace.git import BaselineUnavailable, GitError, Repository, merge_base, repository_of, resolve_commit
+from haros_ci.workspace.objects import Blob, read_blobs, read_tree
+from haros_ci.workspace.renames import find_renames
+from haros_ci.workspace.selection import Candidate, Scope, select
+
+__all__ = ["Base", "BaselineUnavailable", "base_workspace"]
+
+#: Settings of tools that are taken from the workspace as it is now: the base is analysed with today's configuration.
+TOOL_SETTINGS = (
+    *("CPPLINT.cfg", ".clang-tidy", ".ruff.toml", "ruff.toml", "pyproject.toml", "tox.ini"),
+    *("pylintrc", ".pylintrc", "pylintrc.toml", ".pylintrc.toml"),
+)
+
+
+IN_MEMORY = "/dev/shm"
+IN_MEMORY_RESERVE = 256_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Base:
+    """The workspace at *revision* (a commit); ``renames`` maps paths there to the paths that these files have now."""
+
+    workspace: Workspace
+    revision: str
+    renames: dict[str, str]
+
+
+@contextmanager
+def base_workspace(
+    workspace: Workspace,
+    rev: str,
+    *,
+    paths: tuple[str, ...] = (".",),
+    exclude: tuple[str, ...] = (),
+    max_file_size: int = MAX_FILE_SIZE,
+    use_merge_base: bool = True,
+) -> Iterator[Base]:
+    """What discover would have found at the merge base of *rev* and HEAD (or at *rev* itself), for as long as it is needed.
+
+    *workspace* is the present one; *paths*, *exclude* and *max_file_size* are those it was discovered with.
+    BaselineUnavailable if the revision or anything of it cannot be had. Nothing is written into the repository and
+    nothing is checked out, so no hook and no filter runs.
+    """
+    root = workspace.root
+    repository = _repository(workspace)
+    commit = merge_base(repository.top, rev) if use_merge_base else resolve_commit(repository, rev)
+    try:
+        tree = read_tree(repository, commit, workspace)
+        scope = _scope(workspace, paths, tree)
+        wanted = select(tree, scope, Excludes(exclude))
+        with _scratch(sum(tree[candidate.path].size for candidate in wanted)) as scratch:
+            directory = scratch / "base"
+            directory.mkdir()
+            renames = find_renames(scratch, root, *_moved(tree, wanted, workspace))
+            settings = _copy_settings(workspace, directory, wanted)
+            manifests = [Candidate(path, "package") for path in manifests_above(scope) if path in tree]
+            base = assemble(
+                directory,
+                _write(directory, read_blobs(tree, wanted, max_file_size)),
+                listed=[*(candidate.path for candidate in wanted), *settings],
+                problems=(),
+                targets=_targets(workspace, tree, renames),
+                context=[c for c in read_blobs(tree, manifests, max_file_size) if isinstance(c, Content)],
+                max_file_size=max_file_size,
+                name=root.name,
+            )
+            yield Base(base, commit, renames)
+    except GitError as err:
+        raise BaselineUnavailable(f"{rev!r} cannot be read: {err}; is the clone complete (no --filter)?") from err
+
+
+@contextmanager
+def _scratch(size: int) -> Iterator[Path]:
+    """A temporary directory for *size* bytes: in memory if there is ample room, as making files is slow on some disks."""
+    place = None
+    if not os.environ.get("TMPDIR") and os.access(IN_MEMORY, os.W_OK):
+        room = os.statvfs(IN_MEMORY)
+        if room.f_bavail * room.f_frsize > 4 * size + IN_MEMORY_RESERVE:
+            place = IN_MEMORY
+    with tempfile.TemporaryDirectory(prefix="haros-ci-base-", dir=place, ignore_cleanup_errors=True) as scratch:
+        yield Path(scratch).resolve()
+
+
+def _repository(workspace: Workspace) -> Repository:
+    """The one repository that all files lie in, submodules aside."""
+    root = workspace.root
+    tops: dict[str, Path | None] = {".": repository_of(root)}
+    for file in workspace.files:
+        chain = []
+        directory = file.path.rpartition("/")[0] or "."
+        while directory not in tops:
+            chain.append(directory)
+            directory = directory.rpartition("/")[0] or "."
+        top = tops[directory]
+        for directory in reversed(chain):
+            top = tops[directory] = root / directory if os.path.lexists(root / directory / ".git") else top
+    used = {tops[file.path.rpartition("/")[0] or "."] for file in workspace.files} - {None} or {tops["."]}
+    outer = tops["."]
+    if outer is not None and all(top == outer or (top is not None and (top / ".git").is_file()) for top in used):
+        return Repository(outer if len(used) > 1 else used.pop() or outer)
+    if len(used) > 1:
+        raise BaselineUnavailable(
+            f"a revision belongs to one repository, and the files lie in {len(used)}; use a baseline file, "
+            "or analyse one repository at a time"
+        )
+    top = used.pop()
+    if top is None:
+        raise BaselineUnavailable("not in a git repository; use a baseline file instead of a revision")
+    return Repository(top)
+
+
+def _scope(workspace: Workspace, paths: tuple[str, ...], tree: dict[str, Blob]) -> Scope:
+    """The scope that *paths* have now, where directories may be gone or have been files."""
+    present = scope_of(workspace.root, paths)
+    return Scope(present.directories, tuple(path for path in present.files if path in tree))
+
+
+def _moved(tree: dict[str, Blob], wanted: list[Candidate], workspace: Workspace) -> tuple[dict[str, Blob], list[str]]:
+    """What is in the base alone, and what is in the work tree alone."""
+    present = {file.path for file in workspace.files}
+    gone = [c.path for c in wanted if c.path not in present and unusable_name(c.path) is None]
+    deleted = {path: tree[path] for path in gone if not os.path.lexists(workspace.root / path)}
+    return deleted, sorted(present - tree.keys())
+
+
+def _targets(workspace: Workspace, tree: dict[str, Blob], renames: dict[str, str]) -> frozenset[str] | None:
+    """The targets, and what they were called in the base."""
+    targets = workspace.targets
+    return None if targets is None else frozenset(path for path in tree if renames.get(path, path) in targets)
+
+
+def _write(directory: Path, contents: Iterable[Content | Problem]) -> Iterator[Content | Problem]:
+    """Write contents below *directory* as they pass."""
+    made = {""}
+    for content in contents:
+        if isinstance(content, Content):
+            parent = content.path.rpartition("/")[0]
+            try:
+                if parent not in made:
+                    os.makedirs(directory / parent, exist_ok=True)
+                    made.add(parent)
+                _create(directory / content.path, content.data)
+            except OSError as err:  # names that are too long, or that only a crafted tree can hold side by side
+                yield Problem(content.path, f"skipped in the base revision: it cannot be written ({err.strerror})")
+                continue
+        yield content
+
+
+def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate]) -> list[str]:
+    """Copy tools' settings from the present workspace to where they apply in the base; returns their paths."""
+    directories = {""}
+    for candidate in wanted:
+        parent = candidate.path.rpartition("/")[0]
+        while parent not in directories:
+            directories.add(parent)
+            parent = parent.rpartition("/")[0]
+    copied = []
+    for parent in sorted(directories):
+        for name in TOOL_SETTINGS:
+            path = f"{parent}/{name}" if parent else name
+            text = workspace.text(path)
+            if text:
+                os.makedirs(directory / parent, exist_ok=True)
+                _create(directory / path, text.encode("utf-8"))
+                copied.append(path)
+    return copied
+
+
+def _create(path: Path, data: bytes) -> None:
+    descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o600)
+    with os.fdopen(descriptor, "wb") as file:
+        file.write(data)

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From a directory on disk to a Workspace: its packages and the files that can be analysed."""
+
+from __future__ import annotations
+
+import errno
+import os
+import posixpath
+import stat
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from haros_ci.errors import UserError
+from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.workspace.assemble import Content, assemble
+from haros_ci.workspace.excludes import Excludes
+from haros_ci.workspace.files import TooLarge, Tree, read_head, read_regular
+from haros_ci.workspace.language import HEAD, is_python_script, suffix_of
+from haros_ci.workspace.listing import list_files
+from haros_ci.workspace.selection import Candidate, Scope, select
+
+MAX_FILE_SIZE = 2_000_000
+
+#: Where the CMakeLists.txt leads to that catkin_init_workspace puts into every ``src``.
+CATKIN_TOP_LEVEL = "/catkin/cmake/toplevel.cmake"
+
+
+def discover(
+    root: Path, paths: tuple[str, ...], *, exclude: tuple[str, ...] = (), max_file_size: int = MAX_FILE_SIZE
+) -> Workspace:
+    """Find, read and hash what there is to analyse below *root*.
+
+    *paths* are directories and files, POSIX-style and relative to *root* (absolute). Directories are the subtree to
+    analyse; where files are given they become the targets, and without any directory all of *root* is the subtree.
+    *exclude* are patterns as in .gitignore; they hold for given files, and below given directories. Files over
+    *max_file_size* bytes are not read. UserError for a path that does not exist or leads out of *root*.
+    """
+    root = root.resolve()
+    scope = scope_of(root, paths)
+    listing = list_files(root, scope.directories)
+    candidates = select([*listing.paths, *scope.files], scope, Excludes(exclude))
+    disk = _Disk(root, max_file_size)
+    return assemble(
+        root,
+        disk.read(candidates),
+        listed=[*listing.paths, *scope.files],
+        problems=listing.problems,
+        targets=frozenset(scope.files) if scope.files else None,
+        context=disk.manifests(manifests_above(scope)),
+        max_file_size=max_file_size,
+    )
+
+
+def scope_of(root: Path, paths: Iterable[str]) -> Scope:
+    """*paths* sorted into directories and files, symbolic links in them resolved; UserError as discover has it."""
+    directories: set[str] = set()
+    files: set[str] = set()
+    for path in paths:
+        normal = posixpath.normpath(path)
+        try:
+            real = (root / normal).resolve(strict=True)
+            mode = real.stat().st_mode
+        except (OSError, RuntimeError, ValueError) as err:  # RuntimeError: a loop, before Python 3.13; ValueError: NUL
+            raise UserError(
+                f"{path!r}: no such file or directory", help=f"paths are relative to {root.name!r}"
+            ) from err
+        if not real.is_relative_to(root):
+            raise UserError(f"{path!r} leads out of the workspace", help="run haros-ci in a directory that holds both")
+        (directories if stat.S_ISDIR(mode) else files).add(real.relative_to(root).as_posix())
+    return Scope(tuple(sorted(directories)) or (".",), tuple(sorted(files)))
+
+
+def manifests_above(scope: Scope) -> list[str]:
+    """Where the manifests of packages would be that the given directories lie in."""
+    above = {parent for path in scope.directories for parent in _parents(path)} - set(scope.directories)
+    return sorted("package.xml" if directory == "." else f"{directory}/package.xml" for directory in above)
+
+
+class _Disk:
+    """Reads candidates below *root*, with a problem instead of contents where that is not possible."""
+
+    def __init__(self, root: Path, max_file_size: int) -> None:
+        self._root = os.fspath(root)
+        self._tree = Tree(root)
+        self._limit = max_file_size
+
+    def read(self, candidates: Iterable[Candidate]) -> Iterator[Content | Problem]:
+        for candidate in candidates:
+            path = candidate.path
+            found: Content | Problem | None = unusable_name(path)
+            if found is None:
+                try:
+                    found = self._content(candidate)
+                except TooLarge as err:
+                    found = too_large(path, err.args[0], self._limit)
+                except OSError as err:
+                    found = self._trouble(candidate, err)
+            if found is not None:
+                yield found
+
+    def manifests(self, paths: Iterable[str]) -> Iterator[Content]:
+        """Those of *paths* that are there."""
+        for path in paths:
+            try:
+                data = self._tree.read(path, self._limit)
+            except (OSError, TooLarge):
+                continue
+            if data is not None:
+                yield Content(path, "package", data)
+
+    def _content(self, candidate: Candidate) -> Content | None:
+        """The contents; None if it is no regular file or, where only contents can tell, no Python script."""
+        place = self._tree.place(candidate.path)
+        language = candidate.language
+        if language is None:
+            if suffix_of(candidate.path.rpartition("/")[2]) and not _may_be_script(place):
+                return None
+            if not is_python_script(read_head(place, HEAD)):
+                return None
+            language = "python"
+        data = read_regular(place, self._limit)
+        return None if data is None else Content(candidate.path, language, data)
+
+    def _trouble(self, candidate: Candidate, err: OSError) -> Problem | None:
+        if err.errno in (errno.ELOOP, errno.EMLINK):  # what O_NOFOLLOW says of a symbolic link
+            return self._link(candidate.path, candidate.language)
+        if err.errno in (errno.ENOENT, errno.ENOTDIR):  # git still knows files that were deleted
+            return None
+        return Problem(candidate.path, f"skipped: it cannot be read ({err.strerror})")
+
+    def _link(self, path: str, language: str | None) -> Problem | None:
+        """A problem for a link that leads nowhere or out of the root; what it leads to inside is listed by itself."""
+        for directory in sorted(_parents(path), key=len):
+            if os.path.islink(f"{self._root}/{directory}"):  # git lists what was there when it was a directory
+                path, language = directory, None
+                break
+        try:
+            if os.readlink(f"{self._root}/{path}").endswith(CATKIN_TOP_LEVEL):
+                return None
+            target = os.path.realpath(f"{self._root}/{path}", strict=True)
+        except OSError:
+            return Problem(path, "skipped: a symbolic link that leads nowhere") if language else None
+        if target == self._root or target.startswith(f"{self._root}/"):
+            return None
+        if language is None and not os.path.isdir(target):
+            return None
+        return Problem(path, "skipped: a symbolic link that leads out of the workspace")
+
+
+def _may_be_script(place: str) -> bool:
+    """Whether the file is executable, or a symbolic link (which is looked into further on)."""
+    mode = os.lstat(place).st_mode
+    return stat.S_ISLNK(mode) or bool(mode & stat.S_IXUSR)
+
+
+def unusable_name(path: str) -> Problem | None:
+    """A problem if *path* cannot stand in a line of text: not UTF-8, or with a line break."""
+    if path.isprintable():
+        return None
+    parts = path.split("/")
+    for number, name in enumerate(parts):
+        if not name.isprintable() and (any("\ud800" <= c <= "\udfff" for c in name) or name.splitlines() != [name]):
+            return Problem("/".join(parts[:number]) or ".", f"skipped {name!a}: rename it, it is not one line of UTF-8")
+    return None
+
+
+def too_large(path: str, size: int, limit: int) -> Problem:
+    """The problem of a file with *size* bytes."""
+    return Problem(path, f"skipped: {size} bytes, more than the limit of {limit}; raise it or exclude the file")
+
+
+def _parents(path: str) -> Iterator[str]:
+    while path != ".":
+        path = path.rpartition("/")[0] or "."
+        yield path

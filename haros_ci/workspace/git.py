@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one place that starts git, in a way that runs nothing a repository's configuration names.
+
+Only plumbing that neither checks out nor cleans files is used, so filters and hooks have no occasion to run. The git
+directory and the work tree are always passed explicitly: ``core.worktree`` cannot point elsewhere, and repositories
+owned by another user (containers in CI) need no ``safe.directory``.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from haros_ci.results.result import Provenance
+from haros_ci.workspace.files import TooLarge, read_regular
+
+TIMEOUT = 120.0  # seconds
+LARGEST_CONTROL_FILE = 4_000_000
+
+#: How tree entries of regular files begin; the last mode is from git's first years.
+REGULAR = (b"100644 ", b"100755 ", b"100664 ")
+
+#: Over whatever the repository configures. An empty core.fsmonitor is "off" in old versions too, where it named a hook.
+OVERRIDES = ("core.fsmonitor=", "core.hooksPath=/dev/null", "protocol.allow=never")
+
+#: The environment of git: its own variables (a surrounding hook sets some) are dropped but for these.
+KEPT = ("GIT_CONFIG_GLOBAL", "GIT_CONFIG_SYSTEM", "GIT_EXEC_PATH")
+ENVIRONMENT = {
+    "GIT_ALLOW_PROTOCOL": "none",  # stronger than protocol.*.allow of the repository
+    "GIT_CONFIG_NOSYSTEM": "1",
+    "GIT_NO_LAZY_FETCH": "1",
+    "GIT_NO_REPLACE_OBJECTS": "1",
+    "GIT_OPTIONAL_LOCKS": "0",
+    "GIT_TERMINAL_PROMPT": "0",
+    "LC_ALL": "C",
+}
+
+
+class GitError(Exception):
+    """git is not there, refused, or took too long. ``code`` is its exit code, None if it did not run to its end."""
+
+    def __init__(self, message: str, code: int | None = None) -> None:
+        super().__init__(message)
+        self.code = code
+
+
+class BaselineUnavailable(Exception):
+    """There is no base revision to compare with; the message says why and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Repository:
+    """A work tree: *top* is the absolute directory that holds ``.git`` (a directory, or a file in submodules)."""
+
+    top: Path
+
+    @property
+    def git_directory(self) -> Path:
+        """Where HEAD and the index are."""
+        entry = self.top / ".git"
+        pointer = _control_text(entry)
+        if not pointer.startswith("gitdir:"):
+            return entry
+        return self.top / pointer.removeprefix("gitdir:").strip()
+
+    @property
+    def common_directory(self) -> Path:
+        """Where objects, branches and configuration are; differs from ``git_directory`` in linked work trees."""
+        directory = self.git_directory
+        return directory / (_control_text(directory / "commondir").strip() or ".")
+
+    @property
+    def is_shallow(self) -> bool:
+        return (self.common_directory / "shallow").exists()
+
+
+def repository_of(root: Path) -> Path | None:
+    """The top directory of the innermost repository that *root* lies in; no process is started."""
+    for directory in (root, *root.parents):
+        if os.path.lexists(directory / ".git"):
+            return directory
+    return None
+
+
+def run_git(
+    repository: Repository,
+    *arguments: str,
+    cwd: Path | None = None,
+    stdin: bytes = b"",
+    environment: dict[str, str] | None = None,
+) -> bytes:
+    """Run one git command on *repository* and return what it prints; GitError if it fails."""
+    program = _program()
+    if program is None:
+        raise GitError("git is not installed")
+    argv = [program, "--literal-pathspecs", "--no-pager"]
+    for override in OVERRIDES:
+        argv += ["-c", override]
+    inherited = {k: v for k, v in os.environ.items() if not k.startswith("GIT_") or k in KEPT}
+    paths = {"GIT_DIR": str(repository.top / ".git"), "GIT_WORK_TREE": str(repository.top)}
+    try:
+        done = subprocess.run(
+            [*argv, *arguments],
+            input=stdin,
+            cwd=cwd or repository.top,
+            env={**inherited, **ENVIRONMENT, **paths, **(environment or {})},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            timeout=TIMEOUT,
+            check=False,
+        )
+    except subprocess.TimeoutExpired as err:
+        raise GitError(f"git {arguments[0]} took longer than {TIMEOUT:.0f} s") from err
+    except OSError as err:
+        raise GitError(f"git cannot be started: {err.strerror}") from err
+    if done.returncode != 0:
+        raise GitError(f"git {arguments[0]} failed with exit code {done.returncode}", done.returncode)
+    return done.stdout
+
+
+def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]) -> tuple[list[str], list[str]]:
+    """Tracked and untracked, not ignored files below *directories*, and the repositories nested in them.
+
+    *directories* and all paths that come back are relative to *cwd*, a directory of the work tree. Files that are
+    tracked but deleted are among them. GitError if git does not work.
+    """
+    arguments = ("ls-files", "-z", "-t", "-s", "-c", "-o", "--exclude-standard", "--", *directories)
+    files: set[str] = set()
+    nested: set[str] = set()
+    for record in run_git(repository, *arguments, cwd=cwd).split(b"\0"):
+        if record.startswith(b"? "):  # untracked; a repository of its own ends with a slash
+            path = os.fsdecode(record[2:])
+            (nested if path.endswith("/") else files).add(path.rstrip("/"))
+        elif record:
+            entry, _, name = record.partition(b"\t")
+            (nested if entry[2:].startswith(b"160000") else files).add(os.fsdecode(name))
+    return sorted(files), sorted(nested)
+
+
+def resolve_commit(repository: Repository, rev: str) -> str:
+    """The commit that *rev* names; BaselineUnavailable if there is none."""
+    readable = rev and not rev.startswith("-") and rev.isprintable()
+    try:
+        if readable:
+            arguments = ("rev-parse", "--verify", "--quiet", "--end-of-options", f"{rev}^{{commit}}")
+            return run_git(repository, *arguments).decode("ascii").strip()
+    except GitError as err:
+        if err.code is None:
+            raise BaselineUnavailable(f"{err}; install git or use a baseline file") from err
+    if rev == "HEAD":
+        raise BaselineUnavailable("the repository has no commit yet; use a baseline file")
+    hint = "this clone is shallow: fetch the revision first (actions/checkout: fetch-depth: 0)"
+    advice = hint if repository.is_shallow else "check the spelling, or fetch it first"
+    raise BaselineUnavailable(f"unknown revision {rev!r}; {advice}")
+
+
+def merge_base(root: Path, rev: str) -> str:
+    """The commit at which the history of HEAD left that of *rev*; of several, the one that git names first.
+
+    BaselineUnavailable says whether git, the repository, the revision or (in a shallow clone) history is missing.
+    """
+    repository, _ = _repository_around(root)
+    commit = resolve_commit(repository, rev)
+    head = resolve_commit(repository, "HEAD")
+    try:
+        return run_git(repository, "merge-base", commit, head).decode("ascii").strip()
+    except GitError as err:
+        if err.code != 1:
+            raise BaselineUnavailable(f"{err}; use a baseline file") from err
+    if repository.is_shallow:
+        raise BaselineUnavailable(
+            f"this shallow clone does not reach the commit that {rev!r} and HEAD have in common; "
+            "fetch more history (actions/checkout: fetch-depth: 0)"
+        )
+    raise BaselineUnavailable(
+        f"{rev!r} and HEAD have no commit in common; name another revision or use a baseline file"
+    )
+
+
+def read_at(root: Path, rev: str, path: str) -> bytes | None:
+    """The file at *path* (POSIX-style, relative to *root*) as it is in *rev*; None if there is no such regular file.
+
+    BaselineUnavailable as for merge_base.
+    """
+    repository, prefix = _repository_around(root)
+    parts = path.split("/")
+    if path.startswith("/") or ".." in parts or "\0" in path:
+        return None
+    name = prefix + "/".join(part for part in parts if part not in ("", "."))
+    commit = resolve_commit(repository, rev)
+    try:
+        entry = run_git(repository, "ls-tree", "-z", "--full-tree", commit, "--", name).rstrip(b"\0")
+        kind, _, found = entry.partition(b"\t")
+        if os.fsdecode(found) != name or not kind.startswith(REGULAR):
+            return None
+        return run_git(repository, "cat-file", "blob", kind.split()[2].decode("ascii"))
+    except GitError as err:
+        raise BaselineUnavailable(f"{path} cannot be read in {rev!r}: {err}") from err
+
+
+def provenance(root: Path) -> Provenance | None:
+    """Remote address without credentials, commit and branch of the repository *root* lies in; None outside git.
+
+    Reads git's control files; git itself is asked only where the commit is not in them (reftable).
+    """
+    top = repository_of(root)
+    if top is None:
+        return None
+    repository = Repository(top)
+    common = repository.common_directory
+    head = _control_text(repository.git_directory / "HEAD").strip()
+    reference = head.removeprefix("ref:").strip() if head.startswith("ref:") else ""
+    revision = head if not reference else _reference(common, reference)
+    if not _is_object_name(revision):
+        try:
+            revision = resolve_commit(repository, "HEAD")
+        except BaselineUnavailable:  # no commit yet, or not a repository
+            revision = ""
+    branch = reference.removeprefix("refs/heads/") if reference.startswith("refs/heads/") else ""
+    return Provenance(
+        repository_uri=_remote(_control_text(common / "config")),
+        revision=revision,
+        branch=branch if branch.isprintable() and branch != ".invalid" else "",  # .invalid: git's mark of a reftable
+    )
+
+
+def public_uri(url: str) -> str:
+    """*url* of a remote as a URI without user, password, query and fragment; "" if it is no network address."""
+    scheme, separator, rest = url.strip().partition("://")
+    if not separator:  # scp-like: [user@]host:path
+        host, colon, path = url.strip().rpartition("@")[2].partition(":")
+        if not colon or "/" in host or len(host) < 2:
+            return ""
+        scheme, rest = "ssh", f"{host}/{path.lstrip('/')}"
+    if scheme not in ("http", "https", "ssh", "git"):
+        return ""
+    host, _, path = rest.partition("/")
+    path = path.partition("?")[0].partition("#")[0]
+    clean = f"{scheme}://{host.rpartition('@')[2]}/{path}"
+    return clean if clean.isascii() and clean.isprintable() and " " not in clean and "@" not in clean else ""
+
+
+def _repository_around(root: Path) -> tuple[Repository, str]:
+    """The repository that *root* lies in, and what to put before paths relative to *root*."""
+    root = root.resolve()
+    top = repository_of(root)
+    if top is None:
+        raise BaselineUnavailable("not in a git repository; use a baseline file instead of a revision")
+    return Repository(top), "" if root == top else f"{root.relative_to(top).as_posix()}/"
+
+
+def _remote(config: str) -> str:
+    """The address of ``origin``, else of the first remote by name; included files and rewriting rules are not followed."""
+    remotes: dict[str, str] = {}
+    section = ""
+    for line in config.splitlines():
+        line = line.strip()
+        if line.startswith("["):
+            section = line
+        elif section.startswith('[remote "') and section.endswith('"]'):
+            key, _, value = line.partition("=")
+            if key.strip().lower() == "url":
+                remotes.setdefault(section[len('[remote "') : -2], value.strip().strip('"'))
+    if not remotes:
+        return ""
+    return public_uri(remotes.get("origin", remotes[min(remotes)]))
+
+
+def _reference(common: Path, name: str) -> str:
+    """The object that a loose or packed reference names, "" if there is no such file."""
+    if ".." in name.split("/") or not name.startswith("refs/"):
+        return ""
+    loose = _control_text(common / name).strip()
+    if loose:
+        return loose
+    for line in _control_text(common / "packed-refs").splitlines():
+        value, _, packed = line.partition(" ")
+        if packed == name:
+            return value
+    return ""
+
+
+def _is_object_name(text: str) -> bool:
+    return len(text) in (40, 64) and all(c in "0123456789abcdef" for c in text)
+
+
+def _control_text(path: Path) -> str:
+    """A file of a git directory as text, "" if there is no such regular file."""
+    try:
+        return (read_regular(path, LARGEST_CONTROL_FILE) or b"").decode("utf-8", "replace")
+    except (OSError, TooLarge):
+        return ""
+
+
+def _program() -> str | None:
+    """git by absolute path: a relative entry of PATH could find one in the workspace."""
+    for directory in os.environ.get("PATH", os.defpath).split(os.pathsep):
+        candidate = os.path.join(directory, "git")
+        if os.path.isabs(directory) and os.path.isfile(candidate) and os.access(candidate, os.X_OK):
+            return candidate
+    return None

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which language a file is in, by its name or its first line."""
+
+from __future__ import annotations
+
+import re
+
+#: How much of a file is_python_script wants to see.
+HEAD = 128
+
+NAMES = {"CMakeLists.txt": "cmake", "package.xml": "package", "setup.cfg": "setup"}
+
+#: Launch files by both conventions, ``x.launch.xml`` and ``x_launch.xml``; Python ones are Python.
+LAUNCH_ENDINGS = tuple(f"{mark}launch.{kind}" for mark in "._" for kind in ("xml", "yaml", "yml"))
+
+SUFFIXES = {
+    **dict.fromkeys(("c", "cc", "cpp", "cxx", "c++", "h", "hh", "hpp", "hxx", "h++"), "cpp"),
+    **dict.fromkeys(("ipp", "tpp", "txx", "inl", "cu", "cuh"), "cpp"),
+    **dict.fromkeys(("py", "pyw"), "python"),
+    "launch": "launch",
+    "cmake": "cmake",
+    **dict.fromkeys(("yaml", "yml"), "yaml"),
+    **dict.fromkeys(("msg", "srv", "action"), "interface"),
+    **dict.fromkeys(("xml", "urdf", "xacro", "srdf", "sdf"), "xml"),
+}
+
+#: ``#!/usr/bin/python3``, ``#!/usr/bin/env python``, ``#!/usr/bin/env -S python3 -u``
+_SHEBANG = re.compile(rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*)?(?:\S*/)?python[\d.]*(?:\s|$)")
+
+
+def language_of(name: str) -> str | None:
+    """The language that the file name *name* (without directories) tells; None if it tells none."""
+    if name in NAMES:
+        return NAMES[name]
+    if name.endswith(LAUNCH_ENDINGS):
+        return "launch"
+    return SUFFIXES.get(suffix_of(name))
+
+
+def suffix_of(name: str) -> str:
+    """What follows the last dot, in lower case; "" if there is no dot but perhaps a leading one."""
+    stem, _, suffix = name.rpartition(".")
+    return suffix.lower() if stem else ""
+
+
+def is_python_script(head: bytes) -> bool:
+    """Whether a file that begins with *head* asks for a Python interpreter."""
+    return _SHEBANG.match(head) is not None

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The paths of the files that lie below given directories: as git knows them, else as they lie on disk."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from haros_ci.model.workspace import Problem
+from haros_ci.workspace.git import GitError, Repository, listed_files, repository_of
+from haros_ci.workspace.selection import MARKERS, is_never_source, is_output
+
+
+@dataclass(slots=True)
+class Listing:
+    """Paths relative to the root, in no order, with doubles where directories overlap; symbolic links are among them."""
+
+    paths: list[str] = field(default_factory=list)
+    problems: list[Problem] = field(default_factory=list)
+
+
+def list_files(root: Path, directories: tuple[str, ...]) -> Listing:
+    """Every file below *directories* (relative to *root*) that .gitignore does not exclude.
+
+    One git process for each repository; nested repositories and submodules are listed on their own. Outside git, or
+    where git does not work, directories are walked and .gitignore has no meaning.
+    """
+    listing = Listing()
+    by_repository: dict[Path, list[str]] = {}
+    for directory in directories:
+        top = repository_of(root / directory)
+        if top is None:
+            _walk(listing, root, directory)
+        else:
+            by_repository.setdefault(top, []).append(directory)
+    for top, given in by_repository.items():
+        _list_repository(listing, root, top, given)
+    return listing
+
+
+def _list_repository(listing: Listing, root: Path, top: Path, directories: list[str]) -> None:
+    """List *directories*, all of the repository at *top*, and what is nested in them."""
+    inside = root.is_relative_to(top)
+    cwd = root if inside else top
+    mount = "" if inside else f"{top.relative_to(root).as_posix()}/"
+    below = tuple(os.path.relpath(root / directory, cwd) for directory in directories)
+    try:
+        files, nested = listed_files(Repository(top), cwd, below)
+    except GitError as err:
+        place = mount.rstrip("/") or "."
+        listing.problems.append(Problem(place, f"{err}: all files are listed, .gitignore is not honoured"))
+        for directory in directories:
+            _walk(listing, root, directory, repositories=False)
+        return
+    paths = [mount + path for path in files]
+    listing.paths += paths
+    for path in nested:
+        if os.path.lexists(f"{root}/{mount}{path}/.git"):
+            _list_repository(listing, root, root / mount / path, [mount + path])
+        else:
+            _walk(listing, root, mount + path)
+    for directory in directories:
+        for ignored in _ignored_as_a_whole(root, directory, paths + [mount + path for path in nested]):
+            _walk(listing, root, ignored)
+
+
+def _ignored_as_a_whole(root: Path, directory: str, known: list[str]) -> list[str]:
+    """Directories of which git lists nothing though they are asked for.
+
+    That is a given directory, and the ``src`` of a workspace whose own repository leaves its sources to others.
+    """
+    prefix = "" if directory == "." else f"{directory}/"
+    if not any(path.startswith(prefix) for path in known):
+        return [directory]
+    source = f"{prefix}src"
+    if any(path == source or path.startswith(f"{source}/") for path in known):
+        return []
+    return [source] if os.path.isdir(root / source) and not os.path.islink(root / source) else []
+
+
+def _walk(listing: Listing, root: Path, directory: str, *, repositories: bool = True) -> None:
+    """List by reading directories; those that are no source are not entered, those with ``.git`` are left to git."""
+    pending = [directory]
+    while pending:
+        here = pending.pop()
+        prefix = "" if here == "." else f"{here}/"
+        try:
+            with os.scandir(f"{root}/{here}") as entries:
+                found = [
+                    (e.name, e.is_dir(follow_symlinks=False), e.is_file(follow_symlinks=False) or e.is_symlink())
+                    for e in entries
+                ]
+        except OSError as err:
+            listing.problems.append(Problem(here, f"skipped: the directory cannot be read ({err.strerror})"))
+            continue
+        names = {name for name, _, _ in found}
+        if here != directory and is_output(names):
+            listing.paths += [prefix + name for name in names & MARKERS]  # they tell of the directories beside it
+            continue
+        if here != directory and repositories and ".git" in names:
+            _list_repository(listing, root, root / here, [here])
+            continue
+        listing.paths += [prefix + name for name, _, is_file in found if is_file]
+        pending += [prefix + name for name, is_directory, _ in found if is_directory and not is_never_source(name)]

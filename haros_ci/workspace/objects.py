@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files as they are in a commit, straight from git's objects."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.workspace.assemble import Content
+from haros_ci.workspace.discover import too_large, unusable_name
+from haros_ci.workspace.git import REGULAR, BaselineUnavailable, GitError, Repository, run_git
+from haros_ci.workspace.language import HEAD, is_python_script, suffix_of
+from haros_ci.workspace.selection import Candidate
+
+#: Bytes of files that are in memory at a time, unless a single file is larger.
+BATCH = 32_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Blob:
+    """A regular file in a commit; *name* is that of the object, *size* is in bytes."""
+
+    repository: Repository
+    name: str
+    size: int
+    executable: bool
+
+
+def read_tree(repository: Repository, commit: str, workspace: Workspace) -> dict[str, Blob]:
+    """The regular files of *commit* by their paths relative to the root of *workspace*, no symbolic links among them.
+
+    Submodules are followed if *workspace* has files in them. GitError if git cannot tell.
+    """
+    root, top = workspace.root, repository.top
+    inside = f"{root.relative_to(top).as_posix()}/" if root != top and root.is_relative_to(top) else ""
+    mount = f"{top.relative_to(root).as_posix()}/" if root != top and not inside else ""
+    arguments = ("ls-tree", "-r", "-l", "-z", "--full-tree", commit, *(("--", inside) if inside else ()))
+    tree: dict[str, Blob] = {}
+    for record in run_git(repository, *arguments).split(b"\0"):
+        kind, _, name = record.partition(b"\t")
+        path = mount + os.fsdecode(name).removeprefix(inside)
+        if not record or not _is_safe(path):
+            continue
+        if kind.startswith(REGULAR):
+            mode, _, blob, size = kind.split()
+            tree[path] = Blob(repository, blob.decode("ascii"), _size(size), mode == b"100755")
+        elif kind.startswith(b"160000 ") and any(file.path.startswith(f"{path}/") for file in workspace.files):
+            tree.update(_read_submodule(path, kind.split()[2].decode("ascii"), workspace))
+    return tree
+
+
+def read_blobs(tree: dict[str, Blob], candidates: Iterable[Candidate], limit: int) -> Iterator[Content | Problem]:
+    """The contents of *candidates*, with one git process for each repository and BATCH bytes.
+
+    What would be skipped on disk is skipped here. GitError if git lacks an object.
+    """
+    batches: dict[Repository, tuple[list[Candidate], int]] = {}
+    for candidate in candidates:
+        blob = tree[candidate.path]
+        if candidate.language is None and suffix_of(candidate.path.rpartition("/")[2]) and not blob.executable:
+            continue
+        problem = unusable_name(candidate.path)
+        if problem is None and blob.size > limit:
+            if candidate.language is None:
+                continue
+            problem = too_large(candidate.path, blob.size, limit)
+        if problem is not None:
+            yield problem
+            continue
+        batch, size = batches.get(blob.repository, ([], 0))
+        if batch and size + blob.size > BATCH:
+            yield from _read_batch(blob.repository, tree, batch)
+            batch, size = [], 0
+        batch.append(candidate)
+        batches[blob.repository] = (batch, size + blob.size)
+    for repository, (batch, _) in batches.items():
+        yield from _read_batch(repository, tree, batch)
+
+
+def _read_batch(repository: Repository, tree: dict[str, Blob], candidates: list[Candidate]) -> Iterator[Content]:
+    """Answers of ``git cat-file --batch``: a line ``NAME TYPE SIZE``, then so many bytes and a line feed."""
+    request = "".join(f"{tree[candidate.path].name}\n" for candidate in candidates).encode("ascii")
+    answer = memoryview(run_git(repository, "cat-file", "--batch", "--buffer", stdin=request))
+    start = 0
+    for candidate in candidates:
+        end = start + len(tree[candidate.path].name) + len(" blob ")
+        size = bytes(answer[end : end + 20]).partition(b"\n")[0]
+        if bytes(answer[end - len(" blob ") : end]) != b" blob " or not size.isdigit():
+            raise GitError(f"the contents of {candidate.path} are missing")
+        start = end + len(size) + 1
+        data = bytes(answer[start : start + int(size)])
+        start += int(size) + 1
+        language = candidate.language or ("python" if is_python_script(data[:HEAD]) else None)
+        if language is not None:
+            yield Content(candidate.path, language, data)
+
+
+def _read_submodule(path: str, commit: str, workspace: Workspace) -> dict[str, Blob]:
+    top = workspace.root / path
+    if not os.path.lexists(top / ".git"):
+        return {}  # its files are part of the surrounding repository by now
+    try:
+        return read_tree(Repository(top), commit, workspace)
+    except GitError as err:
+        raise BaselineUnavailable(
+            f"the submodule {path} lacks the commit that the base revision uses; fetch its history "
+            "(git submodule foreach git fetch --unshallow)"
+        ) from err
+
+
+def _is_safe(path: str) -> bool:
+    """Whether *path* stays where it is put: a tree from elsewhere can hold any name."""
+    return not any(part in ("", ".", "..") or part.lower() == ".git" for part in path.split("/"))
+
+
+def _size(text: bytes) -> int:
+    """git writes ``BAD`` for the size of an object that it lacks; reading such an object fails later, if it is asked for."""
+    return int(text) if text.isdigit() else 0

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Package manifests of formats 1, 2 and 3 (REP 127, 140, 149) as packages."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from haros_ci.model.package import Dependency, Package
+from haros_ci.model.workspace import Problem
+from haros_ci.workspace.condition import evaluate
+from haros_ci.workspace.xml import Element, XmlError, parse_xml
+
+#: Tags that name another package which this one needs. ``conflict``, ``replace`` and groups do not.
+DEPENDENCY_TAGS = (
+    "build_depend",
+    "buildtool_depend",
+    "test_depend",
+    "run_depend",  # format 1
+    "depend",  # formats 2 and 3, as the rest
+    "build_export_depend",
+    "buildtool_export_depend",
+    "exec_depend",
+    "doc_depend",
+)
+
+#: Packages that exist in one ROS only, and are needed by most that are written for it.
+_ROS_OF = {"catkin": 1, "roscpp": 1, "rospy": 1, "message_generation": 1, "rclcpp": 2, "rclpy": 2}
+_ROS_OF["rosidl_default_generators"] = 2
+
+_NOTHING: Mapping[str, str] = MappingProxyType({})
+
+
+def parse_package(path: str, data: bytes, *, environment: Mapping[str, str] | None = None) -> Package | Problem:
+    """The package that the manifest at *path* (relative to the root) describes, or the fault in it.
+
+    *environment* are the variables that conditions may refer to. What a condition rules out is left out, what it cannot
+    decide is kept, with the condition.
+    """
+    environment = _NOTHING if environment is None else environment
+    try:
+        root = parse_xml(data)
+    except XmlError as err:
+        return Problem(path, err.message, err.line)
+    if root.tag != "package":
+        return Problem(path, f"the outermost element is <{root.tag}>, not <package>", root.line)
+    name = _text(next(root.all("name"), None))
+    if not name:
+        return Problem(path, "no package name; add <name>", root.line)
+    manifest_format = root.attributes.get("format", "1").strip()
+    if manifest_format not in ("1", "2", "3"):
+        return Problem(path, f"package format {manifest_format!r} is not known; use 3", root.line)
+    dependencies = tuple(
+        Dependency(_text(tag), tag.tag, None if verdict else tag.attributes["condition"], tag.line)
+        for tag, verdict in _holding(root, environment, *DEPENDENCY_TAGS)
+        if _text(tag)
+    )
+    exports = [child for export in root.all("export") for child in export.children]
+    export = Element("export", {}, root.line, children=exports)
+    build_types = {_text(tag) for tag, _ in _holding(export, environment, "build_type")} - {""}
+    return Package(
+        name=name,
+        path=path.rpartition("/")[0] or ".",
+        format=int(manifest_format),
+        version=_text(next(root.all("version"), None)),
+        build_type=min(build_types) if len(build_types) == 1 else "",
+        ros=_ros(build_types, dependencies),
+        dependencies=dependencies,
+        is_metapackage=any(export.all("metapackage")),
+    )
+
+
+def _holding(parent: Element, environment: Mapping[str, str], *tags: str) -> list[tuple[Element, bool | None]]:
+    """The children with *tags* whose condition holds, with True, or cannot be decided, with None."""
+    found: list[tuple[Element, bool | None]] = []
+    for child in parent.all(*tags):
+        condition = child.attributes.get("condition")
+        verdict = True if condition is None else evaluate(condition, environment)
+        if verdict is not False:
+            found.append((child, verdict))
+    return found
+
+
+def _ros(build_types: set[str], dependencies: tuple[Dependency, ...]) -> int | None:
+    """1 or 2 by the build type, else the build tool, else the client libraries; None where these speak for both."""
+    build_tools = {d.name for d in dependencies if d.kind == "buildtool_depend"}
+    for names in (build_types, build_tools, {d.name for d in dependencies}):
+        worlds = {2 if name.startswith("ament_") else _ROS_OF.get(name) for name in names} - {None}
+        if worlds:
+            return worlds.pop() if len(worlds) == 1 else None
+    return None
+
+
+def _text(element: Element | None) -> str:
+    return "" if element is None else " ".join(element.text.split())

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which directory the paths of a run are relative to."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from haros_ci.errors import UserError
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """``root`` is what every path in the output is relative to; ``paths`` are the arguments, POSIX-style, relative to
+    it; the search for a project file begins at ``start`` and ends at ``root``.
+    """
+
+    root: Path
+    paths: tuple[str, ...]
+    start: Path
+
+
+def locate(arguments: tuple[str, ...], cwd: Path) -> Place:
+    """The place of a run on *arguments* (none: *cwd*).
+
+    GitHub wants paths relative to the repository, so the root is the git work tree that holds all arguments; outside
+    git it is the one directory named, or the directory above all that is named. Symbolic links in arguments are resolved.
+    """
+    named = [Path(os.path.realpath(cwd / argument)) for argument in arguments or (".",)]
+    for argument, path in zip(arguments or (".",), named, strict=True):
+        if not path.exists():
+            raise UserError(f"{argument}: no such file or directory", help="name files or directories of the workspace")
+    above = Path(os.path.commonpath(named))
+    if not above.is_dir():
+        above = above.parent
+    here = Path(os.path.realpath(cwd))
+    if any(path.is_file() for path in named) and above.is_relative_to(here):
+        above = here
+    root = work_tree(above) or above
+    return Place(root, tuple(path.relative_to(root).as_posix() for path in named), above)
+
+
+def work_tree(directory: Path) -> Path | None:
+    """The top of the git work tree that *directory* lies in, found without a process; None outside git."""
+    for candidate in (directory, *directory.parents):
+        if (candidate / ".git").exists():
+            return candidate
+    return None

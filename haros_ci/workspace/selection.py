@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which of a tree's paths are analysed: pure decisions on names, the same on disk and in a revision."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from haros_ci.workspace.excludes import Excludes
+from haros_ci.workspace.language import language_of
+
+#: Files that keep build tools out of a directory: colcon-core, ament_package, catkin_pkg.
+IGNORE_MARKERS = frozenset(("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"))
+
+#: Files that colcon, catkin_make and catkin_tools leave at the top of a build, install or devel tree.
+OUTPUT_MARKERS = frozenset((".colcon_install_layout", ".catkin", ".built_by", "pyvenv.cfg"))
+_OTHER_MARKERS = frozenset(
+    ("setup.bash", "local_setup.bash", "CMakeCache.txt", "CMakeLists.txt", "package.xml", ".catkin_workspace")
+)
+MARKERS = IGNORE_MARKERS | OUTPUT_MARKERS | _OTHER_MARKERS
+
+#: What stands beside ``src`` in a workspace that was built.
+OUTPUT_NAMES = frozenset(("build", "install", "devel", "log", "logs"))
+
+_NOT_SOURCE = frozenset(("node_modules", "__pycache__"))
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """What a run is about, relative to the root: directories to enter, whatever covers them, and single files."""
+
+    directories: tuple[str, ...]
+    files: tuple[str, ...] = ()
+
+    def given(self, path: str) -> str | None:
+        """The innermost given directory that *path* lies in."""
+        while True:
+            if path in self.directories:
+                return path
+            if path == ".":
+                return None
+            path = path.rpartition("/")[0] or "."
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A path to read; *language* None when only the first line can tell whether it is a Python script."""
+
+    path: str
+    language: str | None
+
+
+def is_output(names: set[str]) -> bool:
+    """Whether a directory that holds *names* is no source: marked as ignored, built, installed or a virtual environment."""
+    if names & IGNORE_MARKERS or names & OUTPUT_MARKERS:
+        return True
+    if "CMakeCache.txt" in names and "CMakeLists.txt" not in names:  # else CMake was run inside the source
+        return True
+    return {"setup.bash", "local_setup.bash"} <= names and "package.xml" not in names
+
+
+def is_never_source(name: str) -> bool:
+    """Whether a directory's name alone says that it belongs to a tool. Hidden ones do."""
+    return name.startswith(".") or name in _NOT_SOURCE or name.endswith(".egg-info")
+
+
+def select(paths: Iterable[str], scope: Scope, excludes: Excludes) -> list[Candidate]:
+    """The analysed ones of *paths* (a whole listing, as it carries the markers), sorted."""
+    listing = sorted(set(paths))
+    outputs = _output_directories(listing)
+    named = frozenset(scope.files)
+    kept = dict.fromkeys((".", *scope.directories), True)  # given directories are entered whatever covers them
+
+    def is_kept(directory: str) -> bool:
+        chain = []
+        while directory not in kept:
+            chain.append(directory)
+            directory = directory.rpartition("/")[0] or "."
+        verdict = kept[directory]
+        for directory in reversed(chain):
+            name = directory.rpartition("/")[2]
+            verdict = verdict and not is_never_source(name) and directory not in outputs
+            verdict = verdict and not excludes.match(directory, is_directory=True)
+            kept[directory] = verdict
+        return verdict
+
+    chosen = []
+    within: dict[str, bool] = {}
+    for path in listing:
+        directory, _, name = path.rpartition("/")
+        directory = directory or "."
+        if directory not in within:
+            within[directory] = scope.given(directory) is not None
+        if (within[directory] or path in named) and is_kept(directory) and not excludes.match(path, is_directory=False):
+            chosen.append(Candidate(path, language_of(name)))
+    return chosen
+
+
+def _output_directories(listing: list[str]) -> frozenset[str]:
+    """The directories that is_output tells, and their unmarked neighbours in a built workspace."""
+    marked: dict[str, set[str]] = {}
+    for path in listing:
+        directory, _, name = path.rpartition("/")
+        if name in MARKERS:
+            marked.setdefault(directory or ".", set()).add(name)
+    outputs = {directory for directory, names in marked.items() if is_output(names)}
+    roots = {directory for directory, names in marked.items() if ".catkin_workspace" in names}
+    for directory in outputs:
+        parent, _, name = directory.rpartition("/")
+        if name in OUTPUT_NAMES and "package.xml" not in marked.get(parent or ".", ()):
+            roots.add(parent or ".")
+    for root in roots:
+        prefix = "" if root == "." else f"{root}/"
+        if any(path.startswith(f"{prefix}src/") for path in listing):
+            outputs.update(prefix + name for name in OUTPUT_NAMES)
+    return frozenset(outputs)

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What every row of the rule tables keeps to, and which rules the profiles hold."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from haros_ci.config.settings import PROFILES
+from haros_ci.linters import metrics
+from haros_ci.linters.catalogue import SAME_DEFECT, TOOLS, rule, rules_of
+from haros_ci.results.rule import Level
+
+INVENTED = [
+    ("cpplint", "whitespace/brand_new"),
+    ("cppcheck", "brandNew"),
+    ("pylint", "brand-new"),
+    ("ruff", "XYZ123"),
+    ("ruff", "F501"),
+    ("clang-tidy", "bugprone-brand-new"),
+    ("clang-tidy", "odd"),
+    ("clang-tidy", "clang-analyzer-core.NullDereference"),
+    ("catkin_lint", "brand_new"),
+    ("metrics", "brand-new"),
+    ("elsewhere", "brand-new"),
+]
+
+
+def in_profile(tool: str, profile: str) -> set[str]:
+    return {r.id for r in rules_of(tool).values() if profile in r.profiles}
+
+
+@pytest.mark.parametrize("tool", [*TOOLS, "elsewhere"])
+def test_every_rule_says_what_a_log_needs(tool: str) -> None:
+    for entry in (*rules_of(tool).values(), *(rule(t, i) for t, i in INVENTED if t == tool)):
+        name = entry.id
+        assert re.fullmatch(r"[\w./+-]+", name)
+        assert entry.summary.endswith(".") and entry.summary[0] != " " and len(entry.summary) <= 1024, name
+        assert entry.summary in entry.help and "Suppress" in entry.help and "\n" not in entry.summary, name
+        assert entry.help_uri is None or entry.help_uri.startswith("https://"), name
+        assert entry.precision in ("very-high", "high", "medium", "low"), name
+        assert set(entry.profiles) <= set(PROFILES) - {"all"}, name
+        assert 1 <= len(entry.tags) <= 10 and len(set(entry.tags)) == len(entry.tags), name
+        assert all(re.fullmatch(r"[a-z0-9+_-]+", tag) for tag in entry.tags), name
+        assert len(set(entry.aliases)) == len(entry.aliases), name
+        assert all(1 <= number <= 1400 for number in entry.cwe), name
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+def test_security_is_for_security(tool: str) -> None:
+    for entry in rules_of(tool).values():
+        assert (entry.security_severity is not None) == ("security" in entry.tags), entry.id
+        assert entry.security_severity is None or 0.1 <= float(entry.security_severity) <= 10.0, entry.id
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+def test_profiles_grow(tool: str) -> None:
+    assert in_profile(tool, "bugs-only") <= in_profile(tool, "ros") <= in_profile(tool, "strict")
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+def test_what_ros_shows_can_fail_a_run(tool: str) -> None:
+    shown = [r for r in rules_of(tool).values() if "ros" in r.profiles]
+    assert [r.id for r in shown if not r.level.reaches(Level.WARNING)] == []
+
+
+NEVER = [
+    # hold only with every import or header at hand
+    ("pylint", "import-error"),
+    ("pylint", "no-name-in-module"),
+    ("pylint", "no-member"),
+    ("pylint", "c-extension-no-member"),
+    ("pylint", "wrong-import-order"),
+    ("cppcheck", "missingInclude"),
+    ("cppcheck", "missingIncludeSystem"),
+    ("cppcheck", "unusedFunction"),
+    ("cppcheck", "ctuOneDefinitionRuleViolation"),
+    ("catkin_lint", "unknown_package"),
+    ("catkin_lint", "no_catkin_component"),
+    # say that the tool gave up
+    ("cppcheck", "syntaxError"),
+    ("cppcheck", "unknownMacro"),
+    ("pylint", "astroid-error"),
+    ("pylint", "syntax-error"),
+    ("clang-tidy", "clang-diagnostic-error"),
+    # of newer versions
+    ("cppcheck", "brandNew"),
+    ("pylint", "brand-new"),
+    ("ruff", "XYZ123"),
+    ("elsewhere", "brand-new"),
+]
+
+
+@pytest.mark.parametrize(("tool", "identifier"), NEVER)
+def test_only_in_all(tool: str, identifier: str) -> None:
+    assert rule(tool, identifier).profiles == ()
+
+
+def test_layout_is_only_for_google() -> None:
+    for entry in rules_of("cpplint").values():
+        assert "google" in entry.profiles
+        if entry.id.startswith("whitespace/") or entry.id in ("readability/braces", "build/header_guard"):
+            assert entry.profiles == ("google",)
+
+
+@pytest.mark.parametrize(
+    ("tool", "identifier", "profile"),
+    [
+        ("cppcheck", "uninitvar", "bugs-only"),
+        ("cppcheck", "nullPointer", "bugs-only"),
+        ("cppcheck", "variableScope", "strict"),
+        ("cppcheck", "uninitMemberVar", "strict"),
+        ("pylint", "undefined-variable", "bugs-only"),
+        ("pylint", "unused-import", "ros"),
+        ("pylint", "missing-function-docstring", "strict"),
+        ("cpplint", "build/namespaces_headers", "ros"),
+        ("cpplint", "runtime/references", "google"),
+        ("metrics", "max-cyclomatic-complexity-15", "ros"),
+        ("metrics", "max-function-length-40", "strict"),
+        ("ruff", "F821", "bugs-only"),
+        ("ruff", "E902", "bugs-only"),
+        ("clang-tidy", "clang-analyzer-core.NullDereference", "bugs-only"),
+        ("catkin_lint", "missing_depend", "ros"),
+    ],
+)
+def test_in_profile(tool: str, identifier: str, profile: str) -> None:
+    assert profile in rule(tool, identifier).profiles
+
+
+@pytest.mark.parametrize(
+    ("tool", "identifier", "level"),
+    [
+        ("pylint", "undefined-variable", Level.ERROR),
+        ("pylint", "fatal", Level.ERROR),
+        ("pylint", "unused-import", Level.WARNING),
+        ("pylint", "literal-comparison", Level.WARNING),  # a refactor message, but in ros
+        ("pylint", "missing-module-docstring", Level.NOTE),
+        ("cppcheck", "nullPointer", Level.ERROR),
+        ("cppcheck", "uninitMemberVar", Level.WARNING),
+        ("cppcheck", "unreadVariable", Level.WARNING),
+        ("cppcheck", "variableScope", Level.NOTE),
+        ("cpplint", "whitespace/tab", Level.NOTE),
+        ("metrics", "max-eloc-50", Level.NOTE),
+    ],
+)
+def test_levels(tool: str, identifier: str, level: Level) -> None:
+    assert rule(tool, identifier).level is level
+
+
+def test_ids_keep_the_case_that_was_asked_for() -> None:
+    upper, lower = rule("catkin_lint", "MISSING_DEPEND"), rule("catkin_lint", "missing_depend")
+    assert (upper.id, upper.summary) == ("MISSING_DEPEND", lower.summary)
+    assert rule("pylint", "FATAL").profiles == ()
+
+
+def test_every_metric_has_a_rule() -> None:
+    thresholds = {t.rule for t in (*metrics.FUNCTION_THRESHOLDS, *metrics.FILE_THRESHOLDS)}
+    assert thresholds == set(rules_of("metrics"))
+    assert metrics.WORSE_BANDS.keys() | {w for worse in metrics.WORSE_BANDS.values() for w in worse} <= thresholds
+
+
+def test_unknown_tools_have_no_table() -> None:
+    assert rules_of("elsewhere") == {}
+
+
+def test_the_same_defect_names_known_rules() -> None:
+    for rules in SAME_DEFECT:
+        assert len(set(rules)) == len(rules) > 1
+        for name in rules:
+            tool, _, identifier = name.partition(":")
+            assert tool in ("ruff", "clang-tidy") or identifier in rules_of(tool), name

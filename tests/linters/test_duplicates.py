@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The same defect found by two tools is reported once, naming both; everything else stays."""
+
+from __future__ import annotations
+
+from itertools import permutations
+
+import pytest
+
+from haros_ci.linters.duplicates import merge_same_defects
+from haros_ci.model.location import Location
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+
+def result(
+    name: str, line: int | None = 3, *, path: str = "a", column: int | None = None, message: str = "m", scope: str = ""
+) -> Result:
+    tool, _, rule = name.partition(":")
+    return Result(tool, rule, Level.WARNING, message, Location(path, line, column), scope=scope)
+
+
+@pytest.mark.parametrize(
+    ("given", "kept", "also"),
+    [
+        (
+            ["cpplint:runtime/explicit", "cppcheck:noExplicitConstructor"],
+            "cpplint:runtime/explicit",
+            ["cppcheck:noExplicitConstructor"],
+        ),
+        (["ruff:F401", "pylint:unused-import"], "pylint:unused-import", ["ruff:F401"]),
+        (["ruff:F841", "pylint:unused-variable"], "pylint:unused-variable", ["ruff:F841"]),
+        (
+            ["pylint:too-many-arguments", "metrics:max-function-parameters-6", "ruff:PLR0913"],
+            "metrics:max-function-parameters-6",
+            ["pylint:too-many-arguments", "ruff:PLR0913"],
+        ),
+        (
+            ["metrics:max-function-length-40", "metrics:max-eloc-70"],
+            "metrics:max-eloc-70",
+            ["metrics:max-function-length-40"],
+        ),
+        (
+            ["cppcheck:noOperatorEq", "cppcheck:noCopyConstructor"],
+            "cppcheck:noCopyConstructor",
+            ["cppcheck:noOperatorEq"],
+        ),
+    ],
+)
+def test_merged(given: list[str], kept: str, also: list[str]) -> None:
+    for order in permutations(result(name, message=name) for name in given):
+        (left,) = merge_same_defects(order)
+        assert (left.full_id, left.message, list(left.also)) == (kept, kept, also)
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        [],
+        [result("pylint:unused-import")],
+        [result("pylint:unused-import"), result("ruff:F401", 4)],
+        [result("pylint:unused-import"), result("ruff:F401", path="b")],
+        [result("pylint:unused-import"), result("ruff:F841")],
+        [result("pylint:unused-import"), result("pylint:unused-import", message="other")],
+        [result("cppcheck:uninitMemberVar", message="a"), result("cppcheck:uninitMemberVar", message="b")],
+        [result("metrics:max-cyclomatic-complexity-15"), result("metrics:max-eloc-70")],
+        [result("metrics:max-function-parameters-6"), result("metrics:max-eloc-70")],
+        [result("elsewhere:F401"), result("pylint:unused-import")],
+        [result("cpplint:runtime/explicit", None), result("cppcheck:noExplicitConstructor", 3)],
+    ],
+)
+def test_quiet(given: list[Result]) -> None:
+    assert merge_same_defects(given) == tuple(given)
+
+
+def test_several_on_one_line_are_paired_in_order() -> None:
+    given = [
+        result("ruff:F401", column=15, message="b"),
+        result("ruff:F401", column=12, message="a"),
+        result("pylint:unused-import", column=1, message="Unused a"),
+        result("pylint:unused-import", column=1, message="Unused b"),
+        result("ruff:F401", column=18, message="c"),
+    ]
+    left = merge_same_defects(given)
+    assert [(r.full_id, r.message, r.also) for r in left] == [
+        ("pylint:unused-import", "Unused a", ("ruff:F401",)),
+        ("pylint:unused-import", "Unused b", ("ruff:F401",)),
+        ("ruff:F401", "c", ()),
+    ]
+
+
+def test_the_worst_level_stays() -> None:
+    note = Result("cpplint", "runtime/explicit", Level.NOTE, "m", Location("a", 1))
+    error = Result("cppcheck", "noExplicitConstructor", Level.ERROR, "m", Location("a", 1))
+    assert [r.level for r in merge_same_defects([note, error])] == [Level.ERROR]
+
+
+def test_order_and_other_results_stay() -> None:
+    given = [result("z:z"), result("pylint:unused-import"), result("a:a"), result("ruff:F401"), result("m:m", 1)]
+    assert [r.full_id for r in merge_same_defects(given)] == ["z:z", "pylint:unused-import", "a:a", "m:m"]
+    once = merge_same_defects(given)
+    assert merge_same_defects(once) == once
+
+
+@pytest.mark.parametrize(
+    ("line", "scope", "count"),
+    [(10, "ns::A::spin", 1), (10, "spin", 1), (60, "ns::A::spin", 2), (10, "ns::A::spun", 2)],
+)
+def test_cpplint_names_long_functions_at_their_end(line: int, scope: str, count: int) -> None:
+    message = "Small and focused functions are preferred: A::spin() has 602 non-comment lines."
+    given = [
+        result("cpplint:readability/fn_size", 50, message=message),
+        result("metrics:max-eloc-70", line, scope=scope),
+    ]
+    assert len(merge_same_defects(given)) == count

@@ -1,0 +1,420 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The action's steps, run as the runner runs them, on a git history with a pull request."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import package_index
+import pytest
+import yaml
+
+from haros_ci.cli import check as check_command
+
+ROOT = Path(__file__).resolve().parent.parent
+ACTION: dict[str, Any] = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
+WORKFLOW: dict[str, Any] = yaml.safe_load((ROOT / "docs/workflows/haros-ci.yml").read_text(encoding="utf-8"))
+
+#: Inputs that are no option of the command: arguments, where the log goes, and the action's own set-up.
+ACTION_ONLY = {"paths", "sarif-file", "annotations", "python", "install"}
+#: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
+TERMINAL_ONLY = {
+    "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
+    "trust-config", "why",
+}  # fmt: skip
+
+MANIFEST = """<package format="3">
+  <name>arm</name>
+  <version>0.1.0</version>
+  <description>An arm.</description>
+  <maintainer email="arm@example.org">Arm</maintainer>
+  <license>Apache-2.0</license>
+  <export><build_type>ament_python</build_type></export>
+</package>
+"""
+KNOWN = '"""Joints of the arm."""\n\n\ndef limit(angle):\n    """Keep within the joint\'s range."""\n    return min(angle, MAX_ANGLE)\n'
+ADDED = KNOWN + '\n\ndef home():\n    """Where the arm rests."""\n    return [rest_angle] * 6\n'
+CLEAN = KNOWN + '\n\ndef home():\n    """Where the arm rests."""\n    return [0.0] * 6\n'
+
+
+# -- a history and a runner ---------------------------------------------------------------------------------------
+
+
+def git(directory: Path, *arguments: str) -> str:
+    done = subprocess.run(["git", *arguments], cwd=directory, env=clean_environment(), capture_output=True, check=True)
+    return done.stdout.decode().strip()
+
+
+def clean_environment() -> dict[str, str]:
+    """This process's environment without what a CI job, git or the user's git configuration would add."""
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "RUNNER_", "INPUT_", "HAROS_CI_", "GIT_"))}
+    who = {f"GIT_{role}_{what}": f"{what.lower()}@example.org" for role in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+    return {**kept, **who, "GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_SYSTEM": os.devnull}
+
+
+def commit(repository: Path, files: dict[str, str], message: str = "change") -> str:
+    for name, text in files.items():
+        (repository / name).parent.mkdir(parents=True, exist_ok=True)
+        (repository / name).write_text(text, encoding="utf-8")
+    git(repository, "add", "--all")
+    git(repository, "commit", "--quiet", "--allow-empty", "--message", message)
+    return git(repository, "rev-parse", "HEAD")
+
+
+@dataclass(frozen=True)
+class PullRequest:
+    """A served repository and the merge commit that a runner checks out, as GitHub makes it."""
+
+    origin: Path
+    base: str
+    merge: str
+
+
+def pull_request(
+    directory: Path, changes: dict[str, str], *, base: str = "main", before: dict[str, str] | None = None, later: int = 0
+) -> PullRequest:
+    """A pull request with *changes*; *later* commits reach the base after GitHub made the merge commit."""
+    author, origin = directory / "author", directory / "origin.git"
+    author.mkdir(parents=True)
+    git(author, "init", "--quiet", f"--initial-branch={base}")
+    commit(author, {"package.xml": MANIFEST, "arm/joints.py": KNOWN, **(before or {})}, "start")
+    git(author, "checkout", "--quiet", "-b", "feature")
+    commit(author, changes, "feature")
+    git(author, "checkout", "--quiet", base)
+    commit(author, {"README.md": "The arm.\n"}, "elsewhere")
+    git(author, "checkout", "--quiet", "--detach")
+    git(author, "merge", "--quiet", "--no-ff", "--message", "merge", "feature")
+    merge = git(author, "rev-parse", "HEAD")
+    git(author, "update-ref", "refs/pull/1/merge", merge)
+    git(author, "checkout", "--quiet", base)
+    for number in range(later):
+        commit(author, {}, f"later {number}")
+    git(directory, "clone", "--quiet", "--mirror", str(author), str(origin))
+    return PullRequest(origin, base, merge)
+
+
+def checkout(request: PullRequest, workspace: Path, *, depth: int | None = 1) -> None:
+    """What actions/checkout does for a pull request."""
+    workspace.mkdir(parents=True)
+    git(workspace, "init", "--quiet")
+    git(workspace, "remote", "add", "origin", request.origin.as_uri())
+    how = [f"--depth={depth}"] if depth else []
+    refs = [f"+{request.merge}:refs/remotes/pull/1/merge"]
+    refs += [] if depth else ["+refs/heads/*:refs/remotes/origin/*"]
+    git(workspace, "fetch", "--quiet", "--no-tags", *how, "origin", *refs)
+    git(workspace, "checkout", "--quiet", "--force", "refs/remotes/pull/1/merge")
+
+
+@dataclass(frozen=True)
+class Job:
+    """What a run of the action left."""
+
+    code: int
+    log: str
+    outputs: dict[str, str]
+    summary: str
+    temp: Path
+
+    @property
+    def commands(self) -> list[str]:
+        """The workflow commands that the runner obeys: at a line's start, outside a stop-commands block."""
+        obeyed, token = [], None
+        for line in self.log.splitlines():
+            found = re.match(r"\s*::([^ :]+)(.*)", line)
+            if found and token is not None:
+                token = None if found[1] == token else token
+            elif found and found[1] == "stop-commands":
+                token = found[2].removeprefix("::")
+            elif found or re.search(r"##\[", line):
+                obeyed.append(line)
+        return obeyed
+
+
+def run_action(workspace: Path, inputs: dict[str, str], *, base: str = "", environment: dict[str, str] | None = None) -> Job:
+    """Run every step until one fails; ``install: false`` with this test's interpreter unless *inputs* say otherwise."""
+    temp = workspace.parent / "runner-temp"
+    temp.mkdir(exist_ok=True)
+    output, page = temp / "output", temp / "summary"
+    output.write_text("")
+    page.write_text("")
+    defaults = {name: given["default"] for name, given in ACTION["inputs"].items()}
+    values = {**defaults, "python": sys.executable, "install": "false", **inputs}
+    assert values.keys() == defaults.keys()
+    code, log = 0, ""
+    for number, step in enumerate(ACTION["runs"]["steps"]):
+        script = temp / f"step-{number}.sh"
+        script.write_text(step["run"])
+        done = subprocess.run(
+            ["bash", "--noprofile", "--norc", "-eo", "pipefail", str(script)],
+            cwd=workspace,
+            env={
+                **clean_environment(),
+                "CI": "true",
+                "GITHUB_ACTIONS": "true",
+                "GITHUB_ACTION_PATH": str(ROOT),
+                "GITHUB_WORKSPACE": str(workspace),
+                "GITHUB_OUTPUT": str(output),
+                "GITHUB_STEP_SUMMARY": str(page),
+                "GITHUB_EVENT_NAME": "pull_request" if base else "push",
+                "GITHUB_BASE_REF": base,
+                "RUNNER_TEMP": str(temp),
+                **{name: evaluate(text, values) for name, text in step.get("env", {}).items()},
+                **(environment or {}),
+            },
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
+        code, log = done.returncode, log + done.stdout.decode()
+        if code:
+            break
+    lines = output.read_text().splitlines()
+    return Job(code, log, dict(line.split("=", 1) for line in lines), page.read_text(), temp)
+
+
+def evaluate(text: str, inputs: dict[str, str]) -> str:
+    return re.sub(r"\$\{\{ inputs\.([a-z-]+) \}\}", lambda found: inputs[found[1]], text)
+
+
+def sarif(job: Job) -> dict[str, Any]:
+    log: dict[str, Any] = json.loads(Path(job.outputs["sarif"]).read_text(encoding="utf-8"))
+    return log
+
+
+def states(job: Job) -> list[str]:
+    return sorted(result["baselineState"] for run in sarif(job)["runs"] for result in run["results"])
+
+
+# -- the file -----------------------------------------------------------------------------------------------------
+
+
+def test_no_expression_reaches_a_shell() -> None:
+    for step in ACTION["runs"]["steps"]:
+        assert step["shell"] == "bash"
+        assert "${{" not in step["run"]
+
+
+def test_every_input_is_described_and_used() -> None:
+    used = set(re.findall(r"\$\{\{ inputs\.([a-z-]+) \}\}", (ROOT / "action.yml").read_text(encoding="utf-8")))
+    assert used == ACTION["inputs"].keys()
+    for name, given in ACTION["inputs"].items():
+        assert given["description"].strip(), name
+        assert isinstance(given["default"], str), f"{name}: the runner knows only strings"
+
+
+def test_inputs_and_options_are_equal() -> None:
+    options = {flag for parameter in check_command.params for flag in parameter.opts if flag.startswith("--")}
+    known = {flag.removeprefix("--") for flag in options}
+    inputs = ACTION["inputs"].keys() - ACTION_ONLY
+    assert inputs | TERMINAL_ONLY == known
+    assert not inputs & TERMINAL_ONLY
+
+
+def test_the_scripts_read_what_the_steps_give() -> None:
+    for step in ACTION["runs"]["steps"]:
+        [name] = re.findall(r"action/[a-z]+\.sh", step["run"])
+        read = set(re.findall(r"\bINPUT_[A-Z_]+", (ROOT / name).read_text(encoding="utf-8")))
+        assert read == step["env"].keys()
+
+
+def test_the_documented_workflow_fits() -> None:
+    [step] = [s for s in WORKFLOW["jobs"]["check"]["steps"] if s.get("id") == "haros-ci"]
+    assert step["with"].keys() <= ACTION["inputs"].keys()
+    text = (ROOT / "docs/workflows/haros-ci.yml").read_text(encoding="utf-8")
+    assert set(re.findall(r"steps\.haros-ci\.outputs\.([a-z-]+)", text)) <= ACTION["outputs"].keys()
+    assert WORKFLOW["permissions"] == {"contents": "read"}
+    assert "pull_request_target" not in text
+
+
+# -- a pull request -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("depth", "later"),
+    [(None, 0), (1, 0), (1, 3), (1, 60)],
+    ids=["whole history", "one commit", "base moved on", "base moved far on"],
+)
+def test_only_the_new_finding_is_annotated(tmp_path: Path, depth: int | None, later: int) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED}, later=later)
+    checkout(request, tmp_path / "workspace", depth=depth)
+    job = run_action(tmp_path / "workspace", {}, base="main")
+    assert job.code == 1, job.log
+    assert job.outputs == {"exit-code": "1", "new-count": "1", "sarif": str(job.temp / "haros-ci.sarif")}
+    [annotation] = [c for c in job.commands if c.startswith(("::error ", "::warning "))]
+    assert "file=arm/joints.py" in annotation
+    assert "rest_angle" in annotation
+    assert states(job) == ["new", "unchanged"]
+    assert "rest_angle" in job.summary
+    assert "MAX_ANGLE" not in job.summary
+
+
+def test_a_clean_pull_request_passes(tmp_path: Path) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": CLEAN})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {}, base="main")
+    assert (job.code, job.outputs["new-count"]) == (0, "0"), job.log
+    assert job.commands == []
+    assert states(job) == ["unchanged"]
+
+
+def test_a_push_has_no_baseline_and_shows_all(tmp_path: Path) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"fail-on": "never", "sarif-file": "out/log.sarif"})
+    assert (job.code, job.outputs["new-count"], job.outputs["sarif"]) == (0, "2", "out/log.sarif"), job.log
+    assert (tmp_path / "workspace/out/log.sarif").is_file()
+
+
+def test_without_annotations_the_log_is_plain(tmp_path: Path) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"annotations": "false"}, base="main")
+    assert (job.code, job.commands, job.summary) == (1, [], "")
+    assert "rest_angle" in job.log
+
+
+def test_a_pull_request_cannot_silence_itself(tmp_path: Path) -> None:
+    hush = {"arm/joints.py": ADDED, ".haros-ci.yaml": "ignore: [undefined-variable]\nfail-on: never\n"}
+    request = pull_request(tmp_path, hush)
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {}, base="main")
+    assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+
+
+@pytest.mark.parametrize(("require", "code"), [("false", 1), ("true", 3)])
+def test_a_baseline_that_cannot_be_fetched_is_said_loudly(tmp_path: Path, require: str, code: int) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    checkout(request, tmp_path / "workspace")
+    git(tmp_path / "workspace", "remote", "set-url", "origin", (tmp_path / "gone.git").as_uri())
+    job = run_action(tmp_path / "workspace", {"require-baseline": require}, base="main")
+    assert (job.code, job.outputs["new-count"], job.outputs["exit-code"]) == (code, "2", str(code)), job.log
+    assert any("fetch-depth: 0" in command for command in job.commands)
+    assert "no baseline" in job.log.lower()
+
+
+def test_paths_are_lines_and_arguments_are_not_split(tmp_path: Path) -> None:
+    faulty = '"""Fault."""\n\n\ndef go():\n    """Go."""\n    return speed\n'
+    request = pull_request(tmp_path, {"a b/one.py": faulty, "--jobs/two.py": faulty, "three.py": faulty})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"paths": "\r\n  a b \n\n--jobs/two.py\n"}, base="main")
+    assert (job.code, job.outputs["new-count"]) == (1, "2"), job.log
+
+
+# -- hostile names ------------------------------------------------------------------------------------------------
+
+
+def test_a_hostile_branch_name_is_a_name(tmp_path: Path) -> None:
+    base = "rel$(touch${IFS}pwned)`touch${IFS}pwned`;touch${IFS}pwned&&--x"
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED}, base=base)
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {}, base=base)
+    assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+    assert not list(tmp_path.rglob("pwned"))
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "$(touch pwned).py",
+        "a\n::error file=x,line=1::pwned\n.py",
+        "::set-output name=sarif::pwned.py",
+        "##[set-output name=sarif]pwned.py",
+        "--output=json=pwned",
+        "a\r::stop-commands::x.py",
+    ],
+)
+def test_a_hostile_file_name_is_a_name(tmp_path: Path, name: str) -> None:
+    body = '#!/usr/bin/env python3\n"""Fault."""\n\n\ndef go():\n    """Go."""\n    return speed  # ##[set-output name=sarif]x\n'
+    request = pull_request(tmp_path, {name: body})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {}, base="main")
+    assert job.outputs.keys() == {"exit-code", "new-count", "sarif"}
+    assert job.outputs["sarif"] == str(job.temp / "haros-ci.sarif")
+    assert all(command.startswith(("::error ", "::warning ", "::notice ")) for command in job.commands), job.commands
+    assert not any(command.startswith("::error file=x") for command in job.commands)
+    assert not list(tmp_path.rglob("pwned"))
+
+
+def test_modules_of_the_workspace_are_not_imported(tmp_path: Path) -> None:
+    planted = "open('pwned', 'w').close()\n"
+    names = ("json.py", "venv.py", "pip.py", "secrets.py", "haros_ci.py", "sitecustomize.py", "click.py")
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED, **dict.fromkeys(names, planted)})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {}, base="main")
+    assert job.code == 1, job.log
+    assert not list(tmp_path.rglob("pwned"))
+
+
+def test_a_planted_repository_is_not_asked(tmp_path: Path) -> None:
+    """A bare repository among the pull request's files would bring its own configuration, which runs commands."""
+    bare = {
+        "arm/HEAD": "ref: refs/heads/main\n",
+        "arm/objects/keep": "",
+        "arm/refs/keep": "",
+        "arm/config": '[core]\n\tbare = true\n\tfsmonitor = "touch pwned"\n\tsshCommand = "touch pwned;"\n'
+        '[remote "origin"]\n\turl = ssh://example.invalid/x\n\tuploadpack = touch pwned;\n',
+    }
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED, **bare})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"paths": "arm"}, base="main")
+    assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+    assert not list(tmp_path.rglob("pwned"))
+
+
+# -- wrong inputs -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [
+        {"annotations": "yes"},
+        {"require-baseline": "1"},
+        {"install": ""},
+        {"profile": "rso"},
+        {"fail-on": "always"},
+        {"project": "missing.yaml"},
+        {"sarif-file": "a\nnew-count=0"},
+        {"jobs": "-1; touch pwned"},
+        {"select": "--help"},
+    ],
+    ids=lambda inputs: next(iter(inputs)),
+)
+def test_wrong_inputs_are_said(tmp_path: Path, inputs: dict[str, str]) -> None:
+    commit_less = tmp_path / "workspace"
+    commit_less.mkdir()
+    (commit_less / "joints.py").write_text(KNOWN)
+    job = run_action(commit_less, inputs)
+    assert job.code == 2, job.log
+    assert any(command.startswith("::error ") for command in job.commands)
+    assert "sarif" not in job.outputs
+    assert "new-count" not in job.outputs
+    assert not list(tmp_path.rglob("pwned"))
+
+
+def test_an_old_log_is_not_passed_on(tmp_path: Path) -> None:
+    workspace = tmp_path / "workspace"
+    workspace.mkdir()
+    (workspace / "joints.py").write_text(CLEAN)
+    assert "sarif" in run_action(workspace, {}).outputs
+    assert run_action(workspace, {"profile": "rso"}).outputs == {"exit-code": "2"}
+
+
+# -- the real installation ----------------------------------------------------------------------------------------
+
+
+def test_the_install_step(tmp_path: Path) -> None:
+    package_index.require()
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"install": "true"}, base="main")
+    assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+    assert (job.temp / "haros-ci-environment/bin/haros-ci").is_file()
+    again = run_action(tmp_path / "workspace", {"install": "true", "python": sys.executable}, base="main")
+    assert again.code == 1, again.log

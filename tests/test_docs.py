@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The README says what is so: its copies of files, its commands and its output are held against the real ones."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def fences(marker: str) -> list[tuple[str, str]]:
+    """(argument, text of the fence below it) for each ``<!-- marker: argument -->``."""
+    return re.findall(rf"<!-- {marker}: (.+?) -->\n```\w*\n(.*?)```", README, re.S)
+
+
+def test_copied_files_are_copies() -> None:
+    copies = fences("file")
+    assert [name for name, _ in copies] == ["docs/workflows/haros-ci.yml", "docs/workflows/pre-commit-config.yaml"]
+    for name, text in copies:
+        assert text == (ROOT / name).read_text(encoding="utf-8"), name
+
+
+def test_the_picture_is_real_output(tmp_path: Path) -> None:
+    ((_, text),) = fences("output")
+    shutil.copytree(ROOT / "examples" / "warehouse_ws", tmp_path / "ws")
+    command = [sys.executable, "-m", "haros_ci", "check", "src/map_keeper", "--no-cache"]
+    done = subprocess.run(command, cwd=tmp_path / "ws", capture_output=True, text=True, timeout=120)
+    assert done.returncode == 1, done.stderr
+    unversioned = re.compile(r"with .*?\.$", re.M)
+    assert unversioned.sub("with @TOOLS@.", done.stdout) == unversioned.sub("with @TOOLS@.", text)
+
+
+def test_ci_runs_the_test_command_of_the_readme() -> None:
+    command = "pip install --quiet -e '.[test]' && python -m pytest"
+    assert f"```sh\n{command}\n```" in README
+    assert f"\n{command}\n" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("page", sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]), ids=lambda p: p.name)
+def test_links_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)#]+)", page.read_text(encoding="utf-8")):
+        assert target.startswith("http") or (page.parent / target).exists(), target

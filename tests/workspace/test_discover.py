@@ -1,0 +1,336 @@
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from git_histories import Git, manifest, plant
+
+from haros_ci.errors import UserError
+from haros_ci.model.workspace import Workspace
+from haros_ci.workspace.discover import discover
+
+
+def found(root: Path, *paths: str, exclude: tuple[str, ...] = ()) -> list[str]:
+    return [file.path for file in discover(root, paths or (".",), exclude=exclude).files]
+
+
+def messages(workspace: Workspace) -> list[tuple[str, str]]:
+    return [(problem.path, problem.message) for problem in workspace.problems]
+
+
+PACKAGE = {
+    "package.xml": manifest("arm"),
+    "CMakeLists.txt": b"project(arm)\n",
+    "src/arm.cpp": b"int main() {}\n",
+    "scripts/teleop": b"#!/usr/bin/env python3\nprint()\n",
+    "README.md": b"# arm\n",
+}
+PACKAGE_FILES = ["CMakeLists.txt", "package.xml", "scripts/teleop", "src/arm.cpp"]
+
+
+def test_a_single_package(tmp_path: Path) -> None:
+    workspace = discover(plant(tmp_path, PACKAGE), (".",))
+    assert [file.path for file in workspace.files] == PACKAGE_FILES
+    assert [(package.name, package.path) for package in workspace.packages] == [("arm", ".")]
+    assert {file.package for file in workspace.files} == {"arm"}
+    source = workspace.files[3]
+    assert (source.language, source.size) == ("cpp", 14)
+    assert source.digest == hashlib.sha256(b"int main() {}\n").hexdigest()
+    assert workspace.targets is None and workspace.problems == () and workspace.faults == ()
+    assert workspace.reports_on("src/arm.cpp")
+
+
+def test_a_file_belongs_to_the_innermost_package(tmp_path: Path) -> None:
+    plant(tmp_path, {"a/package.xml": manifest("outer"), "a/x.py": b"", "a/b/c/x.py": b"", "x.py": b""})
+    plant(tmp_path, {"a/b/package.xml": manifest("inner")})
+    owners = {file.path: file.package for file in discover(tmp_path, (".",)).files}
+    assert owners["a/x.py"] == "outer"
+    assert owners["a/b/c/x.py"] == "inner"
+    assert owners["a/b/package.xml"] == "inner"
+    assert owners["x.py"] is None
+
+
+def test_a_broken_manifest_is_a_fault_and_its_directory_still_a_package(tmp_path: Path) -> None:
+    plant(tmp_path, {"src/arm/package.xml": b"<package>\n<name>arm</name>", "src/arm/arm.cpp": b"", "leg/leg.cpp": b""})
+    workspace = discover(tmp_path, (".",))
+    assert [(fault.path, fault.line) for fault in workspace.faults] == [("src/arm/package.xml", 2)]
+    assert [(package.name, package.path) for package in workspace.packages] == [("arm", "src/arm")]
+    assert {file.path: file.package for file in workspace.files}["src/arm/arm.cpp"] == "arm"
+
+
+def test_a_broken_manifest_at_the_root_takes_the_roots_name(tmp_path: Path) -> None:
+    root = plant(tmp_path / "my_robot", {"package.xml": b"<pack"})
+    assert [package.name for package in discover(root, (".",)).packages] == ["my_robot"]
+
+
+def test_two_packages_of_one_name(tmp_path: Path) -> None:
+    plant(
+        tmp_path, {"a/package.xml": manifest("arm"), "b/package.xml": manifest("arm"), "c/package.xml": manifest("c")}
+    )
+    workspace = discover(tmp_path, (".",))
+    assert [package.path for package in workspace.packages] == ["a", "b", "c"]
+    assert messages(workspace) == [("b", "the package name 'arm' is also that of a; rename or exclude one")]
+
+
+def test_a_directory_is_the_subtree(tmp_path: Path) -> None:
+    plant(tmp_path, {"arm/package.xml": manifest("arm"), "arm/src/a.cpp": b"", "leg/l.cpp": b"", "l.cpp": b""})
+    workspace = discover(tmp_path, ("arm/src",))
+    assert [file.path for file in workspace.files] == ["arm/src/a.cpp"]
+    assert workspace.files[0].package == "arm"
+    assert [package.path for package in workspace.packages] == ["arm"]
+    assert workspace.targets is None
+    assert found(tmp_path, "leg", "./arm/", "arm/src") == ["arm/package.xml", "arm/src/a.cpp", "leg/l.cpp"]
+
+
+def test_files_are_targets_in_the_whole_tree(tmp_path: Path) -> None:
+    plant(tmp_path, {"arm/a.cpp": b"", "arm/a.h": b"", "leg/l.cpp": b"", "notes.txt": b""})
+    workspace = discover(tmp_path, ("arm/a.cpp", "notes.txt"))
+    assert [file.path for file in workspace.files] == ["arm/a.cpp", "arm/a.h", "leg/l.cpp"]
+    assert workspace.targets == {"arm/a.cpp"}
+    assert not workspace.reports_on("arm/a.h")
+
+
+def test_with_a_directory_and_a_file_the_directory_is_the_tree(tmp_path: Path) -> None:
+    plant(tmp_path, {"arm/a.cpp": b"", "arm/a.h": b"", "leg/l.cpp": b"", "leg/m.cpp": b""})
+    workspace = discover(tmp_path, ("arm", "leg/l.cpp"))
+    assert [file.path for file in workspace.files] == ["arm/a.cpp", "arm/a.h", "leg/l.cpp"]
+    assert workspace.targets == {"leg/l.cpp"}
+
+
+def test_excludes_hold_for_given_files(tmp_path: Path) -> None:
+    plant(tmp_path, {"arm/a.cpp": b"", "vendor/v.cpp": b""})
+    workspace = discover(tmp_path, ("arm/a.cpp", "vendor/v.cpp"), exclude=("vendor/",))
+    assert workspace.targets == {"arm/a.cpp"}
+    assert [file.path for file in workspace.files] == ["arm/a.cpp"]
+    assert found(tmp_path, "vendor", exclude=("vendor/",)) == ["vendor/v.cpp"]
+
+
+@pytest.mark.parametrize("path", ["missing", "a.cpp/x", "a\0b", "loop", "dangling"])
+def test_a_path_that_is_not_there(tmp_path: Path, path: str) -> None:
+    plant(tmp_path, {"a.cpp": b""})
+    (tmp_path / "loop").symlink_to("loop")
+    (tmp_path / "dangling").symlink_to("nowhere")
+    with pytest.raises(UserError, match="no such file"):
+        discover(tmp_path, (path,))
+
+
+@pytest.mark.parametrize("path", ["..", "../other", "/etc", "out", "a/../../other"])
+def test_a_path_that_leads_out(tmp_path: Path, path: str) -> None:
+    root = plant(tmp_path / "ws", {"a/a.cpp": b""})
+    plant(tmp_path / "other", {"o.cpp": b""})
+    (root / "out").symlink_to(tmp_path / "other")
+    with pytest.raises(UserError, match="leads out"):
+        discover(root, (path,))
+
+
+def test_an_argument_that_is_a_link_inside_is_resolved(tmp_path: Path) -> None:
+    plant(tmp_path, {"arm/a.cpp": b"", "leg/l.cpp": b""})
+    (tmp_path / "current").symlink_to("arm")
+    (tmp_path / "l.cpp").symlink_to("leg/l.cpp")
+    assert found(tmp_path, "current") == ["arm/a.cpp"]
+    assert discover(tmp_path, ("l.cpp",)).targets == {"leg/l.cpp"}
+
+
+def test_a_root_behind_a_link(tmp_path: Path) -> None:
+    plant(tmp_path / "ws", {"a.cpp": b""})
+    (tmp_path / "link").symlink_to("ws")
+    assert found(tmp_path / "link") == ["a.cpp"]
+
+
+# -- what is left out ---------------------------------------------------------------------------------------------
+
+SOURCE = {"src/arm/package.xml": manifest("arm"), "src/arm/a.cpp": b""}
+SOURCE_FILES = ["src/arm/a.cpp", "src/arm/package.xml"]
+
+
+@pytest.mark.parametrize(
+    "extra",
+    [
+        {"src/leg/COLCON_IGNORE": b"", "src/leg/l.cpp": b""},
+        {"src/leg/AMENT_IGNORE": b"", "src/leg/deep/l.cpp": b""},
+        {"src/leg/CATKIN_IGNORE": b"", "src/leg/l.cpp": b""},
+        {"build/COLCON_IGNORE": b"", "build/arm/x.py": b"", "install/.colcon_install_layout": b"", "install/x.py": b""},
+        {"install/setup.bash": b"", "install/local_setup.bash": b"", "install/arm/x.py": b"", "log/x.yaml": b""},
+        {"devel/.catkin": b"", "devel/lib/x.py": b"", "build/x.cmake": b"", "logs/x.yaml": b""},
+        {".catkin_workspace": b"", "build/x.cmake": b"", "devel/x.py": b""},
+        {"build/CMakeCache.txt": b"", "build/x.cmake": b""},
+        {"src/arm/build/CMakeCache.txt": b"", "src/arm/build/x.cmake": b""},
+        {"venv/pyvenv.cfg": b"", "venv/lib/x.py": b""},
+        {".venv/x.py": b"", ".git_old/x.py": b"", ".tox/x.py": b"", ".vscode/x.yaml": b"", ".github/w.yml": b""},
+        {"node_modules/x.yaml": b"", "src/arm/__pycache__/x.py": b"", "arm.egg-info/x.py": b""},
+    ],
+)
+@pytest.mark.parametrize("in_git", [False, True])
+def test_left_out(tmp_path: Path, extra: dict[str, bytes], in_git: bool) -> None:
+    root = plant(tmp_path / "ws", {**SOURCE, **extra})
+    if in_git:
+        Git(root)
+    assert found(root) == SOURCE_FILES
+
+
+@pytest.mark.parametrize(
+    "extra",
+    [
+        {"src/arm/log/l.cpp": b""},
+        {"src/arm/build/b.py": b""},
+        {"src/arm/build_tools/b.py": b""},
+        {"src/arm/src/x.cpp": b"", "src/arm/log/l.cpp": b"", "src/arm/install/i.cpp": b""},
+        {"build/b.py": b"", "log/l.py": b""},  # nothing says that colcon made them
+        {"tools/setup.bash": b"", "tools/t.py": b""},
+        {"src/arm/CMakeCache.txt": b"", "src/arm/CMakeLists.txt": b"project(arm)\n"},  # built inside the source
+        {
+            "devel/package.xml": manifest("devel"),
+            "devel/setup.bash": b"",
+            "devel/local_setup.bash": b"",
+            "devel/d.cpp": b"",
+        },
+        {"install/COLCON_IGNORE.md": b"", "install/i.py": b""},
+        {"src/venv/v.py": b""},
+        {"src/arm/.hidden.py": b""},
+    ],
+)
+@pytest.mark.parametrize("in_git", [False, True])
+def test_not_left_out(tmp_path: Path, extra: dict[str, bytes], in_git: bool) -> None:
+    root = plant(tmp_path / "ws", {**SOURCE, **extra})
+    if in_git:
+        Git(root)
+    sources = {name for name in extra if name.endswith((".cpp", ".py", "CMakeLists.txt", "package.xml"))}
+    assert set(found(root)) == {*SOURCE_FILES, *sources}
+
+
+@pytest.mark.parametrize("given", ["src/leg", "build", ".github"])
+def test_a_given_directory_is_entered_whatever_it_is(tmp_path: Path, given: str) -> None:
+    plant(tmp_path, {**SOURCE, "src/leg/COLCON_IGNORE": b"", "build/CMakeCache.txt": b""})
+    plant(tmp_path, {f"{given}/x.py": b"", f"{given}/.venv/x.py": b""})
+    assert found(tmp_path, given) == [f"{given}/x.py"]
+
+
+def test_an_ignore_marker_at_the_root_does_not_empty_the_run(tmp_path: Path) -> None:
+    assert found(plant(tmp_path, {**SOURCE, "COLCON_IGNORE": b""})) == SOURCE_FILES
+
+
+# -- git ----------------------------------------------------------------------------------------------------------
+
+
+def test_what_git_ignores_is_left_out(git: Git) -> None:
+    git.commit({**PACKAGE, ".gitignore": b"*.gen.cpp\n/out/\n!keep.gen.cpp\n", "src/.gitignore": b"/local.cpp\n"})
+    plant(git.top, {"a.gen.cpp": b"", "keep.gen.cpp": b"", "out/o.cpp": b"", "src/local.cpp": b"", "new.cpp": b""})
+    plant(git.top, {"sub/local.cpp": b""})
+    (git.top / "src" / "arm.cpp").unlink()  # tracked, but deleted
+    assert found(git.top) == [
+        "CMakeLists.txt",
+        "keep.gen.cpp",
+        "new.cpp",
+        "package.xml",
+        "scripts/teleop",
+        "sub/local.cpp",
+    ]
+
+
+def test_a_subdirectory_of_a_repository_as_root(git: Git) -> None:
+    git.commit({".gitignore": b"gen/\n", "ws/src/a.cpp": b"", "ws/gen/g.cpp": b"", "b.cpp": b""})
+    assert found(git.top / "ws") == ["src/a.cpp"]
+    assert found(git.top / "ws", "src") == ["src/a.cpp"]
+
+
+def test_repositories_in_a_workspace_are_listed_on_their_own(tmp_path: Path, new_git: Callable[[str], Git]) -> None:
+    new_git("ws/src/arm").commit({".gitignore": b"gen.cpp\n", "a.cpp": b"", "gen.cpp": b""})
+    new_git("ws/src/leg").commit({"l.cpp": b"", "gen.cpp": b""})
+    plant(tmp_path / "ws", {"src/own/o.cpp": b"", "build/.built_by": b"", "build/b.cmake": b""})
+    everything = ["src/arm/a.cpp", "src/leg/gen.cpp", "src/leg/l.cpp", "src/own/o.cpp"]
+    assert found(tmp_path / "ws") == everything
+    assert found(tmp_path / "ws", "src/arm", "src/leg") == everything[:3]
+
+
+def test_a_repository_nested_in_a_repository(git: Git, new_git: Callable[[str], Git]) -> None:
+    git.commit({"a.cpp": b""})
+    new_git("ws/src/arm").commit({".gitignore": b"gen.cpp\n", "gen.cpp": b"", "arm.cpp": b""})
+    new_git("ws/src/empty")
+    plant(git.top, {"src/empty/e.cpp": b""})
+    assert found(git.top) == ["a.cpp", "src/arm/arm.cpp", "src/empty/e.cpp"]
+
+
+def test_sources_that_the_workspaces_own_repository_ignores(git: Git, new_git: Callable[[str], Git]) -> None:
+    git.commit({".gitignore": b"/src/\n/build/\n", "robot.repos": b"", "tools/t.py": b""})
+    new_git("ws/src/arm").commit({".gitignore": b"gen.cpp\n", "gen.cpp": b"", "arm.cpp": b""})
+    plant(git.top, {"build/b.cmake": b""})
+    assert found(git.top) == ["src/arm/arm.cpp", "tools/t.py"]
+
+
+def test_a_given_directory_or_file_that_git_ignores(git: Git) -> None:
+    git.commit({".gitignore": b"gen/\n", "a.cpp": b""})
+    plant(git.top, {"gen/g.cpp": b""})
+    assert found(git.top, "gen") == ["gen/g.cpp"]
+    assert discover(git.top, ("gen/g.cpp",)).targets == {"gen/g.cpp"}
+
+
+def test_submodules(git: Git, new_git: Callable[[str], Git]) -> None:
+    new_git("other").commit({"o.cpp": b"", ".gitignore": b"gen.cpp\n"})
+    git.commit({"a.cpp": b""})
+    git("submodule", "add", "-q", "../other", "lib.cpp")
+    git.commit()
+    plant(git.top, {"lib.cpp/gen.cpp": b""})
+    assert found(git.top) == ["a.cpp", "lib.cpp/o.cpp"]
+    git("submodule", "deinit", "-f", "--all")
+    workspace = discover(git.top, (".",))
+    assert [file.path for file in workspace.files] == ["a.cpp"] and workspace.problems == ()
+
+
+def test_a_linked_work_tree(git: Git, tmp_path: Path) -> None:
+    git.commit({".gitignore": b"gen.cpp\n", "a.cpp": b""})
+    git("worktree", "add", "-q", "../linked")
+    plant(tmp_path / "linked", {"gen.cpp": b"", "b.cpp": b""})
+    assert found(tmp_path / "linked") == ["a.cpp", "b.cpp"]
+
+
+def test_without_git_everything_is_listed(git: Git, monkeypatch: pytest.MonkeyPatch) -> None:
+    git.commit({".gitignore": b"gen.cpp\n", "a.cpp": b"", "gen.cpp": b""})
+    monkeypatch.setenv("PATH", "/nonexistent")
+    workspace = discover(git.top, (".",))
+    assert [file.path for file in workspace.files] == ["a.cpp", "gen.cpp"]
+    assert messages(workspace) == [
+        (".", "git is not installed: all files are listed, .gitignore is not honoured"),
+    ]
+
+
+def test_a_broken_repository_is_listed_without_git(tmp_path: Path) -> None:
+    plant(tmp_path / "ws", {"a.cpp": b"", "lib/.git": b"gitdir: /nowhere\n", "lib/l.cpp": b""})
+    workspace = discover(tmp_path / "ws", (".",))
+    assert [file.path for file in workspace.files] == ["a.cpp", "lib/l.cpp"]
+    assert [path for path, _ in messages(workspace)] == ["lib"]
+
+
+def test_an_unmerged_file_is_listed_once(git: Git) -> None:
+    git.commit({"a.cpp": b"int a;\n"})
+    git("checkout", "-q", "-b", "side")
+    git.commit({"a.cpp": b"int b;\n"})
+    git("checkout", "-q", "main")
+    git.commit({"a.cpp": b"int c;\n"})
+    with pytest.raises(Exception, match="merge"):
+        git("merge", "side")
+    assert found(git.top) == ["a.cpp"]
+
+
+# -- texts --------------------------------------------------------------------------------------------------------
+
+
+def test_texts(git: Git) -> None:
+    git.commit({"a.cpp": b"\xef\xbb\xbfint a;\r\n", "CPPLINT.cfg": b"linelength=100\n", "l.py": b"# \xe9\n"})
+    workspace = discover(git.top, (".",))
+    assert workspace.text("a.cpp") == "int a;\r\n"
+    assert workspace.text("l.py") == "# é\n"
+    assert workspace.text("CPPLINT.cfg") == "linelength=100\n"  # not analysed, but a tool's settings
+    (git.top / "a.cpp").unlink()
+    assert workspace.text("a.cpp") == "int a;\r\n"  # read once
+
+
+@pytest.mark.parametrize("path", ["../secret", "link", "dir/secret", "/etc/passwd", ".git/config", "missing.cpp", ""])
+def test_texts_that_are_refused(git: Git, tmp_path: Path, path: str) -> None:
+    plant(tmp_path, {"secret": b"secret", "out/secret": b"secret"})
+    (git.top / "link").symlink_to("../secret")
+    (git.top / "dir").symlink_to("../out")
+    git.commit({"a.cpp": b""})
+    assert discover(git.top, (".",)).text(path) == ""
