@@ -38,7 +38,10 @@ def check(flags: Flags) -> int:
         return 0
     report, workspace = run(settings, flags)
     for format, path in outputs:
-        write(rendered(report, workspace.text, format, flags, to_file=path is not None), path)
+        text = rendered(report, workspace.text, format, flags, to_file=path is not None)
+        if path is None and format in ("sarif", "json"):
+            text = text.replace("##[", r"##\u005b")  # else a command to a GitHub runner that reads this log
+        write(text, path)
     if flags["statistics"]:
         from haros_ci.report.statistics import render
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import package_index
+import installing
 import pytest
 import yaml
 
@@ -39,8 +39,14 @@ MANIFEST = """<package format="3">
   <export><build_type>ament_python</build_type></export>
 </package>
 """
-KNOWN = '"""Joints of the arm."""\n\n\ndef limit(angle):\n    """Keep within the joint\'s range."""\n    return min(angle, MAX_ANGLE)\n'
-ADDED = KNOWN + '\n\ndef home():\n    """Where the arm rests."""\n    return [rest_angle] * 6\n'
+KNOWN = '''"""Joints of the arm."""
+
+
+def limit(angle):
+    """Keep within range."""
+    return min(angle, REACH)
+'''
+ADDED = KNOWN + '\n\ndef home():\n    """Where the arm rests."""\n    return [resting] * 6\n'
 CLEAN = KNOWN + '\n\ndef home():\n    """Where the arm rests."""\n    return [0.0] * 6\n'
 
 
@@ -54,8 +60,14 @@ def git(directory: Path, *arguments: str) -> str:
 
 def clean_environment() -> dict[str, str]:
     """This process's environment without what a CI job, git or the user's git configuration would add."""
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "RUNNER_", "INPUT_", "HAROS_CI_", "GIT_"))}
-    who = {f"GIT_{role}_{what}": f"{what.lower()}@example.org" for role in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+    kept = {
+        k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "RUNNER_", "INPUT_", "HAROS_CI_", "GIT_"))
+    }
+    who = {
+        f"GIT_{role}_{what}": f"{what.lower()}@example.org"
+        for role in ("AUTHOR", "COMMITTER")
+        for what in ("NAME", "EMAIL")
+    }
     return {**kept, **who, "GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_SYSTEM": os.devnull}
 
 
@@ -78,7 +90,12 @@ class PullRequest:
 
 
 def pull_request(
-    directory: Path, changes: dict[str, str], *, base: str = "main", before: dict[str, str] | None = None, later: int = 0
+    directory: Path,
+    changes: dict[str, str],
+    *,
+    base: str = "main",
+    before: dict[str, str] | None = None,
+    later: int = 0,
 ) -> PullRequest:
     """A pull request with *changes*; *later* commits reach the base after GitHub made the merge commit."""
     author, origin = directory / "author", directory / "origin.git"
@@ -128,16 +145,16 @@ class Job:
         obeyed, token = [], None
         for line in self.log.splitlines():
             found = re.match(r"\s*::([^ :]+)(.*)", line)
-            if found and token is not None:
-                token = None if found[1] == token else token
+            if token is not None:
+                token = None if found and found[1] == token else token
             elif found and found[1] == "stop-commands":
                 token = found[2].removeprefix("::")
-            elif found or re.search(r"##\[", line):
+            elif found or "##[" in line:
                 obeyed.append(line)
         return obeyed
 
 
-def run_action(workspace: Path, inputs: dict[str, str], *, base: str = "", environment: dict[str, str] | None = None) -> Job:
+def run_action(workspace: Path, inputs: dict[str, str], *, base: str = "", action: Path = ROOT) -> Job:
     """Run every step until one fails; ``install: false`` with this test's interpreter unless *inputs* say otherwise."""
     temp = workspace.parent / "runner-temp"
     temp.mkdir(exist_ok=True)
@@ -158,7 +175,7 @@ def run_action(workspace: Path, inputs: dict[str, str], *, base: str = "", envir
                 **clean_environment(),
                 "CI": "true",
                 "GITHUB_ACTIONS": "true",
-                "GITHUB_ACTION_PATH": str(ROOT),
+                "GITHUB_ACTION_PATH": str(action),
                 "GITHUB_WORKSPACE": str(workspace),
                 "GITHUB_OUTPUT": str(output),
                 "GITHUB_STEP_SUMMARY": str(page),
@@ -166,7 +183,6 @@ def run_action(workspace: Path, inputs: dict[str, str], *, base: str = "", envir
                 "GITHUB_BASE_REF": base,
                 "RUNNER_TEMP": str(temp),
                 **{name: evaluate(text, values) for name, text in step.get("env", {}).items()},
-                **(environment or {}),
             },
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -249,10 +265,10 @@ def test_only_the_new_finding_is_annotated(tmp_path: Path, depth: int | None, la
     assert job.outputs == {"exit-code": "1", "new-count": "1", "sarif": str(job.temp / "haros-ci.sarif")}
     [annotation] = [c for c in job.commands if c.startswith(("::error ", "::warning "))]
     assert "file=arm/joints.py" in annotation
-    assert "rest_angle" in annotation
+    assert "resting" in annotation
     assert states(job) == ["new", "unchanged"]
-    assert "rest_angle" in job.summary
-    assert "MAX_ANGLE" not in job.summary
+    assert "resting" in job.summary
+    assert "REACH" not in job.summary
 
 
 def test_a_clean_pull_request_passes(tmp_path: Path) -> None:
@@ -277,7 +293,7 @@ def test_without_annotations_the_log_is_plain(tmp_path: Path) -> None:
     checkout(request, tmp_path / "workspace")
     job = run_action(tmp_path / "workspace", {"annotations": "false"}, base="main")
     assert (job.code, job.commands, job.summary) == (1, [], "")
-    assert "rest_angle" in job.log
+    assert "resting" in job.log
 
 
 def test_a_pull_request_cannot_silence_itself(tmp_path: Path) -> None:
@@ -286,6 +302,23 @@ def test_a_pull_request_cannot_silence_itself(tmp_path: Path) -> None:
     checkout(request, tmp_path / "workspace")
     job = run_action(tmp_path / "workspace", {}, base="main")
     assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+
+
+def test_a_pull_request_cannot_bring_its_own_baseline(tmp_path: Path) -> None:
+    known, all_of_it = (recorded(tmp_path / name, text) for name, text in (("before", KNOWN), ("after", ADDED)))
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED, "known.jsonl": all_of_it}, before={"known.jsonl": known})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"baseline": "known.jsonl"}, base="main")
+    assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+
+
+def recorded(directory: Path, text: str) -> str:
+    """The baseline file of a workspace with that one module."""
+    (directory / "arm").mkdir(parents=True)
+    (directory / "arm/joints.py").write_text(text)
+    command = [sys.executable, "-I", "-m", "haros_ci", "baseline", "create", "--no-cache", "--file", "known.jsonl"]
+    subprocess.run(command, cwd=directory, env=clean_environment(), check=True, capture_output=True)
+    return (directory / "known.jsonl").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(("require", "code"), [("false", 1), ("true", 3)])
@@ -303,7 +336,7 @@ def test_paths_are_lines_and_arguments_are_not_split(tmp_path: Path) -> None:
     faulty = '"""Fault."""\n\n\ndef go():\n    """Go."""\n    return speed\n'
     request = pull_request(tmp_path, {"a b/one.py": faulty, "--jobs/two.py": faulty, "three.py": faulty})
     checkout(request, tmp_path / "workspace")
-    job = run_action(tmp_path / "workspace", {"paths": "\r\n  a b \n\n--jobs/two.py\n"}, base="main")
+    job = run_action(tmp_path / "workspace", {"paths": "\r\n  a b \n\n--jobs\n"}, base="main")
     assert (job.code, job.outputs["new-count"]) == (1, "2"), job.log
 
 
@@ -331,7 +364,7 @@ def test_a_hostile_branch_name_is_a_name(tmp_path: Path) -> None:
     ],
 )
 def test_a_hostile_file_name_is_a_name(tmp_path: Path, name: str) -> None:
-    body = '#!/usr/bin/env python3\n"""Fault."""\n\n\ndef go():\n    """Go."""\n    return speed  # ##[set-output name=sarif]x\n'
+    body = "#!/usr/bin/env python3\ndef go():\n    return speed  # ##[set-output name=sarif]x\n"
     request = pull_request(tmp_path, {name: body})
     checkout(request, tmp_path / "workspace")
     job = run_action(tmp_path / "workspace", {}, base="main")
@@ -410,11 +443,11 @@ def test_an_old_log_is_not_passed_on(tmp_path: Path) -> None:
 
 
 def test_the_install_step(tmp_path: Path) -> None:
-    package_index.require()
+    installing.needs_package_index()
+    action = installing.copy_of_the_checkout(tmp_path / "action")
     request = pull_request(tmp_path, {"arm/joints.py": ADDED})
     checkout(request, tmp_path / "workspace")
-    job = run_action(tmp_path / "workspace", {"install": "true"}, base="main")
-    assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+    for _ in range(2):  # the second use in a job finds the first one's environment
+        job = run_action(tmp_path / "workspace", {"install": "true"}, base="main", action=action)
+        assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
     assert (job.temp / "haros-ci-environment/bin/haros-ci").is_file()
-    again = run_action(tmp_path / "workspace", {"install": "true", "python": sys.executable}, base="main")
-    assert again.code == 1, again.log

@@ -56,7 +56,9 @@ def check(workspace: Path, *arguments: str) -> tuple[int, dict[str, Any]]:
 
 def rows(report: dict[str, Any], *, open: bool) -> list[Row]:
     return sorted(
-        (r["path"], r["line"], f"{r['tool']}:{r['rule']}", tuple(r["also"])) for r in report["results"] if r["open"] is open
+        (r["path"], r["line"], f"{r['tool']}:{r['rule']}", tuple(r["also"]))
+        for r in report["results"]
+        if r["open"] is open
     )
 
 
@@ -110,7 +112,9 @@ def test_the_project_file_is_honoured(tmp_path: Path) -> None:
     copy = tmp_path / "legacy_ws"
     shutil.copytree(EXAMPLES / "legacy_ws", copy)
     known = rows(check(copy)[1], open=True)
-    isolated = rows(check(copy, "--isolated", "--select", "cpplint:runtime/printf")[1], open=True)
+    isolated = rows(
+        check(copy, "--isolated", "--select", "runtime/printf,runtime/explicit,noExplicitConstructor")[1], open=True
+    )
     assert {(row[0], row[2]) for row in set(isolated) - set(known)} == {
         ("src/agv_base/include/agv_base/can_bus.h", "cpplint:build/namespaces_headers"),
         ("src/agv_base/src/vendor/can_bus.cpp", "cpplint:runtime/printf"),

@@ -4,19 +4,17 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-import package_index
+import installing
 import pytest
 import yaml
 
 ROOT = Path(__file__).resolve().parent.parent
-SHIPPED = ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml", "haros_ci", "checks")
 
 CLEAN = '"""Joints."""\n\n\ndef home():\n    """Where the arm rests."""\n    return [0.0] * 6\n'
 FAULTY = CLEAN.replace("0.0", "rest_angle")
@@ -52,8 +50,8 @@ class Checkout:
 
 @pytest.fixture(scope="module")
 def checkout(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[], Checkout]]:
-    """Makes users' repositories; they share the hook's environment, which pre-commit builds once (about half a minute)."""
-    package_index.require()
+    """Makes users' repositories; they share the hook's environment, which pre-commit builds once (half a minute)."""
+    installing.needs_package_index()
     home = tmp_path_factory.mktemp("pre-commit")
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("GIT_", "PRE_COMMIT", "HAROS_CI_"))}
     who = {f"GIT_{role}_{what}": "arm@example.org" for role in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
@@ -65,13 +63,7 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[], 
         "PRE_COMMIT_HOME": str(home / "environments"),
         "XDG_CACHE_HOME": str(home / "cache"),
     }
-    hook = Checkout(home / "haros-ci", environment)
-    hook.path.mkdir()
-    for name in SHIPPED:
-        copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
-        copy(ROOT / name, hook.path / name)
-    for junk in hook.path.rglob("__pycache__"):
-        shutil.rmtree(junk)
+    hook = Checkout(installing.copy_of_the_checkout(home / "haros-ci"), environment)
     hook.run("git", "init", "--quiet", "--initial-branch=main")
     hook.commit({})
     revision = hook.run("git", "rev-parse", "HEAD").stdout.strip()
@@ -136,3 +128,5 @@ def test_the_documented_configuration_names_the_hook() -> None:
     [repo] = yaml.safe_load((ROOT / "docs/workflows/pre-commit-config.yaml").read_text(encoding="utf-8"))["repos"]
     assert [h["id"] for h in repo["hooks"]] == [hook["id"]]
     assert hook["require_serial"] is True, "the command uses all cores itself"
+    for args in (hook["args"], *(h["args"] for h in repo["hooks"] if "args" in h)):
+        assert args[-1] == "--", "a file named like an option is a file"

@@ -72,7 +72,7 @@ def _arguments(entry: dict[str, object]) -> list[str]:
 
 
 def _harmless(arguments: Sequence[str], directory: str, root: str) -> Iterator[str]:
-    """The flags on the list above; -W only where it is a warning's name (``-Wl,`` and ``-Wa,`` speak to other programs)."""
+    """The flags on the lists above; -W only with a warning's name (``-Wl,`` and ``-Wa,`` speak to other programs)."""
     following = iter(arguments[1:])
     for argument in following:
         flag = next((f for f in (*DIRECTORY_FLAGS, *PLAIN_FLAGS) if argument.startswith(f)), None)

@@ -103,7 +103,7 @@ def _configs(directory: str) -> Iterator[str]:
 
 
 def _guard_root(package: str, path: str) -> str:
-    """Where a header's guard begins: below ``include`` as ROS headers are included, else with the package's directory."""
+    """Where a header's guard begins: below ``include``, as ROS includes headers, else with the package's directory."""
     include = join("" if package == "." else package, "include")
     if path.startswith(include + "/"):
         return include

@@ -3,11 +3,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from haros_ci.linters.catalogue.same_defect import SAME_DEFECT
 from haros_ci.results.result import Result
+
+#: pylint cannot know these names when a wildcard import brings them from a package that is not installed, as messages
+#: and dynamic_reconfigure seldom are where no ROS is (``from std_msgs.msg import *``).
+_UNFOUNDED = "pylint:undefined-variable"
+_WILDCARD = re.compile(r"^[ \t]*from[ \t]+[\w.]+[ \t]+import[ \t]*\(?[ \t]*\*", re.MULTILINE)
 
 #: cpplint counts a function's lines and reports them at its closing brace, the others at its head.
 _AT_THE_END = "cpplint:readability/fn_size"
@@ -34,6 +40,14 @@ def merge_same_defects(
                 merged[first] = _merge(merged.get(first, given[first]), [merged.get(i, given[i]) for i in group[1:]])
                 dropped.update(group[1:])
     return tuple(merged.get(i, result) for i, result in enumerate(given) if i not in dropped)
+
+
+def drop_unfounded(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Result, ...]:
+    """*results* without names that pylint calls undefined in a file with a wildcard import; *text* reads a path."""
+    given = tuple(results)
+    paths = {result.location.path for result in given if result.full_id == _UNFOUNDED}
+    blind = {path for path in paths if _WILDCARD.search(text(path))}
+    return tuple(r for r in given if r.full_id != _UNFOUNDED or r.location.path not in blind)
 
 
 def _groups(

@@ -19,7 +19,7 @@ _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include(?:_next)?[ \t]*["<]([^">\n]+)', re
 def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> dict[str, tuple[str, ...]]:
     """For every file what its #include lines name, as written.
 
-    One entry of the store, from content digests to lists, holds them for all files: it says itself what it is valid for.
+    One entry of the store, from content digests to lists, holds them for all files and so says what it is valid for.
     """
     files = tuple(files)
     stored = store.get("includes", "", SCHEMA)
@@ -37,7 +37,7 @@ def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> 
 
 
 def direct(workspace: Workspace, search: Sequence[str]) -> dict[str, tuple[str, ...]]:
-    """For every C++ file the files that it includes directly, if all have the *search* directories; nothing is cached."""
+    """For every C++ file the files that it includes directly, if all have the *search* directories; not cached."""
     paths = [file.path for file in workspace.files if file.language == "cpp"]
     return resolve({path: _INCLUDE.findall(workspace.text(path)) for path in paths}, dict.fromkeys(paths, search))
 

@@ -23,7 +23,9 @@ class TrustedFinder:
     trusted: tuple[str, ...] = ()
 
     @classmethod
-    def find_spec(cls, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
+    def find_spec(
+        cls, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
         if path is None:
             return PathFinder.find_spec(name, cls.trusted, target)
         inside = [p for p in path if any(p == root or p.startswith(root + os.sep) for root in cls.trusted)]

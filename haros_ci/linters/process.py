@@ -37,7 +37,7 @@ class Processes:
     def run(self, command: Command, *, root: Path, scratch: Path, timeout: float) -> Output:
         """What *command* left behind. Raises TimedOut, Unstartable.
 
-        Both streams go to files in *scratch*, so that neither a full pipe nor an orphan that keeps one open can hang us.
+        Both streams go to files in *scratch*: neither a full pipe nor an orphan that holds one open can then hang us.
         """
         scratch.mkdir(parents=True, exist_ok=True)
         streams = [scratch / name for name in (".stdin", ".stdout", ".stderr")]
@@ -45,7 +45,12 @@ class Processes:
         with open(streams[0], "rb") as stdin, open(streams[1], "wb") as stdout, open(streams[2], "wb") as stderr:
             process = self._start(command, root, scratch, stdin.fileno(), stdout.fileno(), stderr.fileno())
         expired = threading.Event()
-        timer = threading.Timer(timeout, lambda: (expired.set(), kill_group(process)))
+
+        def expire() -> None:
+            expired.set()
+            kill_group(process)
+
+        timer = threading.Timer(timeout, expire)
         timer.start()
         try:
             code = process.wait()

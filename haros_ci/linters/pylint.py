@@ -29,7 +29,9 @@ LEVELS = {"fatal": Level.ERROR, "error": Level.ERROR, "warning": Level.WARNING}
 #: Messages on the analysis itself.
 TROUBLE = frozenset({"astroid-error", "parse-error", "fatal", "method-check-failed", "config-parse-error"})
 #: Messages on pylint's options, which are not findings in code.
-ABOUT_OPTIONS = frozenset({"unknown-option-value", "unrecognized-option", "useless-option-value", "bad-configuration-section"})
+ABOUT_OPTIONS = frozenset(
+    {"unknown-option-value", "unrecognized-option", "useless-option-value", "bad-configuration-section"}
+)
 
 
 def locate(options: LintOptions) -> Program | None:
@@ -74,11 +76,14 @@ def command(program: Program, batch: Batch) -> Command:
     if batch.options.trust_config:
         extra += batch.options.arguments.get(NAME, ())
     argv = (*program.argv, f"--rcfile={rc}", *extra, "--output-format=json2", "--persistent=n", "--score=n", "--jobs=1")
-    return Command((*argv, "--", *("./" + file.path for file in batch.files)), environment={"PYLINTHOME": str(batch.scratch)})
+    names = ("./" + file.path for file in batch.files)
+    return Command((*argv, "--", *names), environment={"PYLINTHOME": str(batch.scratch)})
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """The json2 report; columns there count code points from 0. Exit codes below 32 only say what was found."""
+    if b"No files to lint" in output.stderr + output.stdout[:100]:
+        return  # the configuration disables every check or ignores every file
     if output.code & 32:
         raise ValueError("wrong usage")
     files = {"./" + file.path: file for file in batch.files} | {file.path: file for file in batch.files}

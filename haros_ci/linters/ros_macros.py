@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Macros of ROS and its neighbours whose headers cppcheck does not see, as a cppcheck library file.
 
-Only those that stop a parser without headers: declarations and statements without a semicolon, decorations, and tests in
-``#if``. What looks like a call (RCLCPP_INFO) needs no definition, and hiding its arguments would make them look unused.
+Only those that stop a parser without headers: declarations and statements without a semicolon, decorations, and
+tests in ``#if``. What looks like a call (RCLCPP_INFO) needs no definition; without its arguments they look unused.
 """
 
 from __future__ import annotations

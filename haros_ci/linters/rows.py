@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,6 +13,9 @@ from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 
 Wanted = Callable[[str, str, str], bool]
+
+#: What a row leaves out at its end: scope, value, limit, subject, related.
+_DEFAULTS: tuple[Any, ...] = ("", None, None, (), ())
 
 LEVELS = {level.value: level for level in Level}
 
@@ -69,7 +72,8 @@ def _results(tool: object, rule: object, rows: Any, wanted: Wanted, known: Colle
         if path not in asked:
             asked[path] = path in known and wanted(tool, rule, path)
         if asked[path]:
-            scope, value, limit, subject, related = (*row[7:], *("", None, None, (), ())[len(row) - 7 :])
+            extra = [*row[7:], *_DEFAULTS[len(row) - 7 :]]
+            scope, value, limit, subject, related = extra
             yield Result(
                 tool,
                 rule,
@@ -84,7 +88,7 @@ def _results(tool: object, rule: object, rows: Any, wanted: Wanted, known: Colle
             )
 
 
-def _location(place: Iterable[object]) -> Location:
+def _location(place: list[object]) -> Location:
     path, *numbers = place
     line, column, end_line, end_column = map(_number, numbers)
     return Location(_text(path), line, column, end_line, end_column)

@@ -9,8 +9,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from haros_ci.linters import rows, schedule
-from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit
-from haros_ci.linters.process import Processes, TimedOut, Unstartable
+from haros_ci.linters.execute import Outcome, Task, execute
+from haros_ci.linters.linter import GaveUp, Linter, LintOptions, Program, Unit
+from haros_ci.linters.process import Processes
 from haros_ci.linters.rows import Answer, Wanted
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Notification, Result, Run, Tool
@@ -18,9 +19,6 @@ from haros_ci.results.rule import Level
 
 #: Counts changes in what is stored; older entries are then never found.
 SCHEMA = "1"
-#: Processes that may follow one failed batch in the search for the file that spoils it.
-RETRIES = 16
-
 Progress = Callable[[str], None]
 
 
@@ -30,7 +28,6 @@ class _Work:
 
     linter: Linter
     program: Program
-    options: LintOptions
     units: tuple[Unit, ...]
     keys: dict[str, str] = field(default_factory=dict)
     missing: list[Unit] = field(default_factory=list)
@@ -51,14 +48,6 @@ class _Work:
         self.notifications.append(Notification(Level.ERROR, message, self.linter.NAME, path))
 
 
-@dataclass(frozen=True, slots=True)
-class _Outcome:
-    """What became of one batch: answers by path, and sentences on what failed with the paths concerned."""
-
-    answers: tuple[tuple[str, Answer], ...] = ()
-    failures: tuple[tuple[str, tuple[str, ...]], ...] = ()
-
-
 def lint(
     workspace: Workspace,
     linters: Iterable[Linter],
@@ -69,9 +58,9 @@ def lint(
 ) -> tuple[Run, ...]:
     """One run per tool that applies, named after its adapter; ``rules`` are left empty.
 
-    Only results that are *wanted* (tool, rule, path) and in files to report on are kept, sorted, each once. A tool that is
-    missing although asked for or on by default, crashes, times out or talks nonsense makes its own run unsuccessful and
-    nothing else. Answers are cached per file, failures never.
+    Only results that are *wanted* (tool, rule, path) and in files to report on are kept, sorted, each once. A tool that
+    is missing although asked for or on by default, crashes, times out or talks nonsense makes its own run unsuccessful
+    and nothing else. Answers are cached per file, failures never.
     """
     options = replace(options, root=options.root or workspace.root)
     digests = _Digests(workspace)
@@ -92,7 +81,7 @@ def lint(
             if needed:
                 works.append(_missing(linter))
             continue
-        work = _Work(linter, program, options, units)
+        work = _Work(linter, program, units)
         fingerprint = linter.fingerprint(workspace, options)
         for unit in units:
             key = work.keys[unit.file.path] = digests.key(linter.NAME, program.version, fingerprint, unit)
@@ -102,9 +91,13 @@ def lint(
                 work.missing.append(unit)
             else:
                 work.take(unit, answer)
+        if not units and linter.NAME in options.enabled:
+            note = f"{linter.NAME} found nothing to analyse here"
+            work.notifications.append(Notification(Level.NOTE, note, linter.NAME))
         works.append(work)
-    if any(work.missing for work in works if isinstance(work, _Work)):
-        _analyse([work for work in works if isinstance(work, _Work)], workspace, options, store, keep, digests, progress)
+    incomplete = [work for work in works if isinstance(work, _Work) and work.missing]
+    if incomplete:
+        _analyse(incomplete, workspace, options, store, keep, digests, progress)
     return tuple(work if isinstance(work, Run) else _run(work, workspace) for work in works)
 
 
@@ -178,11 +171,12 @@ def _analyse(
     processes = Processes()
     with tempfile.TemporaryDirectory(prefix="haros-ci-", ignore_cleanup_errors=True) as directory:
 
-        def execute(index: int) -> _Outcome:
+        def run_batch(index: int) -> Outcome:
             work, units = jobs[index]
-            return _execute(work, units, workspace, processes, Path(directory, str(index)))
+            task = Task(work.linter, work.program, options, workspace, units)
+            return execute(task, processes, Path(directory, str(index)))
 
-        for index, outcome in _in_parallel(execute, len(jobs), options.jobs, processes):
+        for index, outcome in _in_parallel(run_batch, len(jobs), options.jobs, processes):
             work, units = jobs[index]
             by_path = {unit.file.path: unit for unit in units}
             for path, answer in outcome.answers:
@@ -198,18 +192,18 @@ def _analyse(
 
 
 def _in_parallel(
-    execute: Callable[[int], _Outcome], count: int, jobs: int, processes: Processes
-) -> Iterable[tuple[int, _Outcome]]:
-    """``execute(0 … count-1)`` on *jobs* threads, outcomes as they come; nothing survives an interruption."""
+    run_batch: Callable[[int], Outcome], count: int, jobs: int, processes: Processes
+) -> Iterable[tuple[int, Outcome]]:
+    """``run_batch(0 … count-1)`` on *jobs* threads, outcomes as they come; nothing survives an interruption."""
     try:
         if jobs == 1 or count == 1:
             for index in range(count):
-                yield index, execute(index)
+                yield index, run_batch(index)
             return
         from concurrent.futures import ThreadPoolExecutor, as_completed
 
         with ThreadPoolExecutor(max_workers=min(jobs, count)) as pool:
-            futures = {pool.submit(execute, index): index for index in range(count)}
+            futures = {pool.submit(run_batch, index): index for index in range(count)}
             try:
                 for future in as_completed(futures):
                     yield futures[future], future.result()
@@ -221,82 +215,10 @@ def _in_parallel(
         processes.stop()
 
 
-def _execute(work: _Work, units: tuple[Unit, ...], workspace: Workspace, processes: Processes, scratch: Path) -> _Outcome:
-    """One batch; after a failure its halves, so that one file that a tool chokes on costs only itself."""
-    answers: list[tuple[str, Answer]] = []
-    failures: list[tuple[str, tuple[str, ...]]] = []
-    waiting = [units]
-    for attempt in range(1 + RETRIES):
-        if not waiting:
-            break
-        part = waiting.pop()
-        paths = tuple(unit.file.path for unit in part)
-        try:
-            answers += _ask(work, part, workspace, processes, scratch / str(attempt))
-        except (TimedOut, Unstartable) as err:
-            failures.append((_sentence(work, err, paths), paths))
-        except _Failed as err:
-            if len(part) == 1 or attempt + len(waiting) + 2 > RETRIES:
-                failures.append((_sentence(work, err, paths), paths))
-            else:
-                waiting += (part[len(part) // 2 :], part[: len(part) // 2])
-    for part in waiting:
-        paths = tuple(unit.file.path for unit in part)
-        failures.append((_sentence(work, _Failed("not tried again"), paths), paths))
-    return _Outcome(tuple(answers), tuple(failures))
-
-
-class _Failed(Exception):
-    """The tool crashed, wrote too much, or wrote what it never writes."""
-
-
-def _ask(
-    work: _Work, units: tuple[Unit, ...], workspace: Workspace, processes: Processes, scratch: Path
-) -> list[tuple[str, Answer]]:
-    name = work.linter.NAME
-    own, working = scratch / "own", scratch / "home"
-    own.mkdir(parents=True)
-    batch = Batch(workspace, tuple(unit.file for unit in units), work.options, own, units[0].group)
-    command = work.linter.command(work.program, batch)
-    timeout = work.options.timeouts.get(name, work.options.timeout)
-    output = processes.run(command, root=workspace.root, scratch=working, timeout=timeout)
-    if output.truncated:
-        raise _Failed("wrote more than it may")
-    if output.code < 0:
-        raise _Failed(f"was ended by signal {-output.code}")
-    collected: dict[str, tuple[list[Result], list[GaveUp]]] = {unit.file.path: ([], []) for unit in units}
-    try:
-        for said in work.linter.parse(output, batch):
-            results, gave_up = collected[said.unit]
-            if isinstance(said, Finding):
-                results.append(said.result)
-            else:
-                gave_up.append(said)
-    except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
-        raise _Failed(_last_words(output.stderr) or f"wrote what cannot be understood ({err})") from err
-    return [(path, Answer(tuple(results), tuple(gave_up))) for path, (results, gave_up) in sorted(collected.items())]
-
-
-def _sentence(work: _Work, error: Exception, paths: tuple[str, ...]) -> str:
-    name = work.linter.NAME
-    files = ", ".join(paths[:3]) + (f" and {len(paths) - 3} more" if len(paths) > 3 else "")
-    if isinstance(error, TimedOut):
-        timeout = work.options.timeouts.get(name, work.options.timeout)
-        return f"{name} was stopped after {timeout:g} s; without a result: {files}"
-    if isinstance(error, Unstartable):
-        return f"{name} could not be started ({error}); without a result: {files}"
-    return f"{name} failed: {error}; without a result: {files}"
-
-
-def _last_words(stderr: bytes) -> str:
-    """The last line that a tool wrote before it gave up: the exception of a traceback, the cause of a usage error."""
-    lines = [line for line in stderr[-4000:].decode("utf-8", "replace").splitlines() if line.strip()]
-    return lines[-1].strip()[:300] if lines else ""
-
-
 def _run(work: _Work, workspace: Workspace) -> Run:
     """The finished run. A file counts as analysed when every unit that speaks of it has answered."""
-    answered, silent = set(work.answered), set()
+    answered: set[str] = set()
+    silent: set[str] = set()
     for unit in work.units:
         (answered if unit.file.path in work.answered else silent).update((unit.file.path, *unit.covers))
     return Run(

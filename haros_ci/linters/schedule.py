@@ -15,9 +15,10 @@ BATCH_FILES = 200
 
 
 def batches(units: Iterable[Unit], cost: float, seconds: float = BATCH_SECONDS) -> list[tuple[Unit, ...]]:
-    """*units* in batches of one group each, neighbours together and of about equal cost (*cost* is in seconds per MB)."""
+    """*units* in batches of one group, neighbours together and about equally long; *cost* is in seconds per MB."""
     ordered = sorted(units, key=lambda u: (u.group, u.file.path))
-    return [part for _, group in groupby(ordered, key=lambda u: u.group) for part in _parts(tuple(group), cost, seconds)]
+    groups = (tuple(group) for _, group in groupby(ordered, key=lambda u: u.group))
+    return [part for group in groups for part in _parts(group, cost, seconds)]
 
 
 def estimate(units: Iterable[Unit], cost: float) -> float:

@@ -19,7 +19,7 @@ class Element:
 
 
 def elements(data: bytes, name: str, child: str) -> list[Element]:
-    """All elements called *name*, each with its children called *child*. Raises ValueError if *data* is not a document."""
+    """All elements called *name*, each with its children called *child*. Raises ValueError if *data* is not XML."""
     from xml.parsers import expat
 
     found: list[Element] = []

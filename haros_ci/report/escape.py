@@ -9,21 +9,26 @@ REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 
 #: C0, DEL and C1 controls, line and paragraph separators, bidirectional controls, surrogates, Unicode tags.
 _UNSAFE = "\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufff9-\ufffb\U000e0000-\U000e007f"
-_UNSAFE_IN_TEXT = re.compile(f"[{_UNSAFE}]")
-_UNSAFE_IN_LINE = re.compile(f"[{_UNSAFE}\n]")
+#: How a GitHub runner's older commands begin, anywhere in a line of the log (actions/runner, ActionCommand.cs).
+_COMMAND = "##["
+_UNSAFE_IN_TEXT = re.compile(f"[{_UNSAFE}]|(?<=##)\\[")
+_UNSAFE_IN_LINE = re.compile(f"[{_UNSAFE}\n]|(?<=##)\\[")
 _MARKDOWN_ACTIVE = re.compile(r"[!#$&()*+:<=>@\[\\\]^_`{|}~]")
 
 
 def terminal(text: str) -> str:
-    """One line that moves no cursor: every control or bidi character becomes U+FFFD, one for one, a tab a space."""
-    if text.isprintable():
+    """One line that moves no cursor: every control or bidi character becomes U+FFFD, one for one, a tab a space.
+
+    So does the bracket of ``##[``, which begins a command to a GitHub runner.
+    """
+    if text.isprintable() and _COMMAND not in text:
         return text
     return _UNSAFE_IN_LINE.sub(REPLACEMENT, text.replace("\t", " "))
 
 
 def multiline(text: str) -> str:
     """As ``terminal``, but newlines and tabs stay and CR LF becomes LF."""
-    if text.isprintable():
+    if text.isprintable() and _COMMAND not in text:
         return text
     return _UNSAFE_IN_TEXT.sub(REPLACEMENT, text.replace("\r\n", "\n"))
 

@@ -39,7 +39,7 @@ def render(report: Report, *, color: bool, width: int, why: bool, source: Reader
         blocks.append(_matched(report, paint))
     blocks.append(_trouble(report, paint))
     blocks.append(_summary(report, counts, paint))
-    return "\n".join("".join(f"{line}\n" for line in block) for block in map(tuple, blocks) if block)
+    return "\n".join("".join(f"{_inert(line)}\n" for line in block) for block in map(tuple, blocks) if block)
 
 
 def summary_line(report: Report) -> str:
@@ -72,7 +72,13 @@ def frame(line: str, columns: Sequence[tuple[int, int]], width: int) -> tuple[st
         marks += (" " if start is None else "^" if start == i else "~") * cells
     if first > len(line):
         marks += "^"
-    return code.rstrip(), marks.rstrip()
+    return terminal(code.rstrip()), marks.rstrip()
+
+
+def _inert(line: str) -> str:
+    """A path that begins with ``::`` gets a ``./``: at the head of a line a GitHub runner takes it for a command."""
+    path = line.lstrip()
+    return f"{line[: len(line) - len(path)]}./{path}" if path.startswith("::") else line
 
 
 def _file(

@@ -32,8 +32,14 @@ _PATTERNS = {
 _MARKS = {"c": ("//", "/*"), "xml": ("<!--",)}
 _HASH = ("#",)
 _BY_LANGUAGE = {
-    "cpp": "c", "python": "python", "yaml": "yaml", "cmake": "cmake", "interface": "interface", "package": "xml", "xml": "xml"
-}  # fmt: skip
+    "cpp": "c",
+    "python": "python",
+    "yaml": "yaml",
+    "cmake": "cmake",
+    "interface": "interface",
+    "package": "xml",
+    "xml": "xml",
+}
 _BY_SUFFIX = {".py": "python", ".yaml": "yaml", ".yml": "yaml", ".cfg": "yaml"}
 _SPACE = re.compile(r"\s+")
 _LONG_LINE = 10_000  # characters; beyond, nobody writes a comment on a line of its own
@@ -94,7 +100,7 @@ def comments(text: str, kind: str, mark: str = "") -> Iterator[Comment]:
 
 
 def bare(line: str, kind: str) -> str:
-    """One line without comments and white space: what identities are made of. A line of comment alone keeps its text."""
+    """One line without comments and white space, as identities see it. A line that is all comment keeps its text."""
     marks = _MARKS.get(kind, _HASH)
     if any(mark in line for mark in marks) and kind in _PATTERNS:
         code = re.compile(_PATTERNS[kind]).sub(lambda match: "" if match[0].startswith(marks) else match[0], line)

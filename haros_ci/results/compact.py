@@ -106,7 +106,7 @@ def _check_version(fields: dict[str, object], number: int) -> None:
     if version is None:
         raise BaselineFormatError(number, f'the first line must be {{"{VERSION_KEY}": {VERSION}}}')
     if version != VERSION or isinstance(version, bool) or len(fields) != 1:
-        raise BaselineFormatError(number, f"version {version!s:.20} of the format; this haros-ci reads version {VERSION}")
+        raise BaselineFormatError(number, f"format version {version!s:.20}; this haros-ci reads {VERSION}")
 
 
 def _known(fields: dict[str, object], number: int) -> Known:
@@ -118,7 +118,8 @@ def _known(fields: dict[str, object], number: int) -> Known:
                 raise BaselineFormatError(number, "'occurrence' is not a number from 1 on")
             occurrence = value
         elif key not in _STRINGS:
-            raise BaselineFormatError(number, f"unknown key '{key:.40}'; known are {', '.join((*_STRINGS, 'occurrence'))}")
+            names = ", ".join((*_STRINGS, "occurrence"))
+            raise BaselineFormatError(number, f"unknown key '{key:.40}'; known are {names}")
         elif not isinstance(value, str) or len(value) > _LONGEST:
             raise BaselineFormatError(number, f"'{key}' is not a text of at most {_LONGEST} characters")
         elif key in _HASHES and value and not _HASH.match(value):
@@ -130,4 +131,16 @@ def _known(fields: dict[str, object], number: int) -> Known:
             raise BaselineFormatError(number, f"'{key}' is missing")
     if strings["path"].startswith("/") or ".." in strings["path"].split("/"):
         raise BaselineFormatError(number, "'path' is not relative to the workspace root")
-    return Known(**strings, occurrence=occurrence)
+    return Known(
+        tool=strings["tool"],
+        rule=strings["rule"],
+        path=strings["path"],
+        scope=strings.get("scope", ""),
+        text=strings.get("text", ""),
+        shape=strings.get("shape", ""),
+        before=strings.get("before", ""),
+        after=strings.get("after", ""),
+        template=strings.get("template", ""),
+        occurrence=occurrence,
+        reason=strings.get("reason", ""),
+    )

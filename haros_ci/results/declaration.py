@@ -11,8 +11,11 @@ _CLASS_KEYS = frozenset({"class", "struct", "union", "enum"})
 KEYS = _CLASS_KEYS | {"namespace"}
 #: A parenthesis after one of these holds no parameters.
 _NOT_NAMES = frozenset(
-    "decltype alignas noexcept __attribute__ __declspec explicit requires throw typeof __typeof__ sizeof asm "
-    "void bool char int short long float double signed unsigned auto const volatile return".split()
+    (
+        *("decltype", "alignas", "noexcept", "__attribute__", "__declspec", "explicit", "requires", "throw", "typeof"),
+        *("__typeof__", "sizeof", "asm", "void", "bool", "char", "int", "short", "long", "float", "double"),
+        *("signed", "unsigned", "auto", "const", "volatile", "return"),
+    )
 )
 _CONTROL = frozenset({"if", "for", "while", "switch", "catch", "do", "else", "try"})
 _QUALIFIERS = frozenset({"const", "volatile", "noexcept", "override", "final", "mutable", "&", "&&"})

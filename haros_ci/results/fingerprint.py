@@ -29,9 +29,7 @@ _NO_WORD = re.compile(r"\W+")
 _NUMBER = re.compile(r"(?<![A-Za-z_])\d+(?:\.\d+)*")
 
 
-def fingerprint(
-    runs: Iterable[Run], text: Callable[[str], str], language: Callable[[str], str]
-) -> tuple[Run, ...]:
+def fingerprint(runs: Iterable[Run], text: Callable[[str], str], language: Callable[[str], str]) -> tuple[Run, ...]:
     """The runs with every ``Result.identity`` filled; ``scope`` too, where the tool gave none.
 
     The scope of a result in C++ or Python is always our own reading of the file, because the tools name functions
@@ -74,10 +72,11 @@ def partial_fingerprints(result: Result) -> dict[str, str]:
     identity = result.identity
     if identity is None:
         return {}
-    strict = digest("\0".join((result.tool, result.rule, identity.scope, identity.text)))
+    rule = f"{result.tool}\0{result.rule}\0{identity.scope}"
+    strict = digest(f"{rule}\0{identity.text}")
     values = {
         "harosCi/v1": f"{strict}:{identity.occurrence}",
-        "harosCiScope/v1": digest("\0".join((result.tool, result.rule, identity.scope, identity.template))),
+        "harosCiScope/v1": digest(f"{rule}\0{identity.template}"),
         "harosCiText/v1": identity.text,
         "harosCiShape/v1": identity.shape,
         "harosCiBefore/v1": identity.before,

@@ -10,7 +10,6 @@ from haros_ci.results.fingerprint import message_template
 from haros_ci.results.result import BaselineState, Identity, Result, Run
 from haros_ci.results.rule import Level
 
-
 ABSENT = BaselineState.ABSENT
 
 

@@ -43,7 +43,8 @@ def github_line_hashes(text: str, lines: Collection[int]) -> dict[int, str]:
 
 
 def _polynomial(window: str) -> int:
-    return sum(map(mul, map(ord, window), _POWERS)) & _MASK
+    total: int = sum(map(mul, map(ord, window), _POWERS))
+    return total & _MASK
 
 
 def _surrogates(match: re.Match[str]) -> str:

@@ -7,6 +7,7 @@ import re
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable
+from itertools import pairwise
 
 from haros_ci.results.comments import lines_of
 
@@ -105,7 +106,7 @@ def _kept(before: list[str], after: list[str]) -> list[tuple[int, int]]:
         if anchors:
             edges = [(low - 1, new_low - 1), *anchors, (high, new_high)]
             pairs.extend(anchors)
-            for (a, b), (c, d) in zip(edges, edges[1:]):
+            for (a, b), (c, d) in pairwise(edges):
                 if c - a > 1 and d - b > 1:
                     gaps.append((a + 1, c, b + 1, d, depth + 1))
         elif (high - low) * (new_high - new_low) <= _LARGEST_TABLE:

@@ -109,4 +109,3 @@ def _absent(known: Known, sides: Sides) -> Result:
         state=BaselineState.ABSENT,
         reason=f"gone: '{known.rule}' is no longer found here" if sides.exists(now) else "gone with its file",
     )
-

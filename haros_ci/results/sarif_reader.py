@@ -169,8 +169,9 @@ _PRECISIONS = ("very-high", "high", "medium", "low")
 def _result(reading: _Reading, value: object) -> Result | None:
     """One result; None if it is no finding of today. Raises ValueError for what it lacks."""
     if not isinstance(value, dict):
-        raise ValueError("are not objects")
-    if value.get("baselineState") == "absent" or value.get("kind") in _NO_FINDING:
+        raise ValueError("are not objects")  # noqa: TRY004 - the log's fault, not the caller's
+    kind = string(value, "kind")
+    if value.get("baselineState") == "absent" or kind in _NO_FINDING:
         return None
     rule = _rule_id(reading, value)
     if not rule:
@@ -185,7 +186,7 @@ def _result(reading: _Reading, value: object) -> Result | None:
     level = _level(value.get("level")) or (
         reading.known[rule].level if value.get("level") is None and rule in reading.known else Level.WARNING
     )
-    if value.get("level") == "none" or value.get("kind") in ("open", "review"):
+    if value.get("level") == "none" or kind in ("open", "review"):
         level = Level.NOTE
     logical = mapping(next(iter(items(mapping(locations[0]), "logicalLocations")), None))
     more = mapping(value, "properties")
@@ -295,14 +296,16 @@ def _targets(reading: _Reading) -> frozenset[str]:
 
 def _left_out(reading: _Reading, name: str) -> tuple[Notification, ...]:
     return tuple(
-        Notification(Level.WARNING, f"{name}: {count} result{'s' * (count > 1)} left out: they {kind}.", tool=reading.tool)
+        Notification(
+            Level.WARNING, f"{name}: {count} result{'s'[: count > 1]} left out: they {kind}.", tool=reading.tool
+        )
         for kind, count in sorted(reading.trouble.items())
     )
 
 
 def _notifications(reading: _Reading, invocations: list[dict[str, object]]) -> tuple[Notification, ...]:
     """§3.20.21: what the tool itself had to say."""
-    found = []
+    found: list[Notification] = []
     for invocation in invocations:
         for entry in map(mapping, items(invocation, "toolExecutionNotifications")):
             text = _text(mapping(entry, "message"))

@@ -46,7 +46,12 @@ class _State:
     parens: int = 0
     read: int = 0
     depth: int = 0
+    body: str = ""  # the name of what those braces enclose
     part: bool = False  # a pair of braces within the declaration has been met
+
+    @property
+    def scope(self) -> str:
+        return self.body if self.depth else self.container.name
 
     def next_declaration(self, position: int) -> None:
         self.head, self.begin, self.last, self.parens, self.part = [], -1, "", 0, False
@@ -65,10 +70,10 @@ def cpp_marks(text: str) -> list[tuple[int, str]]:
         brace = text[match.start()]
         if brace not in "{};":
             if brace == "#":
-                before = state.container
+                before = state.scope
                 state = _conditional(match, text, state, conditions)
-                if state.container is not before:
-                    mark(marks, bisect_right(breaks, match.start()) + 1, state.container.name)
+                if state.scope != before:
+                    mark(marks, bisect_right(breaks, match.start()) + 1, state.scope)
         elif state.depth:
             state.depth += 1 if brace == "{" else -1
             if not state.depth:
@@ -115,7 +120,7 @@ def _read(state: _State, text: str, end: int) -> list[str]:
 
 def _open(state: _State, tokens: list[str], position: int, marks: list[tuple[int, str]], line: int) -> None:
     """Go through an opening brace into what the declaration makes of it; *tokens* are those since its last part."""
-    state.depth = 1
+    state.depth, state.body = 1, state.container.name
     if state.parens or (state.part and state.last not in (")", "}") and KEYS.isdisjoint(tokens)):
         state.part = True
         return
@@ -130,6 +135,7 @@ def _open(state: _State, tokens: list[str], position: int, marks: list[tuple[int
         state.container = _Container(qualified, name.rpartition("::")[2], state.container)
         state.next_declaration(position)
     if kind is not Kind.PART:
+        state.body = qualified
         mark(marks, line, qualified)
 
 

@@ -47,8 +47,7 @@ def suppress(
         return runs, ()
     used: set[tuple[int, str]] = set()  # (id of a directive, selector)
     silenced = tuple(
-        replace(run, results=tuple(_silenced(result, by_line, matches, used) for result in run.results))
-        for run in runs
+        replace(run, results=tuple(_silenced(result, by_line, matches, used) for result in run.results)) for run in runs
     )
     judge = _Judge(runs, matches, enabled)
     unused = []
@@ -110,11 +109,10 @@ class _Judge:
 
 def _unused(directive: Directive, idle: list[str]) -> Result:
     if idle == [""]:
-        told = "No rule reports anything there."
+        message = f"The comment '{directive.words}' suppresses nothing: no rule reports anything there. Remove it."
     else:
-        told = f"{', '.join(repr(name) for name in idle)} {'reports' if len(idle) == 1 else 'report'} nothing there."
+        names = ", ".join(f"'{name}'" for name in idle)
+        verb, them = ("reports", "it") if len(idle) == 1 else ("report", "them")
+        message = f"In the comment '{directive.words}', {names} {verb} nothing there. Remove {them}."
     rule = own.UNUSED_SUPPRESSION
-    message = f"The comment '{directive.words}' suppresses nothing: {told} Remove it."
-    if idle != [""]:
-        message = f"In the comment '{directive.words}', {told} Remove {'it' if len(idle) == 1 else 'them'}."
     return Result(own.TOOL, rule.id, rule.level, message, directive.place)

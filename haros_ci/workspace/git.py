@@ -186,9 +186,10 @@ def read_at(root: Path, rev: str, path: str) -> bytes | None:
     """
     repository, prefix = _repository_around(root)
     parts = path.split("/")
-    if path.startswith("/") or ".." in parts or "\0" in path:
+    inner = "/".join(part for part in parts if part not in ("", "."))
+    if not inner or path.startswith("/") or ".." in parts or "\0" in path:
         return None
-    name = prefix + "/".join(part for part in parts if part not in ("", "."))
+    name = prefix + inner
     commit = resolve_commit(repository, rev)
     try:
         entry = run_git(repository, "ls-tree", "-z", "--full-tree", commit, "--", name).rstrip(b"\0")
@@ -218,11 +219,11 @@ def provenance(root: Path) -> Provenance | None:
             revision = resolve_commit(repository, "HEAD")
         except BaselineUnavailable:  # no commit yet, or not a repository
             revision = ""
-    branch = reference.removeprefix("refs/heads/") if reference.startswith("refs/heads/") else ""
+    branch = reference.removeprefix("refs/heads/") if _is_reference(reference, "refs/heads/") else ""
     return Provenance(
         repository_uri=_remote(_control_text(common / "config")),
         revision=revision,
-        branch=branch if branch.isprintable() and branch != ".invalid" else "",  # .invalid: git's mark of a reftable
+        branch="" if branch == ".invalid" else branch,  # what git writes into HEAD beside a reftable
     )
 
 
@@ -270,7 +271,7 @@ def _remote(config: str) -> str:
 
 def _reference(common: Path, name: str) -> str:
     """The object that a loose or packed reference names, "" if there is no such file."""
-    if ".." in name.split("/") or not name.startswith("refs/"):
+    if not _is_reference(name, "refs/"):
         return ""
     loose = _control_text(common / name).strip()
     if loose:
@@ -280,6 +281,10 @@ def _reference(common: Path, name: str) -> str:
         if packed == name:
             return value
     return ""
+
+
+def _is_reference(name: str, prefix: str) -> bool:
+    return name.startswith(prefix) and ".." not in name and name.isprintable()
 
 
 def _is_object_name(text: str) -> bool:

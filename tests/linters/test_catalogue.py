@@ -82,7 +82,6 @@ NEVER = [
     ("cppcheck", "syntaxError"),
     ("cppcheck", "unknownMacro"),
     ("pylint", "astroid-error"),
-    ("pylint", "syntax-error"),
     ("clang-tidy", "clang-diagnostic-error"),
     # of newer versions
     ("cppcheck", "brandNew"),

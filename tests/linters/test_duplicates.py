@@ -7,7 +7,7 @@ from itertools import permutations
 
 import pytest
 
-from haros_ci.linters.duplicates import merge_same_defects
+from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -113,3 +113,21 @@ def test_cpplint_names_long_functions_at_their_end(line: int, scope: str, count:
         result("metrics:max-eloc-70", line, scope=scope),
     ]
     assert len(merge_same_defects(given)) == count
+
+
+@pytest.mark.parametrize(
+    ("text", "kept"),
+    [
+        ("from std_msgs.msg import *\n", False),
+        ("#!/usr/bin/env python\n\nfrom  a.b  import  *\n", False),
+        ("if a:\n    from a import (*)\n", False),
+        ("from a import b\n", True),
+        ("x = 'from a import *'\n", True),
+        ("# from a import *\n", True),
+        ("from a import b as c\nd = b * c\n", True),
+        ("", True),
+    ],
+)
+def test_names_behind_a_wildcard_import(text: str, kept: bool) -> None:
+    given = (result("pylint:undefined-variable"), result("pylint:unused-import"), result("ruff:F821"))
+    assert drop_unfounded(given, {"a": text}.__getitem__) == (given if kept else given[1:])

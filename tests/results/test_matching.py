@@ -15,7 +15,7 @@ from haros_ci.results.compact import read_compact, write_compact
 from haros_ci.results.fingerprint import fingerprint, partial_fingerprints
 from haros_ci.results.known import Known, Sides, known_from_results, known_from_sarif
 from haros_ci.results.matching import match
-from haros_ci.results.result import BaselineState, Result, Run, Tool
+from haros_ci.results.result import BaselineState, Identity, Result, Run, Tool
 from haros_ci.results.rule import Level
 from haros_ci.results.sarif_reader import read_sarif
 
@@ -321,16 +321,15 @@ FILE_LEVEL = [
     ("unrelated edit", file_level("p/package.xml", "No licence."), file_level("p/package.xml", "No licence."), "1 O"),
     ("a number", file_level("p/package.xml", "601 lines."), file_level("p/package.xml", "640 lines."), "1 O"),
     ("package moved", file_level("p/package.xml", "No licence."), file_level("q/package.xml", "No licence."), "1 O"),
-    ("another name", file_level("p/package.xml", "'a' is missing."), file_level("p/package.xml", "'b' is missing."), "1 N 1 A"),
+    ("another name", file_level("p/package.xml", "'a' is missing."),
+     file_level("p/package.xml", "'b' is missing."), "1 N 1 A"),
     ("one of two", file_level("p/package.xml", "'a' is missing.", "'b' is missing."),
      file_level("p/package.xml", "'b' is missing."), "1 O 1 A"),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("name", "before", "after", "expected"), FILE_LEVEL, ids=[case[0] for case in FILE_LEVEL])
-def test_findings_without_line(
-    name: str, before: tuple[Result, ...], after: tuple[Result, ...], expected: str
-) -> None:
+def test_findings_without_line(name: str, before: tuple[Result, ...], after: tuple[Result, ...], expected: str) -> None:
     there = {r.location.path: "<package/>" for r in after}
     for old in (known_from_results(before), read_compact(write_compact(known_from_results(before)).encode(), "b")):
         assert verdicts(match(after, old, sides(there))) == expected
@@ -376,12 +375,15 @@ def test_suppressed_findings_are_not_known() -> None:
     assert (found.state, len(found.suppressions)) == (BaselineState.UNCHANGED, 1)
 
 
+FURTHER = "new: every earlier 'uses-eval' with this text stands elsewhere or is matched to another result"
+
+
 @pytest.mark.parametrize(
     ("after", "reason"),
     [
         (edit(("#include", "\n#include")), "same text at its mapped line (9 → 10)"),
         (whole(BASE), "same text at its mapped line (line 9)"),
-        (edit((LINE, LINE * 2)), "new: every earlier 'uses-eval' with this text stands elsewhere or is matched to another result"),
+        (edit((LINE, LINE * 2)), FURTHER),
         (edit(("compute(b)", "eval(b)")), "new: no earlier 'uses-eval' in this file has this text"),
         ({**whole(BASE), "c.cpp": OTHER.replace("rotate(", "eval(")}, "new: no earlier 'uses-eval' in this file"),
         (edit(("int x", "int unused_x")), "new: the baseline has no 'unused-variable'"),
@@ -409,9 +411,17 @@ def test_order_of_the_results_does_not_matter() -> None:
 
 
 def test_ten_thousand_findings() -> None:
-    lines = [f"  eval(name_{n});" if n % 2 else "  eval(same);" for n in range(5000)]
-    before = {"a.cpp": "void f()\n{\n" + "\n".join(lines) + "\n}\n", "b.cpp": "\n".join(lines)}
-    after = {"a.cpp": "\n\n" + before["a.cpp"] + "eval(fresh);\n", "b.cpp": before["b.cpp"]}
-    old, new = known_from_results(lint(before)), lint(after)
-    assert verdicts(match(new, old, sides(after, base=before.__getitem__))) == "10000 O 1 N"
-    assert verdicts(match(new, tuple(replace(k, line=None) for k in old), sides(after))) == "10000 O 1 N"
+    """Half of them alike, all moved down by two lines, one added."""
+
+    def made(shift: int, count: int) -> list[Result]:
+        return [
+            Result("toy", f"rule-{n % 7}", Level.NOTE, "Bad.", Location("a.cpp", n + shift),
+                   identity=Identity(scope="f", text=f"{0 if n % 2 else n:016x}", template="Bad.", occurrence=n))
+            for n in range(1, count + 1)
+        ]  # fmt: skip
+
+    old = known_from_results(made(0, 10_000))
+    for past in (old, tuple(replace(known, line=None) for known in old)):
+        found = match(made(2, 10_001), past, sides({"a.cpp": ""}))
+        assert Counter(r.state for r in found) == {BaselineState.UNCHANGED: 10_000, BaselineState.NEW: 1}
+        assert found[-1].state is BaselineState.NEW

@@ -113,6 +113,9 @@ EDITED = TEXT.replace(b"int a1", b"long a1")
         (move("pkg", "package"), {"pkg/a.cpp": "package/a.cpp", "pkg/b.cpp": "package/b.cpp"}),
         (move("pkg/a.cpp", "pkg/ä ü.cpp"), {"pkg/a.cpp": "pkg/ä ü.cpp"}),
         (move("pkg/a.cpp", "pkg/-M.cpp"), {"pkg/a.cpp": "pkg/-M.cpp"}),
+        (move("pkg/a.cpp", '"a.cpp'), {"pkg/a.cpp": '"a.cpp'}),
+        (move("pkg/a.cpp", "-w.cpp"), {"pkg/a.cpp": "-w.cpp"}),
+        (move("pkg/a.cpp", "pkg/a\\n.cpp"), {"pkg/a.cpp": "pkg/a\\n.cpp"}),
         (move("pkg/a.cpp", 'pkg/\x1b".cpp'), {"pkg/a.cpp": 'pkg/\x1b".cpp'}),
     ],
 )
@@ -194,9 +197,12 @@ def test_a_root_above_its_only_repository(tmp_path: Path, new_git: Callable[[str
 def test_several_repositories(tmp_path: Path, new_git: Callable[[str], Git]) -> None:
     new_git("ws/src/arm").commit({"a.cpp": b""})
     new_git("ws/src/leg").commit({"l.cpp": b""})
-    with pytest.raises(BaselineUnavailable, match="the files lie in 2; use a baseline file"):
-        with base_workspace(discover(tmp_path / "ws", (".",)), "HEAD"):
-            pass
+    present = discover(tmp_path / "ws", (".",))
+    with (
+        pytest.raises(BaselineUnavailable, match="the files lie in 2; use a baseline"),
+        base_workspace(present, "HEAD"),
+    ):
+        pass
     given = ("src/leg",)
     with base_workspace(discover(tmp_path / "ws", given), "HEAD", paths=given) as base:
         assert paths(base.workspace) == ["src/leg/l.cpp"]
@@ -204,16 +210,16 @@ def test_several_repositories(tmp_path: Path, new_git: Callable[[str], Git]) -> 
 
 def test_no_repository(tmp_path: Path) -> None:
     plant(tmp_path, {"a.cpp": b""})
-    with pytest.raises(BaselineUnavailable, match="not in a git repository"):
-        with base_workspace(discover(tmp_path, (".",)), "HEAD"):
-            pass
+    present = discover(tmp_path, (".",))
+    with pytest.raises(BaselineUnavailable, match="not in a git repository"), base_workspace(present, "HEAD"):
+        pass
 
 
 def with_submodule(git: Git, new_git: Callable[[str], Git]) -> Git:
     other = new_git("other")
     other.commit({"o.cpp": b"int one;\n", "p.cpp": TEXT})
     git.commit({"a.cpp": b""})
-    git("submodule", "add", "-q", "../other", "lib")
+    git("submodule", "add", "-q", other.top.as_uri(), "lib")
     git.commit()
     return Git(git.top / "lib")
 
@@ -239,14 +245,8 @@ def test_a_submodule_without_the_commit(git: Git, new_git: Callable[[str], Git],
     git.commit()
     shutil.rmtree(git.top / "lib")
     shutil.rmtree(git.top / ".git" / "modules")
-    git("-c", "protocol.file.allow=always", "submodule", "update", "-q", "--init", "--depth=1")
-    git("config", "-f", ".git/modules/lib/config", "remote.origin.url", "/nowhere")
+    git("submodule", "update", "-q", "--init", "--depth=1")
     present = discover(git.top, (".",))
-    if (
-        "int one"
-        in subprocess.run(["git", "show", "HEAD~1:o.cpp"], cwd=git.top / "lib", capture_output=True, text=True).stdout
-    ):
-        pytest.skip("this git clones submodules whole")
     with pytest.raises(BaselineUnavailable, match="submodule lib"), base_workspace(present, "HEAD~1"):
         pass
     given = ("a.cpp",)

@@ -200,7 +200,7 @@ def trap(tmp_path: Path) -> tuple[Path, Path]:
     """A script, and the file that tells that it ran."""
     mark = tmp_path / "it-ran"
     script = tmp_path / "trap.sh"
-    script.write_text(f"#!/bin/sh\ntouch '{mark}'\ncat\n")
+    script.write_text(f"#!/bin/sh\ntouch '{mark}'\nexit 1\n")
     script.chmod(0o755)
     return script, mark
 
@@ -232,6 +232,7 @@ def test_nothing_that_a_repository_configures_runs(git: Git, trap: tuple[Path, P
     assert analyse(git.top, rev) == 2
     assert not mark.exists()
     git("config", "--unset", "core.worktree")
+    git("config", "--unset", "filter.x.process")
     subprocess.run(["git", "status"], cwd=git.top, capture_output=True, check=False)
     assert mark.exists(), "the trap works"
 

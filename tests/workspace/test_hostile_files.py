@@ -54,7 +54,7 @@ LONG = b"int a; // " + b"x" * 5_000
         ("a.cpp", b"", True, None),
         ("a.cpp", b"\xef\xbb\xbfint a;\r\n", True, None),
         ("a.cpp", b"int a;\rint b;\r" * 1_000, True, None),
-        ("a.cpp", "// ".encode() + "é".encode() * 4_990 + b"\n", True, None),
+        ("a.cpp", b"// " + "é".encode() * 4_990 + b"\n", True, None),
         ("a.cpp", b"x" * 5_000 + b"\n" + b"x" * 5_000 + b"\r\n", True, None),
         ("a.yaml", b"a" * 20_000, True, None),
         ("a.urdf", LONG, True, None),

@@ -29,7 +29,7 @@ GROUPS: tuple[Group, ...] = (
             ("system_as_catkin_depend", "Re", "A system package stands under DEPENDS of catkin_package()."),
             ("unconfigured_build_depend", "Re", "A build dependency is configured in CMakeLists.txt."),
             ("unconfigured_msg_depend", "Re", "A dependency of messages is listed for generate_messages()."),
-            ("unconfigured_system_depend", "Re", "An exported system package is found."),
+            ("unconfigured_system_depend", "Se", "An exported system package is found."),
             ("unused_depend", "Se", "A dependency is used."),
             ("wrong_depend", "Re", "A dependency has the tag that its use asks for."),
             ("missing_cmake_modules", "Sw", "cmake_modules is found before the modules in it."),
@@ -40,7 +40,7 @@ GROUPS: tuple[Group, ...] = (
         ("installation",),
         (
             ("external_file", "Re", "A file that is built or installed is in the package."),
-            ("missing_directory", "Re", "A directory that is named exists."),
+            ("missing_directory", "Se", "A directory that is named exists."),
             ("missing_file", "Re", "A file that is named exists."),
             ("missing_plugin", "Re", "A plug-in description that is exported exists."),
             ("plugin_export_prefix", "Re", "A plug-in description is exported below ${prefix}."),

@@ -230,7 +230,7 @@ GROUPS: tuple[Group, ...] = (
             ("incorrectLogicOperator", "Bw", "A combination of comparisons can be both true and false."),
             ("incorrectStringBooleanError", "Bw", "A string literal is not a condition."),
             ("incorrectStringCompare", "Bw", "A part of a string is compared with a string of its length."),
-            ("knownConditionTrueFalse", "Rs", "A condition can be both true and false."),
+            ("knownConditionTrueFalse", "Ss", "A condition can be both true and false."),
             ("literalWithCharPtrCompare", "Bw", "C strings are compared with strcmp."),
             ("mismatchingBitAnd", "Rs", "Two bit masks in a row have bits in common."),
             ("missingReturn", "Re", "Every path of a function returns a value."),

@@ -26,7 +26,7 @@ CATEGORIES: dict[str, tuple[str, Level]] = {
 QUIET: tuple[tuple[str, str], ...] = (
     ("F", "astroid-error config-parse-error fatal method-check-failed parse-error"),
     ("E", "bad-configuration-section bad-plugin-value import-error no-member no-name-in-module"),
-    ("E", "return-arg-in-generator syntax-error unrecognized-inline-option unrecognized-option"),
+    ("E", "return-arg-in-generator unrecognized-inline-option unrecognized-option"),
     ("W", "arguments-renamed attribute-defined-outside-init bad-indentation duplicate-string-formatting-argument"),
     ("W", "fixme global-at-module-level global-statement inconsistent-quotes logging-format-interpolation"),
     ("W", "logging-fstring-interpolation nested-min-max non-ascii-file-name preferred-module protected-access"),

@@ -22,6 +22,7 @@ GROUPS: tuple[Group, ...] = (
             ("nonlocal-and-global", "BE", "A name is not both nonlocal and global."),
             ("nonlocal-without-binding", "BE", "A nonlocal name is bound in an enclosing function."),
             ("not-in-loop", "BE", "break and continue stand inside a loop."),
+            ("syntax-error", "RE", "A file is Python that this interpreter can read."),
             ("return-outside-function", "BE", "return stands inside a function."),
             ("star-needs-assignment-target", "BE", "A starred expression is a target of an assignment."),
             ("too-many-star-expressions", "BE", "An assignment has one starred target."),

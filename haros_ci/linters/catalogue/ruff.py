@@ -32,7 +32,7 @@ ROWS: tuple[tuple[str, str, str], ...] = (
     ("B033", "R", "A set literal has each value once."),
     ("B035", "B", "The keys of a dict comprehension vary."),
     ("B904", "S", "An exception raised in an except clause names its cause."),
-    ("F401", "R", "An imported name is used."),
+    ("F401", "S", "An imported name is used."),
     ("F402", "R", "A loop variable does not hide an import."),
     ("F403", "S", "Imported names are listed."),
     ("F404", "B", "A __future__ import is the first statement."),

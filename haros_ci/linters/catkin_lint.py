@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""catkin_lint, where it is installed: CMakeLists.txt against package.xml in ROS 1 packages, offline."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Iterable, Iterator
+from posixpath import join, normpath
+
+from haros_ci.linters import installed
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package, SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+NAME = "catkin_lint"
+LANGUAGES = frozenset({"package"})
+DEFAULT = False
+COST = 60.0
+
+#: The manifest of a package that is only to be known.
+KNOWN = (
+    "<package><name>{name}</name><version>0.0.0</version><description>.</description>"
+    '<maintainer email="a@example.org">.</maintainer><license>.</license>{build}</package>'
+)
+LEVELS = {"errors": Level.ERROR, "warnings": Level.WARNING, "notices": Level.NOTE}
+
+
+def locate(options: LintOptions) -> Program | None:
+    program = installed.python_tool("catkin_lint", "isolation.py")
+    if program is not None:
+        return Program((*program.argv, "catkin_lint"), program.version)
+    return installed.binary("catkin_lint", options)
+
+
+def fingerprint(workspace: Workspace, options: LintOptions) -> str:
+    """Which packages there are, for it looks dependencies up among them."""
+    return json.dumps(["1", sorted(package.name for package in workspace.packages)])
+
+
+def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
+    """The package's CMake files; the names of its other files come in as salt."""
+    return (f.path for f in workspace.files if f.package == file.package and f.language == "cmake")
+
+
+def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
+    manifests = {join(p.path, "package.xml").removeprefix("./"): p for p in workspace.packages if p.ros == 1}
+    for file in workspace.files:
+        if file.path in manifests and (needs := tuple(dependencies(workspace, file))):
+            names = "\n".join(f.path for f in workspace.files if f.package == file.package)
+            yield Unit(file, dependencies=needs, covers=needs, salt=hashlib.sha256(names.encode()).hexdigest())
+
+
+def command(program: Program, batch: Batch) -> Command:
+    """The other packages are made known by manifests of ours: one that is malformed would end the whole process."""
+    here = _packages(batch)
+    for number, package in enumerate(p for p in batch.workspace.packages if p not in here):
+        place = batch.scratch / "known" / str(number)
+        place.mkdir(parents=True)
+        build = "<buildtool_depend>catkin</buildtool_depend>" if package.ros == 1 else ""
+        (place / "package.xml").write_text(KNOWN.format(name=_escaped(package.name), build=build), encoding="utf-8")
+    options = ("--offline", "--json", "-W2", "--quiet", "--no-resolve-env", "--package-path", str(batch.scratch))
+    return Command((*program.argv, *options, *("./" + package.path for package in here)))
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """The JSON report; file names there are relative to the package."""
+    if b"Error(s) in package" in output.stderr and len(batch.files) == 1:
+        yield GaveUp(batch.files[0].path, "the manifest is not valid")
+        return
+    report, packages = json.loads(output.stdout), {package.name: package for package in _packages(batch)}
+    manifests = {file.package: file.path for file in batch.files}
+    for name in re.findall(r"^catkin_lint: cannot lint ([\w-]+):", output.stderr.decode("utf-8", "replace"), re.MULTILINE):
+        yield GaveUp(manifests[name], "a fault of catkin_lint")
+    for key, level in LEVELS.items():
+        for said in report[key]:
+            place = said["location"]
+            package = packages.get(place["package"])
+            if package is None:
+                continue
+            path = normpath(join(package.path, place.get("file") or "package.xml"))
+            line = place.get("line")
+            location = Location(path, line if isinstance(line, int) and line > 0 else None)
+            yield Finding(manifests[package.name], Result(NAME, said["id"], level, said["text"], location))
+
+
+def _packages(batch: Batch) -> list[Package]:
+    names = {file.package for file in batch.files}
+    return [package for package in batch.workspace.packages if package.name in names]
+
+
+def _escaped(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;")

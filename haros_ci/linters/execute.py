@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One batch of files: from a process, or several if it fails, to answers."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit
+from haros_ci.linters.process import Processes, TimedOut, Unstartable
+from haros_ci.linters.rows import Answer
+from haros_ci.model.workspace import Workspace
+from haros_ci.results.result import Result
+
+#: Processes that may follow one failed batch in the search for the file that spoils it.
+RETRIES = 16
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """One batch to run; *units* are of one group."""
+
+    linter: Linter
+    program: Program
+    options: LintOptions
+    workspace: Workspace
+    units: tuple[Unit, ...]
+
+    @property
+    def timeout(self) -> float:
+        """Seconds that one process may take."""
+        return self.options.timeouts.get(self.linter.NAME, self.options.timeout)
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What became of one batch: answers by path, and sentences on what failed with the paths concerned."""
+
+    answers: tuple[tuple[str, Answer], ...] = ()
+    failures: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
+    """One batch; after a failure its halves, so that one file that a tool chokes on costs only itself.
+
+    A process that runs out of time is not tried again. *scratch* is a directory of our own.
+    """
+    answers: list[tuple[str, Answer]] = []
+    failures: list[tuple[str, tuple[str, ...]]] = []
+    waiting = [task.units]
+    for attempt in range(1 + RETRIES):
+        if not waiting:
+            break
+        part = waiting.pop()
+        paths = tuple(unit.file.path for unit in part)
+        try:
+            answers += _ask(task, part, processes, scratch / str(attempt))
+        except (TimedOut, Unstartable) as err:
+            failures.append((_sentence(task, err, paths), paths))
+        except _Failed as err:
+            if len(part) == 1 or attempt + len(waiting) + 2 > RETRIES:
+                failures.append((_sentence(task, err, paths), paths))
+            else:
+                waiting += (part[len(part) // 2 :], part[: len(part) // 2])
+    for part in waiting:
+        paths = tuple(unit.file.path for unit in part)
+        failures.append((_sentence(task, _Failed("not tried again"), paths), paths))
+    return Outcome(tuple(answers), tuple(failures))
+
+
+class _Failed(Exception):
+    """The tool crashed, wrote too much, or wrote what it never writes."""
+
+
+def _ask(task: Task, units: tuple[Unit, ...], processes: Processes, scratch: Path) -> list[tuple[str, Answer]]:
+    workspace = task.workspace
+    own, working = scratch / "own", scratch / "home"
+    own.mkdir(parents=True)
+    batch = Batch(workspace, tuple(unit.file for unit in units), task.options, own, units[0].group)
+    command = task.linter.command(task.program, batch)
+    output = processes.run(command, root=workspace.root, scratch=working, timeout=task.timeout)
+    if output.truncated:
+        raise _Failed("wrote more than it may")
+    if output.code < 0:
+        raise _Failed(f"was ended by signal {-output.code}")
+    here = _here(own, working, workspace.root)
+    collected: dict[str, tuple[list[Result], list[GaveUp]]] = {unit.file.path: ([], []) for unit in units}
+    try:
+        for said in task.linter.parse(output, batch):
+            results, gave_up = collected[said.unit]
+            if isinstance(said, Finding):
+                results.append(_anywhere(said.result, here))
+            else:
+                gave_up.append(replace(said, message=_stripped(said.message, here)))
+    except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
+        raise _Failed(_stripped(_last_words(output.stderr), here) or f"wrote what cannot be understood ({err})") from err
+    return [(path, Answer(tuple(results), tuple(gave_up))) for path, (results, gave_up) in sorted(collected.items())]
+
+
+def _here(*directories: Path) -> re.Pattern[str]:
+    """Matches this machine's directories, which must not get into an output."""
+    names = {name for directory in directories for name in (str(directory), os.path.realpath(directory)) if name != "/"}
+    return re.compile(rf"(?<![\w/.-])(?:{'|'.join(map(re.escape, sorted(names, reverse=True)))})(?:(/)|(?![\w.-]))")
+
+
+def _anywhere(result: Result, here: re.Pattern[str]) -> Result:
+    message = _stripped(result.message, here)
+    related = tuple(replace(r, message=_stripped(r.message, here)) for r in result.related)
+    same = message == result.message and related == result.related
+    return result if same else replace(result, message=message, related=related)
+
+
+def _stripped(text: str, here: re.Pattern[str]) -> str:
+    return here.sub(lambda match: "" if match[1] else ".", text) if "/" in text else text
+
+
+def _sentence(task: Task, error: Exception, paths: tuple[str, ...]) -> str:
+    name = task.linter.NAME
+    files = ", ".join(paths[:3]) + (f" and {len(paths) - 3} more" if len(paths) > 3 else "")
+    if isinstance(error, TimedOut):
+        return f"{name} was stopped after {task.timeout:g} s; without a result: {files}"
+    if isinstance(error, Unstartable):
+        return f"{name} could not be started ({error}); without a result: {files}"
+    return f"{name} failed: {error}; without a result: {files}"
+
+
+def _last_words(stderr: bytes) -> str:
+    """The last line that a tool wrote before it gave up: the exception of a traceback, the cause of a usage error."""
+    lines = [line for line in stderr[-4000:].decode("utf-8", "replace").splitlines() if line.strip()]
+    return lines[-1].strip()[:300] if lines else ""

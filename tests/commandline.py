@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the real command, as a process of its own, in a workspace made of literals."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+GIT = {
+    "GIT_CONFIG_GLOBAL": os.devnull,
+    "GIT_CONFIG_NOSYSTEM": "1",
+    "GIT_AUTHOR_NAME": "A",
+    "GIT_AUTHOR_EMAIL": "a@example.org",
+    "GIT_COMMITTER_NAME": "A",
+    "GIT_COMMITTER_EMAIL": "a@example.org",
+    "GIT_AUTHOR_DATE": "2024-01-01T00:00:00Z",
+    "GIT_COMMITTER_DATE": "2024-01-01T00:00:00Z",
+}
+
+
+def haros(*arguments: str, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    """``haros-ci ARGUMENTS`` in *cwd*; CI variables of the machine the tests run on are kept away from it."""
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "HAROS_")) and k not in ("CI", "COLUMNS")}
+    return subprocess.run(
+        [sys.executable, "-I", "-m", "haros_ci", *arguments],
+        cwd=cwd,
+        env={**kept, "XDG_CACHE_HOME": str(cwd.parent / "xdg"), **environment},
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+
+
+def write(root: Path, files: Mapping[str, str | bytes]) -> Path:
+    """The files below *root*, made or overwritten."""
+    for name, content in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode("utf-8"))
+    return root
+
+
+def git(root: Path, *arguments: str) -> str:
+    done = subprocess.run(
+        ["git", *arguments], cwd=root, env={**os.environ, **GIT}, capture_output=True, text=True, check=True, timeout=60
+    )
+    return done.stdout
+
+
+def commit(root: Path, message: str = "change") -> str:
+    """All that is there as one commit; its name."""
+    if not (root / ".git").exists():
+        git(root, "init", "-q", "-b", "main")
+    git(root, "add", "-A")
+    git(root, "commit", "-q", "--allow-empty", "-m", message)
+    return git(root, "rev-parse", "HEAD").strip()

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Traps for every hostile test, and the cache that they share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from hostile_kit import Trap
+
+
+@pytest.fixture(scope="session")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """It keeps runs short: the control file, which is always the same, is analysed once."""
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture
+def trap(tmp_path: Path, cache: Path) -> Trap:
+    return Trap(tmp_path, cache)
+
+
+@pytest.fixture(scope="module")
+def new_trap(tmp_path_factory: pytest.TempPathFactory, cache: Path) -> Callable[[], Trap]:
+    """Makes a trap that several tests look at."""
+    return lambda: Trap(tmp_path_factory.mktemp("trap"), cache)

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the real command on a trap and says what no trap may ever achieve."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+#: Lies in every workspace; its one finding must be reported whatever lies beside it.
+CONTROL = "control.py"
+CONTROL_TEXT = b'"""A file like any other."""\n\n\ndef control():\n    """Have one known defect."""\n    return nowhere_defined\n'
+CONTROL_FINDING = (CONTROL, 6, "undefined-variable")
+
+#: Controls other than tab and line feed, bidirectional controls, line separators, surrogates.
+RAW = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
+COMMAND = re.compile(r"::(error|warning|notice) [a-zA-Z]+=[^:]*::.*")
+#: What a runner obeys in any other output: `::name ::` at the head of a line, `##[name]` anywhere in it.
+OBEYED = re.compile(r"^\s*::|##\[", re.MULTILINE)
+TRACE = re.compile(r"Traceback \(most recent|internal error|^  File \".*\", line \d+", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What one run left behind: its exit code, what it printed, and each format."""
+
+    code: int
+    stderr: str
+    formats: Mapping[str, str]  # text, github, markdown; json and sarif are in it, too
+
+    @property
+    def report(self) -> dict[str, Any]:
+        found: dict[str, Any] = json.loads(self.formats["json"])
+        return found
+
+    @property
+    def sarif(self) -> dict[str, Any]:
+        found: dict[str, Any] = json.loads(self.formats["sarif"])
+        return found
+
+    def findings(self) -> set[tuple[str, int | None, str]]:
+        return {(r["path"], r["line"], r["rule"]) for r in self.report["results"]}
+
+    def notes(self) -> list[tuple[str | None, str]]:
+        """Path and message of every notification."""
+        return [(note["path"], note["message"]) for note in self.report["notifications"]]
+
+    def says(self, words: str) -> bool:
+        """Whether *words* stand in a notification, or where the run ended on stderr."""
+        return words in self.stderr or any(words in message for _, message in self.notes())
+
+
+class Trap:
+    """A workspace of hostile input in *place*, and beside it what the input tries to reach.
+
+    ``sentinels`` is where every payload would leave a file, ``outside`` holds what must be neither read nor changed.
+    """
+
+    SECRET = "the-secret-outside"
+
+    def __init__(self, place: Path, cache: Path) -> None:
+        self.place = place
+        self.cache = cache
+        self.root = place / "ws"
+        self.sentinels = place / "sentinels"
+        self.outside = place / "outside"
+        for directory in (self.root, self.sentinels, self.outside):
+            directory.mkdir(parents=True)
+        self.write(CONTROL, CONTROL_TEXT)
+        (self.outside / "secret.py").write_text(f'"""Not yours."""\n{self.SECRET.replace("-", "_")} = undefined_outside\n')
+        (self.outside / "victim.json").write_text(f'{{"victim": "{self.SECRET}"}}')
+
+    def write(self, name: str | bytes, data: bytes | str) -> Path:
+        """Write a file of the workspace, whatever its name."""
+        path = os.path.join(os.fsencode(self.root), os.fsencode(name))
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "wb") as file:
+            file.write(data.encode() if isinstance(data, str) else data)
+        return Path(os.fsdecode(path))
+
+    def sparse(self, name: str, size: int) -> None:
+        with self.write(name, b"").open("wb") as file:
+            file.truncate(size)
+
+    def touch(self, name: str) -> str:
+        """A shell command that would betray itself."""
+        return f"touch {self.sentinels / name}"
+
+    def python(self, name: str) -> str:
+        """A Python statement that would betray itself."""
+        return f"open({str(self.sentinels / name)!r}, 'w').close()"
+
+    def git(self, *arguments: str) -> str:
+        """Run git itself in the workspace, to set the trap."""
+        who = {f"GIT_{role}_{key}": "ada@example.org" for role in ("AUTHOR", "COMMITTER") for key in ("NAME", "EMAIL")}
+        done = subprocess.run(["git", *arguments], cwd=self.root, env=plain(who), capture_output=True, check=True)
+        return done.stdout.decode().strip()
+
+    def commit(self) -> None:
+        """Everything so far as a commit; the first one makes the repository."""
+        if not (self.root / ".git").exists():
+            self.git("init", "-q", "-b", "main")
+        self.git("add", "-A")
+        self.git("commit", "-q", "-m", "a change")
+
+    @property
+    def executed(self) -> list[str]:
+        """What the payloads left; it must be empty."""
+        return sorted(os.listdir(self.sentinels))
+
+    def run(self, *arguments: str, environment: Mapping[str, str] | None = None, driver: Path | None = None) -> Outcome:
+        """``haros-ci check .`` with *arguments* and every format at once."""
+        outputs = {name: self.place / f"out.{name}" for name in ("text", "json", "sarif")}
+        page = self.place / "out.markdown"
+        for file in (*outputs.values(), page):
+            file.unlink(missing_ok=True)
+        start = [str(driver)] if driver else ["-m", "haros_ci"]
+        wanted = ["--output=github", *(f"--output={name}={file}" for name, file in outputs.items())]
+        done = subprocess.run(
+            [sys.executable, "-I", *start, "check", *wanted, *(arguments if _has_path(arguments) else (*arguments, "."))],
+            cwd=self.root,
+            env=plain({"HAROS_CI_CACHE": str(self.cache), "GITHUB_STEP_SUMMARY": str(page), **(environment or {})}),
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=300,
+            check=False,
+        )
+        formats = {name: file.read_bytes().decode() for name, file in (*outputs.items(), ("markdown", page)) if file.exists()}
+        return Outcome(done.returncode, done.stderr.decode(), {"github": done.stdout.decode(), **formats})
+
+
+def plain(more: Mapping[str, str]) -> dict[str, str]:
+    """The environment without settings of git, GitHub or haros-ci, and *more*."""
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("GIT_", "GITHUB_", "HAROS_CI_", "PYTHON"))}
+    return {**kept, "GIT_CONFIG_GLOBAL": "/dev/null", "GIT_CONFIG_SYSTEM": "/dev/null", **more}
+
+
+def _has_path(arguments: Sequence[str]) -> bool:
+    return "--" in arguments
+
+
+def assert_harmless(trap: Trap, outcome: Outcome) -> None:
+    """What holds after every run: nothing ran, nothing leaked, no trace of a crash, nothing to obey in what was printed."""
+    assert trap.executed == []
+    for name, text in {**outcome.formats, "stderr": outcome.stderr}.items():
+        assert not RAW.search(text), f"{name}: {RAW.search(text)}"
+        assert not TRACE.search(text), f"{name}: {text}"
+        assert Trap.SECRET not in text and "undefined_outside" not in text, name
+        assert "root:x:0" not in text, name
+        assert str(trap.place) not in text.replace(str(trap.place) + "/out.", ""), f"{name} names this machine's paths"
+        if name == "github":
+            assert all(COMMAND.fullmatch(line) for line in text.splitlines()), text
+        else:
+            assert not OBEYED.search(text), f"{name}: {OBEYED.search(text)}"
+    if outcome.code != 2:
+        for name in ("json", "sarif"):
+            assert outcome.formats[name].isascii(), name
+            assert not [text for text in _messages(json.loads(outcome.formats[name])) if RAW.search(text)], name
+        markdown = outcome.formats["markdown"]
+        assert not re.search(r"<(?!/?(?:code|details|summary)>)|(?<!&#64;)@\w|!\[|\]\(", markdown), markdown
+
+
+def assert_the_rest_is_analysed(outcome: Outcome) -> None:
+    """The control's finding is there in every format."""
+    path, line, rule = CONTROL_FINDING
+    assert CONTROL_FINDING in outcome.findings(), outcome.stderr + outcome.formats["text"]
+    assert f"{path}:{line}:" in outcome.formats["text"]
+    assert f"file={path},line={line}," in outcome.formats["github"] or outcome.formats["github"].count("\n") >= 10
+    results = [result for run in outcome.sarif["runs"] for result in run.get("results", ())]
+    assert any(result["ruleId"] == rule and _uri(result) == path for result in results)
+
+
+def _uri(result: dict[str, Any]) -> str:
+    uri: str = result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
+    return uri
+
+
+def _messages(value: object, key: str = "") -> list[str]:
+    """Every text of a document that a person may come to read."""
+    if isinstance(value, dict):
+        return [text for name, item in value.items() for text in _messages(item, name)]
+    if isinstance(value, list):
+        return [text for item in value for text in _messages(item, key)]
+    return [value] if isinstance(value, str) and key in ("text", "message", "markdown", "name", "unseen") else []

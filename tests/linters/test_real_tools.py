@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Each default tool once, as installed, on a few lines; and what only the real tools can show."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from linter_samples import MemoryStore, everything, workspace
+
+from haros_ci.linters import catkin_lint, clang_tidy, cppcheck, cpplint, lizard, pylint, radon, ruff
+from haros_ci.linters.linter import Linter, LintOptions
+from haros_ci.linters.run import lint
+from haros_ci.model.package import Package
+from haros_ci.registry import LINTERS
+from haros_ci.results.result import Run
+
+PACKAGE = Package("robot", "src/robot", ros=1)
+HEADER = """#pragma once
+class Arm {
+ public:
+  Arm();
+  int joints;
+};
+"""
+SOURCE = """#include "robot/arm.hpp"
+
+Arm::Arm() {}
+
+int deref(bool on) {
+  int* p = 0;
+  if (on) { return 1; }
+  return *p;
+}
+"""
+MANIFEST = (
+    "<package><name>robot</name><version>1.0.0</version><description>Arm.</description>"
+    '<maintainer email="a@example.org">A</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend></package>\n'
+)
+CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(other)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+FILES = {
+    "src/robot/package.xml": "<package><name>robot</name></package>\n",
+    "src/robot/include/robot/arm.hpp": HEADER,
+    "src/robot/src/arm.cpp": SOURCE,
+    "src/robot/scripts/go.py": '"""Go."""\nimport os\n\n\ndef go(speed=[]):\n    """Go."""\n    return speed\n',
+}
+
+
+def run(root: Path, linter: Linter, files: dict[str, str], **more: object) -> Run:
+    options = more.pop("options", LintOptions())
+    assert isinstance(options, LintOptions)
+    space = workspace(root, files, [PACKAGE], **more)  # type: ignore[arg-type]
+    (only,) = lint(space, [linter], options, MemoryStore(), everything)
+    assert only.successful, only.notifications
+    return only
+
+
+def found(run: Run) -> set[tuple[str, str, int | None]]:
+    return {(r.rule, r.location.path.rpartition("/")[2], r.location.line) for r in run.results}
+
+
+@pytest.mark.parametrize(
+    ("linter", "expected"),
+    [
+        (cpplint, {("legal/copyright", "arm.cpp", None), ("legal/copyright", "arm.hpp", None)}),
+        (pylint, {("unused-import", "go.py", 2), ("dangerous-default-value", "go.py", 5)}),
+        (cppcheck, {("nullPointer", "arm.cpp", 8), ("uninitMemberVar", "arm.cpp", 3)}),
+        (lizard, {("min-comment-ratio-20", "arm.cpp", 1)}),
+        (radon, {("max-comment-ratio-30", "go.py", 1)}),
+    ],
+)
+def test_every_default_tool_finds_its_defects(tmp_path: Path, linter: Linter, expected: set[object]) -> None:
+    done = run(tmp_path, linter, FILES)
+    assert linter.DEFAULT and done.tool.version[0].isdigit()
+    assert expected <= found(done)
+
+
+@pytest.mark.parametrize("linter", [linter for linter in LINTERS if linter.DEFAULT], ids=lambda linter: linter.NAME)
+def test_every_default_tool_is_quiet_on_nothing(tmp_path: Path, linter: Linter) -> None:
+    assert run(tmp_path, linter, {"empty.xml": ""}).results == ()
+
+
+def test_jobs_and_place_change_nothing(tmp_path: Path) -> None:
+    done = []
+    for jobs, place in ((1, "one"), (3, "two words/ü")):
+        space = workspace(tmp_path / place, FILES, [PACKAGE])
+        done.append(lint(space, LINTERS[:5], LintOptions(jobs=jobs), MemoryStore(), everything))
+    assert done[0] == done[1]
+    assert str(tmp_path) not in repr(done[0])
+
+
+@pytest.mark.parametrize("name", ["-D.cpp", "--help.hpp", "two words.cpp", "100%.cpp", "::error::.cpp", "ü.cpp", "q\"'.cpp", "a,b.cpp"])
+@pytest.mark.parametrize("linter", [cpplint, cppcheck, lizard])
+def test_odd_names_are_analysed(tmp_path: Path, linter: Linter, name: str) -> None:
+    defects = "void f(int a, int b, int c, int d, int e, int g, int h) { int* p = 0; *p = a; }\n"
+    assert name in {r.location.path for r in run(tmp_path, linter, {name: defects}).results}
+
+
+CPPLINT_SETTINGS = [
+    ({"CPPLINT.cfg": "filter=-legal/copyright\n"}, set()),
+    ({"src/CPPLINT.cfg": "filter=-legal/copyright\n"}, {"b.cpp"}),
+    ({"src/CPPLINT.cfg": "exclude_files=.*\\.cpp\n"}, {"b.cpp"}),
+    ({"other/CPPLINT.cfg": "filter=-legal/copyright\n"}, {"a.cpp", "b.cpp"}),
+    ({"../CPPLINT.cfg": "filter=-legal/copyright\n"}, {"a.cpp", "b.cpp"}),
+    ({}, {"a.cpp", "b.cpp"}),
+]
+
+
+@pytest.mark.parametrize(("settings", "reported"), CPPLINT_SETTINGS)
+def test_cpplint_honours_settings_inside_the_workspace(
+    tmp_path: Path, settings: dict[str, str], reported: set[str]
+) -> None:
+    files = {"src/a.cpp": "int a;\n", "lib/b.cpp": "int b;\n", **settings}
+    done = run(tmp_path / "root", cpplint, files)
+    assert {name for rule, name, _ in found(done) if rule == "legal/copyright"} == reported
+    assert {"src/a.cpp", "lib/b.cpp"} <= done.analysed
+
+
+def test_a_line_length_of_one_directory_does_not_leak(tmp_path: Path) -> None:
+    long = f"int a = {'1' * 130};  // Copyright\n"
+    files = {"a/CPPLINT.cfg": "linelength=200\n", "a/a.cpp": long, "b/b.cpp": long}
+    assert {name for rule, name, _ in found(run(tmp_path, cpplint, files)) if rule == "whitespace/line_length"} == {"b.cpp"}
+
+
+@pytest.mark.parametrize("suffix", "c cc cpp cxx c++ h hh hpp hxx h++ ipp tpp txx inl cu cuh".split())
+def test_cpplint_checks_every_suffix(tmp_path: Path, suffix: str) -> None:
+    space = workspace(tmp_path, {"a.cpp": "int a;\n"})
+    (tmp_path / f"b.{suffix}").write_text("int a;\n")
+    space = replace(space, files=(replace(space.files[0], path=f"b.{suffix}"),))
+    (done,) = lint(space, [cpplint], LintOptions(), MemoryStore(), everything)
+    assert "legal/copyright" in {result.rule for result in done.results}
+
+
+def test_header_guards_begin_as_ros_includes(tmp_path: Path) -> None:
+    guarded = "#ifndef ROBOT_ARM_HPP_\n#define ROBOT_ARM_HPP_\n#endif  // ROBOT_ARM_HPP_\n"
+    done = run(tmp_path, cpplint, {"src/robot/include/robot/arm.hpp": guarded})
+    assert "build/header_guard" not in {result.rule for result in done.results}
+
+
+MACROS = [
+    "#include <rclcpp/rclcpp.hpp>\nRCLCPP_COMPONENTS_REGISTER_NODE(ns::Node)\n",
+    "PLUGINLIB_EXPORT_CLASS(ns::A, ns::B)\n",
+    "class ROBOT_PUBLIC A { RCLCPP_SMART_PTR_DEFINITIONS(A) ROBOT_LOCAL void f(); };\n",
+    "#if RCLCPP_VERSION_GTE(1, 2, 3)\nint a;\n#else\nint b;\n#endif\n",
+    "#if ROS_VERSION_MINIMUM(1, 14, 0)\nint a;\n#endif\n",
+    "class W : public QWidget { Q_OBJECT\npublic Q_SLOTS:\n void f(); signals: void g(); };\n",
+    "TEST(A, b) { EXPECT_TRUE(true); }\n",
+    "void f(V v) { BOOST_FOREACH(int a, v) { g(a); } }\n",
+    "BT_REGISTER_NODES(factory) { factory.add(); }\n",
+    "BT_JSON_CONVERTER(ns::Point, msg) { add(msg.x); }\n",
+    "struct P { PCL_ADD_POINT4D; EIGEN_MAKE_ALIGNED_OPERATOR_NEW };\n",
+]
+
+
+@pytest.mark.parametrize("text", MACROS)
+def test_cppcheck_knows_the_macros_of_ros(tmp_path: Path, text: str) -> None:
+    assert run(tmp_path, cppcheck, {"a.cpp": text}).notifications == ()
+
+
+@pytest.mark.parametrize("text", ["SOME_MACRO_OF_OURS(a)\nint f() { return 1; }\n", "int f( {\n", "#error no\n"])
+def test_cppcheck_names_what_it_gave_up(tmp_path: Path, text: str) -> None:
+    done = run(tmp_path, cppcheck, {"a.cpp": text, "b.cpp": "int f() { int* p = 0; return *p; }\n"})
+    assert [note.path for note in done.notifications] == ["a.cpp"]
+    assert ("nullPointer", "b.cpp", 1) in found(done)
+
+
+def test_a_finding_in_a_header_belongs_to_every_includer(tmp_path: Path) -> None:
+    files = {
+        "src/robot/include/robot/f.hpp": "inline int f() { int* p = 0; return *p; }\n",
+        "src/robot/src/a.cpp": '#include "robot/f.hpp"\nint a() { return f(); }\n',
+        "src/robot/src/b.cpp": '#include <robot/f.hpp>\nint b() { return f(); }\n',
+    }
+    store = MemoryStore()
+    (cold,) = lint(workspace(tmp_path, files, [PACKAGE]), [cppcheck], LintOptions(), store, everything)
+    assert [r.location.path for r in cold.results if r.rule == "nullPointer"] == ["src/robot/include/robot/f.hpp"]
+    assert cold.analysed == set(files)
+    for gone in ("src/robot/src/a.cpp", "src/robot/src/b.cpp"):
+        fewer = {path: text for path, text in files.items() if path != gone}
+        (warm,) = lint(workspace(tmp_path, fewer, [PACKAGE]), [cppcheck], LintOptions(), store, everything)
+        assert "nullPointer" in {r.rule for r in warm.results}
+    changed = {**files, "src/robot/include/robot/f.hpp": "inline int f() { return 1; }\n"}
+    (fixed,) = lint(workspace(tmp_path, changed, [PACKAGE]), [cppcheck], LintOptions(), store, everything)
+    assert "nullPointer" not in {r.rule for r in fixed.results}
+
+
+def test_a_header_target_is_seen_through_its_includers(tmp_path: Path) -> None:
+    files = {
+        "src/robot/include/robot/f.hpp": "inline int f() { int* p = 0; return *p; }\n",
+        "src/robot/src/a.cpp": '#include "robot/f.hpp"\nint a() { int* q = 0; return *q; }\n',
+    }
+    done = run(tmp_path, cppcheck, files, targets=["src/robot/include/robot/f.hpp"])
+    assert {name for _, name, _ in found(done)} == {"f.hpp"} == {path.rpartition("/")[2] for path in done.analysed}
+
+
+def test_headers_in_a_circle_are_analysed_once(tmp_path: Path) -> None:
+    files = {"a.hpp": '#pragma once\n#include "b.hpp"\n', "b.hpp": '#pragma once\n#include "a.hpp"\nint f() { int* p = 0; return *p; }\n'}
+    done = run(tmp_path, cppcheck, files)
+    assert done.analysed == {"a.hpp", "b.hpp"} and ("nullPointer", "b.hpp", 3) in found(done)
+
+
+def test_cppcheck_uses_definitions_of_the_compile_database(tmp_path: Path) -> None:
+    source = "#ifdef BROKEN\nint f() { int* p = 0; return *p; }\n#endif\n"
+    files = {"a.cpp": source, "build/compile_commands.json": json.dumps([{"file": "a.cpp", "command": "c++ -DBROKEN a.cpp"}])}
+    assert ("nullPointer", "a.cpp", 2) in found(run(tmp_path, cppcheck, files))
+
+
+@pytest.mark.parametrize(
+    ("linter", "files", "expected"),
+    [
+        (ruff, FILES, ("F401", "go.py", 2)),
+        (
+            clang_tidy,
+            {**FILES, "build/compile_commands.json": json.dumps([{"file": "src/robot/src/arm.cpp", "arguments": ["c++", "-Isrc/robot/include"]}])},
+            ("clang-analyzer-core.NullDereference", "arm.cpp", 8),
+        ),
+        (
+            catkin_lint,
+            {"src/robot/package.xml": MANIFEST, "src/robot/CMakeLists.txt": CMAKE},
+            ("PROJECT_NAME", "CMakeLists.txt", 2),
+        ),
+    ],
+)
+def test_tools_that_are_used_where_installed(
+    tmp_path: Path, linter: Linter, files: dict[str, str], expected: tuple[str, str, int]
+) -> None:
+    if linter.locate(LintOptions()) is None:
+        pytest.skip(f"{linter.NAME} is not installed")
+    assert expected in found(run(tmp_path, linter, files))
+
+
+def test_a_bad_manifest_costs_catkin_lint_only_itself(tmp_path: Path) -> None:
+    if catkin_lint.locate(LintOptions()) is None:
+        pytest.skip("catkin_lint is not installed")
+    files = {"p/package.xml": MANIFEST, "p/CMakeLists.txt": CMAKE, "q/package.xml": "<a/>", "q/CMakeLists.txt": ""}
+    packages = [Package("robot", "p", ros=1), Package("q", "q", ros=1)]
+    space = workspace(tmp_path, files, packages)
+    (done,) = lint(space, [catkin_lint], LintOptions(), MemoryStore(), everything)
+    assert done.successful and [note.path for note in done.notifications] == ["q/package.xml"]
+    assert ("PROJECT_NAME", "CMakeLists.txt", 2) in found(done)
+
+
+def test_python_2_is_one_notification(tmp_path: Path) -> None:
+    done = run(tmp_path, pylint, {"a.py": 'import os\nprint "x"\n', "b.py": "def f(:\n"})
+    assert [(note.path, note.line) for note in done.notifications] == [("a.py", 2)]
+    assert ("syntax-error", "b.py", 1) in found(done)
+    assert "a.py" not in {name for _, name, _ in found(done)}
+
+
+@pytest.mark.parametrize(
+    ("settings", "reported"),
+    [
+        ({"pylintrc": "[MESSAGES CONTROL]\ndisable=unused-import,\n  missing-module-docstring\n"}, False),
+        ({"setup.cfg": "[pylint.'MESSAGES CONTROL']\ndisable=W0611\n"}, False),
+        ({"pyproject.toml": '[tool.pylint."messages control"]\ndisable = ["unused-import"]\n'}, False),
+        ({"scripts/.pylintrc": "[MAIN]\ndisable=all\n"}, False),
+        ({"pyproject.toml": '[tool.black]\nline-length = 10\n'}, True),
+        ({"pylintrc": "disable=unused-import\n"}, True),
+        ({"../pylintrc": "[MAIN]\ndisable=all\n"}, True),
+    ],
+)
+def test_inert_pylint_settings_are_honoured(tmp_path: Path, settings: dict[str, str], reported: bool) -> None:
+    done = run(tmp_path / "root", pylint, {"scripts/go.py": "import os\n", **settings})
+    assert (("unused-import", "go.py", 1) in found(done)) == reported

@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Changes to a small ROS package, and which findings each leaves old, makes new, or removes: data alone.
+
+Every case watches the rules in ``rules`` only and switches on the tools in ``tools`` only. ``before`` and ``after`` are
+all files of the repository. ``log`` edits a SARIF log made of ``before``, as another version of the tool would have
+written it; against a revision it changes nothing, because the base is analysed with today's tools.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+Files = dict[str, str]
+
+
+@dataclass(frozen=True)
+class Mutation:
+    """``old``, ``new``, ``absent`` and ``suppressed`` are the exact numbers of watched results.
+
+    ``sarif`` and ``compact`` are (old, new, absent) where a file of known findings must answer otherwise than a
+    revision, for want of the past's text. ``lines`` are those of the new results, where one place alone is right.
+    """
+
+    number: int
+    name: str
+    before: Files
+    after: Files
+    old: int = 0
+    new: int = 0
+    absent: int = 0
+    suppressed: int = 0
+    updated: bool | None = None  # whether the old one is updated, where it matters
+    lines: tuple[int, ...] | None = None
+    rules: tuple[str, ...] = ("cpplint:runtime/printf",)
+    tools: tuple[str, ...] = ("cpplint",)
+    sarif: tuple[int, int, int] | None = None
+    compact: tuple[int, int, int] | None = None
+    log: Callable[[dict[str, Any]], None] | None = None
+
+
+CPP, PY, OTHER = "walker/src/walker.cpp", "walker/scripts/walk.py", "walker/src/turner.cpp"
+
+MANIFEST = """\
+<?xml version="1.0"?>
+<package format="2">
+  <name>walker</name>
+  <version>0.1.0</version>
+  <description>Walks about.</description>
+  <maintainer email="a@example.org">A</maintainer>
+  <license>Apache-2.0</license>
+  <buildtool_depend>catkin</buildtool_depend>
+  <depend>roscpp</depend>
+</package>
+"""
+
+WALKER = """\
+// Walks about.
+#include <cstdio>
+
+#include "walker/walker.h"
+
+namespace walker
+{
+
+int Walker::start(int goal)
+{
+  char name[32];
+  int first = goal + 1;
+  first += 2 * goal;
+  sprintf(name, "%d of %d", first, goal);
+  publish(name, first);
+  return first;
+}
+
+int Walker::stop(int distance)
+{
+  char label[16];
+  int second = distance - 1;
+  second -= 3 * distance;
+  announce(label, second);
+  return second;
+}
+
+}  // namespace walker
+"""
+
+TURNER = """\
+// Turns around.
+#include "walker/walker.h"
+
+namespace walker
+{
+
+int Walker::turn(int angle)
+{
+  int third = angle / 2;
+  rotate(third);
+  return third;
+}
+
+}  // namespace walker
+"""
+
+WALK = '''\
+#!/usr/bin/env python3
+"""Walks about."""
+import math
+
+
+class Walker:
+    """Walks."""
+
+    def start(self, goal):
+        """Start to walk."""
+        first = goal * 2
+        spare = first + 1
+        return math.sqrt(first)
+
+    def stop(self, command):
+        """Stop walking."""
+        second = command - 1
+        return second
+'''
+
+LINE = '  sprintf(name, "%d of %d", first, goal);\n'
+START = WALKER[WALKER.index("int Walker::start") : WALKER.index("\nint Walker::stop")]
+STOP = WALKER[WALKER.index("int Walker::stop") : WALKER.index("\n}  // namespace")]
+SPREAD = '  sprintf(name,\n    "%d of %d",\n    first, goal);\n'
+TWICE = WALKER.replace(LINE, LINE + "  check(first);\n  check(goal);\n  check(name);\n" + LINE)
+#: In one function that swaps well, each with the rule's finding.
+BOTH = WALKER.replace("  announce(", '  sprintf(label, "%d", second);\n  announce(')
+UNINITIALISED = WALKER.replace("  first += 2 * goal;\n", "  int speed;\n  first += speed;\n").replace(LINE, "")
+
+
+def package(cpp: str = WALKER, **more: str) -> Files:
+    """The package with walker.cpp as given and further files, their paths written with ``__`` for ``/``."""
+    return {"walker/package.xml": MANIFEST, CPP: cpp, OTHER: TURNER, **more}
+
+
+def changed(*changes: tuple[str, str], text: str = WALKER) -> Files:
+    """The package with the first occurrence of each old text in walker.cpp replaced."""
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new, 1)
+    return package(text)
+
+
+def python(text: str) -> Files:
+    return {"walker/package.xml": MANIFEST, PY: text}
+
+
+def moved(files: Files, old: str, new: str) -> Files:
+    """The same files, those below *old* standing below *new*."""
+    return {path.replace(old, new, 1) if path.startswith(old) else path: text for path, text in files.items()}
+
+
+def steps(count: int) -> str:
+    """A function body of so many decisions."""
+    return "".join(f"  if (goal > {n})\n  {{\n    first += {n};\n  }}\n" for n in range(count))
+
+
+def complex_package(count: int, name: str = "start") -> Files:
+    """The package with a function of cyclomatic complexity *count*."""
+    text = WALKER.replace(LINE, "").replace("  first += 2 * goal;\n", steps(count - 1))
+    return package(text.replace("start", name))
+
+
+def reword(log: dict[str, Any]) -> None:
+    for result in results_of(log):
+        result["message"]["text"] = "Do not call this function, it overruns."
+        result.get("properties", {}).pop("template", None)
+
+
+def rename_rule(log: dict[str, Any]) -> None:
+    for result in results_of(log):
+        if result["ruleId"] == "unused-variable":
+            result["ruleId"] = "unused-local"
+            result.pop("ruleIndex", None)
+
+
+def lower_level(log: dict[str, Any]) -> None:
+    for result in results_of(log):
+        result["level"] = "note"
+
+
+def shift_columns(log: dict[str, Any]) -> None:
+    for region in regions_of(log):
+        region.update({key: region[key] + 1 for key in ("startColumn", "endColumn") if key in region})
+
+
+def drop_ends(log: dict[str, Any]) -> None:
+    for region in regions_of(log):
+        for key in ("endColumn", "endLine"):
+            region.pop(key, None)
+
+
+def results_of(log: dict[str, Any]) -> list[dict[str, Any]]:
+    return [result for run in log["runs"] for result in run["results"]]
+
+
+def regions_of(log: dict[str, Any]) -> list[dict[str, Any]]:
+    places = [result["locations"][0]["physicalLocation"] for result in results_of(log)]
+    return [place["region"] for place in places if "region" in place]
+
+
+UNUSED = {"rules": ("pylint:unused-variable",), "tools": ("pylint",)}
+UNINIT = {"rules": ("cppcheck:uninitvar",), "tools": ("cppcheck",)}
+COMPLEXITY: dict[str, Any] = {
+    "rules": ("metrics:max-cyclomatic-complexity-10", "metrics:max-cyclomatic-complexity-15"),
+    "tools": ("lizard",),
+}
+
+MUTATIONS: tuple[Mutation, ...] = (
+    Mutation(1, "one line above", package(), changed(("#include", "// more\n#include")), old=1, updated=False),
+    Mutation(1, "a hundred lines above", package(), changed(("#include", "// more\n" * 100 + "#include")), old=1),
+    Mutation(2, "lines deleted above", package(), changed(("#include <cstdio>\n\n", "")), old=1, updated=False),
+    Mutation(3, "block indented", package(), changed((START, START.replace("\n  ", "\n      "))), old=1),
+    Mutation(4, "LF to CRLF", package(), package(WALKER.replace("\n", "\r\n")), old=1, updated=False),
+    Mutation(4, "CRLF to LF", package(WALKER.replace("\n", "\r\n")), package(), old=1),
+    Mutation(4, "spaces to tabs", package(), package(WALKER.replace("  ", "\t")), old=1),
+    Mutation(4, "byte-order mark", package(), package("\ufeff" + WALKER), old=1),
+    Mutation(5, "trailing comment", package(), changed((LINE, LINE.replace(";", ";  // for people"))), old=1),
+    Mutation(6, "line above edited", package(), changed(("first += 2 * goal", "first -= goal / 7")), old=1),
+    Mutation(6, "line below edited", package(), changed(("publish(name, first)", "tell(first)")), old=1),
+    Mutation(7, "expression spread over three lines", package(), changed((LINE, SPREAD)), old=1),
+    Mutation(7, "spread so that the call starts on the second", changed((LINE, "  count = sprintf(name, first);\n")),
+             changed((LINE, "  count =\n    sprintf(\n    name, first);\n")), old=1, sarif=(0, 1, 1), compact=(0, 1, 1)),
+    Mutation(8, "local renamed", package(), package(WALKER.replace("first", "initial")), old=1),
+    Mutation(8, "local renamed that the message names", package(UNINITIALISED),
+             package(UNINITIALISED.replace("speed", "velocity")), old=1, **UNINIT),
+    Mutation(8, "unused local renamed", python(WALK), python(WALK.replace("spare", "extra")), old=1, **UNUSED),
+    Mutation(9, "function renamed", package(), package(WALKER.replace("::start", "::begin")), old=1),
+    Mutation(9, "class renamed", package(), package(WALKER.replace("Walker", "Runner")), old=1),
+    Mutation(9, "namespace renamed", package(), package(WALKER.replace("namespace walker", "namespace runner")), old=1),
+    Mutation(9, "Python method renamed", python(WALK), python(WALK.replace("start", "begin")), old=1, **UNUSED),
+    Mutation(9, "complex function renamed", complex_package(12), complex_package(12, "begin"), old=1, **COMPLEXITY),
+    Mutation(10, "file renamed", package(), moved(package(), CPP, "walker/src/runner.cpp"), old=1),
+    Mutation(11, "directory renamed", package(), moved(package(), "walker/src", "walker/lib"), old=1),
+    Mutation(11, "package renamed", package(), moved(package(), "walker/", "runner/"), old=1),
+    Mutation(12, "renamed and a third edited", package(),
+             moved(changed((STOP, "int Walker::halt()\n{\n  brake();\n  return 0;\n}\n"), ("2 * goal", "goal")), CPP,
+                   "walker/src/runner.cpp"), old=1),
+    Mutation(13, "function moved down the file", package(),
+             package(WALKER.replace(START + "\n", "").replace(STOP, STOP + "\n" + START)), old=1),
+    Mutation(14, "function moved to another file", package(),
+             {**package(WALKER.replace(START + "\n", "")), OTHER: TURNER.replace("int Walker::turn", START + "\nint Walker::turn")},
+             old=1),
+    Mutation(15, "file copied", package(), {**package(), "walker/src/walker2.cpp": WALKER}, old=1, new=1),
+    Mutation(15, "file copied before the first by name", package(), {**package(), "walker/src/a.cpp": WALKER}, old=1, new=1),
+    Mutation(16, "function copied below", package(),
+             changed((STOP, START.replace("start", "again") + "\n" + STOP)), old=1, new=1, lines=(24,)),
+    Mutation(16, "function copied above", package(),
+             changed((START, START.replace("start", "again") + "\n" + START)), old=1, new=1, lines=(14,)),
+    Mutation(17, "functions swapped", package(BOTH),
+             package(BOTH[: BOTH.index("int Walker::start")] + BOTH[BOTH.index("int Walker::stop") : BOTH.index("\n}  // n")]
+                     + "\n" + START + "\n}  // namespace walker\n"), old=2),
+    Mutation(18, "line duplicated below", package(), changed((LINE, LINE * 2)), old=1, new=1, lines=(15,)),
+    Mutation(18, "line duplicated further below", package(),
+             changed(("  return first;\n", LINE + "  return first;\n")), old=1, new=1, lines=(16,)),
+    Mutation(19, "line duplicated above", package(), changed(("  first += 2", LINE + "  first += 2")), old=1, new=1),
+    Mutation(20, "first of two mended", package(TWICE), package(TWICE.replace(LINE, "", 1)), old=1, absent=1),
+    Mutation(20, "second of two mended", package(TWICE), package("".join(TWICE.rpartition(LINE)[::2])), old=1, absent=1),
+    Mutation(21, "one mended, one added elsewhere", package(),
+             changed((LINE, '  snprintf(name, sizeof(name), "%d", first);\n'),
+                     ("  announce(", '  sprintf(label, "%d", second);\n  announce(')), new=1, absent=1),
+    Mutation(21, "one mended, one added elsewhere in the function", package(),
+             changed((LINE, ""), ("  return first;\n", '  int length = strcpy(other, "walker");\n  return length;\n')),
+             new=1, absent=1),
+    Mutation(22, "mended in one function, the same text added in another", package(),
+             changed((LINE, ""), ("  announce(label", LINE + "  announce(label")), new=1, absent=1),
+    Mutation(23, "another rule fires on the line", package(),
+             changed((LINE, LINE.replace("first, goal", "first, (int)goal"))), old=1, new=1,
+             rules=("cpplint:runtime/printf", "cpplint:readability/casting")),
+    Mutation(24, "two rules on a line, one mended", changed((LINE, LINE.replace("first, goal", "first, (int)goal"))),
+             package(), old=1, absent=1, rules=("cpplint:runtime/printf", "cpplint:readability/casting")),
+    Mutation(25, "message worded otherwise by the older tool", package(), package(), old=1, log=reword),
+    Mutation(26, "rule under its old name", python(WALK), python(WALK), old=1, **UNUSED),
+    Mutation(27, "level changed", package(), package(), old=1, log=lower_level),
+    Mutation(28, "columns counted otherwise", package(), package(), old=1, log=shift_columns),
+    Mutation(29, "tool starts to report ends", package(), package(), old=1, log=drop_ends),
+    Mutation(30, "metric a little worse in its band", complex_package(12), complex_package(13), old=1, **COMPLEXITY),
+    Mutation(30, "metric worse by a band", complex_package(12), complex_package(30), new=1, absent=1, **COMPLEXITY),
+    Mutation(32, "last use deleted", python(WALK.replace("math.sqrt(first)", "math.sqrt(spare)")), python(WALK), new=1, **UNUSED),
+    Mutation(33, "finding on a whole file, unrelated edit",
+             {**python(WALK), "broken/package.xml": "<package><name>broken</name>\n"},
+             {**python(WALK + "\n"), "broken/package.xml": "<package><name>broken</name>\n"}, old=1,
+             rules=("haros-ci:malformed-manifest",), tools=()),
+    Mutation(34, "generated path changes", {**package(TURNER), "walker/gen-1f3a/walker.cpp": WALKER},
+             {**package(TURNER), "walker/gen-99c0/walker.cpp": WALKER}, old=1),
+    Mutation(39, "suppression comment added", package(),
+             changed((LINE, LINE.replace(";", ";  // haros: ignore[runtime/printf] measured"))), suppressed=1),
+    Mutation(39, "suppression comment removed",
+             changed((LINE, LINE.replace(";", ";  // haros: ignore[runtime/printf] measured"))), package(), new=1),
+)  # fmt: skip
