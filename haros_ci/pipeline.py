@@ -64,7 +64,7 @@ def analyse(settings: Settings, store: Store, *, progress: Progress | None = Non
             *(Notification(Level.WARNING, p.message, path=p.path, line=p.line) for p in workspace.problems),
         ),
         baseline=compared.baseline,
-        coverage=coverage(workspace, runs),
+        coverage=coverage(workspace),
         artifacts=tuple(Artifact(f.path, f.digest, f.size, f.language) for f in workspace.files),
         provenance=provenance(workspace.root),
         fail_on=settings.fail_on,
@@ -218,17 +218,13 @@ def described(run: Run) -> Run:
     return replace(run, rules=tuple(own.RULES.get(id) or catalogue.rule(run.tool.name, id) for id in ids))
 
 
-def coverage(workspace: Workspace, runs: Iterable[Run]) -> Coverage:
+def coverage(workspace: Workspace) -> Coverage:
     """What was looked at, and in whole sentences what was not."""
     unseen = []
     if not workspace.packages:
         unseen.append("No package.xml was found: files are analysed one by one, nothing is known of packages.")
     if workspace.problems:
         unseen.append(f"{len(workspace.problems)} inputs could not be read as they stand.")
-    for run in runs:
-        given_up = {n.path for n in run.notifications if n.path is not None}
-        if given_up:
-            unseen.append(f"{run.tool.name} gave up on {len(given_up)} files.")
     return Coverage(
         packages=len(workspace.packages),
         files=len(workspace.files),
