@@ -13,7 +13,7 @@ from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.linters import catalogue
-from haros_ci.linters.duplicates import merge_same_defects
+from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.linter import LintOptions
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.run import lint
@@ -93,7 +93,7 @@ def examine(
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline."""
     raw = lint(workspace, LINTERS, lint_options(settings), store, selection.wants, progress)
     runs = (own_run(workspace), *with_metrics(raw))
-    results = selected(results_of(runs), selection, workspace)
+    results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     return finished(distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection)
 
 

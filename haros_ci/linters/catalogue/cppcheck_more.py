@@ -61,7 +61,7 @@ GROUPS: tuple[Group, ...] = (
         ("correctness", "concurrency"),
         (
             ("globalLockGuard", "Bw", "A lock guard is local, so that it unlocks."),
-            ("localMutex", "Bw", "A mutex outlives the scope that it guards."),
+            ("localMutex", "Sw", "A mutex outlives the scope that it guards."),
         ),
     ),
     Group(

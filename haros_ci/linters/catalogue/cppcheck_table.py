@@ -88,7 +88,7 @@ GROUPS: tuple[Group, ...] = (
             ("danglingReference", "Be", "A longer-lived reference does not refer to a local."),
             ("danglingTempReference", "Be", "A reference to a temporary is not used after it is gone."),
             ("danglingTemporaryLifetime", "Be", "A pointer to a temporary is not used after it is gone."),
-            ("derefInvalidIterator", "Rw", "An iterator is checked before it is dereferenced."),
+            ("derefInvalidIterator", "Sw", "An iterator is checked before it is dereferenced."),
             ("eraseDereference", "Be", "An erased iterator is not used."),
             ("invalidContainer", "Be", "Iterators and references are not used after the container changed."),
             ("invalidContainerLoop", "Be", "A container does not change while a range-based loop runs over it."),
