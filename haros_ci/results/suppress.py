@@ -87,14 +87,13 @@ class _Judge:
         self.runs = runs
         self.matches = matches
         self.enabled = enabled
-        self.complete = all(run.successful for run in runs)
         self.known: dict[tuple[str, str, str], bool] = {}
 
     def knows(self, selector: str, path: str) -> bool:
-        """*selector* "" stands for every rule: judged only if no tool failed."""
-        answered = [run for run in self.runs if path in run.analysed and run.successful and run.tool.name != own.TOOL]
+        """A comment that names no rule (*selector* "") may be there for one that is off in this run: never judged."""
         if not selector:
-            return bool(answered) and self.complete
+            return False
+        answered = [run for run in self.runs if path in run.analysed and run.successful and run.tool.name != own.TOOL]
         return any(self._reports(run, selector, path) for run in answered)
 
     def _reports(self, run: Run, selector: str, path: str) -> bool:
@@ -108,11 +107,8 @@ class _Judge:
 
 
 def _unused(directive: Directive, idle: list[str]) -> Result:
-    if idle == [""]:
-        message = f"The comment '{directive.words}' suppresses nothing: no rule reports anything there. Remove it."
-    else:
-        names = ", ".join(f"'{name}'" for name in idle)
-        verb, them = ("reports", "it") if len(idle) == 1 else ("report", "them")
-        message = f"In the comment '{directive.words}', {names} {verb} nothing there. Remove {them}."
+    names = ", ".join(f"'{name}'" for name in idle)
+    verb, them = ("reports", "it") if len(idle) == 1 else ("report", "them")
+    message = f"In the comment '{directive.words}', {names} {verb} nothing there. Remove {them}."
     rule = own.UNUSED_SUPPRESSION
     return Result(own.TOOL, rule.id, rule.level, message, directive.place)

@@ -7,7 +7,7 @@ import os
 import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from haros_ci.model.workspace import Problem, Workspace
@@ -128,7 +128,7 @@ def _repository(workspace: Workspace) -> Repository:
 def _scope(workspace: Workspace, paths: tuple[str, ...], tree: dict[str, Blob]) -> Scope:
     """The scope that *paths* have now, where directories may be gone or have been files."""
     present = scope_of(workspace.root, paths)
-    return Scope(present.directories, tuple(path for path in present.files if path in tree))
+    return replace(present, files=tuple(path for path in present.files if path in tree))
 
 
 def _moved(tree: dict[str, Blob], wanted: list[Candidate], workspace: Workspace) -> tuple[dict[str, Blob], list[str]]:

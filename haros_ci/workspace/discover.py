@@ -45,7 +45,7 @@ def discover(
         disk.read(candidates),
         listed=[*listing.paths, *scope.files],
         problems=listing.problems,
-        targets=frozenset(scope.files) if scope.files else None,
+        targets=targets_of(scope, (candidate.path for candidate in candidates)),
         context=disk.manifests(manifests_above(scope)),
         max_file_size=max_file_size,
     )
@@ -67,7 +67,17 @@ def scope_of(root: Path, paths: Iterable[str]) -> Scope:
         if not real.is_relative_to(root):
             raise UserError(f"{path!r} leads out of the workspace", help="run haros-ci in a directory that holds both")
         (directories if stat.S_ISDIR(mode) else files).add(real.relative_to(root).as_posix())
-    return Scope(tuple(sorted(directories)) or (".",), tuple(sorted(files)))
+    return Scope(tuple(sorted(directories)) or (".",), tuple(sorted(files)), named=bool(directories))
+
+
+def targets_of(scope: Scope, paths: Iterable[str]) -> frozenset[str] | None:
+    """The files to report on: None for all that there are, else those given and all below directories given."""
+    if not scope.files:
+        return None
+    if not scope.named:
+        return frozenset(scope.files)
+    below = tuple(f"{directory}/" for directory in scope.directories)
+    return frozenset((*scope.files, *(path for path in paths if "." in scope.directories or path.startswith(below))))
 
 
 def manifests_above(scope: Scope) -> list[str]:

@@ -27,10 +27,14 @@ _NOT_SOURCE = frozenset(("node_modules", "__pycache__"))
 
 @dataclass(frozen=True, slots=True)
 class Scope:
-    """What a run is about, relative to the root: directories to enter, whatever covers them, and single files."""
+    """What a run is about, relative to the root: directories to enter, whatever covers them, and single files.
+
+    ``named`` is False where the directory is only the default.
+    """
 
     directories: tuple[str, ...]
     files: tuple[str, ...] = ()
+    named: bool = True
 
     def given(self, path: str) -> str | None:
         """The innermost given directory that *path* lies in."""

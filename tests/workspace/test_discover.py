@@ -93,11 +93,11 @@ def test_files_are_targets_in_the_whole_tree(tmp_path: Path) -> None:
     assert not workspace.reports_on("arm/a.h")
 
 
-def test_with_a_directory_and_a_file_the_directory_is_the_tree(tmp_path: Path) -> None:
+def test_with_a_directory_and_a_file_both_are_reported_on(tmp_path: Path) -> None:
     plant(tmp_path, {"arm/a.cpp": b"", "arm/a.h": b"", "leg/l.cpp": b"", "leg/m.cpp": b""})
     workspace = discover(tmp_path, ("arm", "leg/l.cpp"))
     assert [file.path for file in workspace.files] == ["arm/a.cpp", "arm/a.h", "leg/l.cpp"]
-    assert workspace.targets == {"leg/l.cpp"}
+    assert workspace.targets == {"arm/a.cpp", "arm/a.h", "leg/l.cpp"}
 
 
 def test_excludes_hold_for_given_files(tmp_path: Path) -> None:
