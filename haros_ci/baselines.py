@@ -113,7 +113,9 @@ def sides(
 def _against_file(runs: tuple[Run, ...], workspace: Workspace, settings: Settings) -> Comparison:
     known = known_findings(settings)
     kind = "file" if settings.baseline_rev is None else "file at revision"
-    return Comparison(_matched(runs, known, sides(workspace, runs, settings.paths)), Baseline(kind, settings.baseline or ""))
+    return Comparison(
+        _matched(runs, known, sides(workspace, runs, settings.paths)), Baseline(kind, settings.baseline or "")
+    )
 
 
 def _against_revision(
@@ -129,7 +131,11 @@ def _against_revision(
         matched = _matched(compared, known, found)
     logs = tuple(run for run in runs if run.imported)
     notes = [
-        Notification(Level.WARNING, f"The imported log of {run.tool.name} has no counterpart at {rev}: all of it counts.", configuration=True)
+        Notification(
+            Level.WARNING,
+            f"The imported log of {run.tool.name} has no counterpart at {rev}: all of it counts.",
+            configuration=True,
+        )
         for run in logs
     ]
     broken = {run.tool.name for run in past if not run.successful}

@@ -59,7 +59,7 @@ def main(argv: list[str] | None = None) -> int:
         return EXIT_TOOL_TROUBLE
 
 
-class Words(click.ParamType):
+class Words(click.ParamType):  # type: ignore[type-arg, unused-ignore]
     """A comma-separated list, given once or several times."""
 
     name = "sel,..."
@@ -78,7 +78,6 @@ def options(*decorators: Callable[[Any], Any]) -> Callable[[Any], Any]:
 
 
 LEVELS = click.Choice(["error", "warning", "note", "never"])
-FORMATS = ("text", "sarif", "github", "json")
 
 what_options = options(
     click.argument("paths", nargs=-1, type=click.Path()),
@@ -109,7 +108,13 @@ def haros_ci() -> None:
 @haros_ci.command()
 @what_options
 @click.option("--output", metavar="FORMAT[=PATH]", multiple=True, help="text, sarif, github or json; repeatable.")
-@click.option("--sarif-for", type=click.Choice(["archive", "github"]), default="archive", show_default=True, help="Who reads the SARIF.")
+@click.option(
+    "--sarif-for",
+    type=click.Choice(["archive", "github"]),
+    default="archive",
+    show_default=True,
+    help="Who reads the SARIF.",
+)
 @click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl.")
 @click.option("--baseline-rev", metavar="REV", help="Known findings: those of the merge-base with this git revision.")
 @click.option("--no-baseline", is_flag=True, help="Ignore the workspace's own baseline file.")
@@ -132,7 +137,9 @@ def baseline() -> None:
     """Keep the file of known findings (.haros-ci-baseline.jsonl)."""
 
 
-file_option = click.option("--file", type=click.Path(dir_okay=False), help="Default: .haros-ci-baseline.jsonl at the root.")
+file_option = click.option(
+    "--file", type=click.Path(dir_okay=False), help="Default: .haros-ci-baseline.jsonl at the root."
+)
 
 
 @baseline.command()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What each command does: flags become settings, the pipeline runs, renderers' text is written, an exit code results."""
+"""What each command does: flags become settings, the pipeline runs, texts are written, an exit code results."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from typing import Any
 import click
 
 from haros_ci.baselines import COMPACT_NAME, known_findings, sides
-from haros_ci.cli import EXIT_TOOL_TROUBLE, FORMATS
+from haros_ci.cli import EXIT_TOOL_TROUBLE
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
+from haros_ci.output import parse_outputs, rendered, write
 from haros_ci.results.known import Known, Sides
 from haros_ci.results.result import Report
 from haros_ci.results.rule import Level
@@ -165,72 +166,6 @@ def cache_dir(flags: Flags, root: Path) -> Path | None:
     return cache_directory(named, os.environ, root, explicit=named is not None)
 
 
-# -- outputs ------------------------------------------------------------------------------------------------------
-
-
-def parse_outputs(wanted: tuple[str, ...]) -> tuple[tuple[str, Path | None], ...]:
-    """``FORMAT[=PATH]`` as pairs; at most one format may go to stdout beside none other."""
-    outputs = []
-    for item in wanted or ("text",):
-        format, _, path = item.partition("=")
-        if format not in FORMATS:
-            raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(FORMATS)}")
-        outputs.append((format, Path(path) if path else None))
-    on_stdout = [format for format, path in outputs if path is None]
-    if len(on_stdout) > 1 and set(on_stdout) - {"text", "github"}:
-        raise UserError(
-            f"--output: {' and '.join(on_stdout)} cannot share stdout", help="give all but one a path: sarif=FILE"
-        )
-    return tuple(outputs)
-
-
-def rendered(report: Report, source: Callable[[str], str], format: str, flags: Flags, *, to_file: bool) -> str:
-    match format:
-        case "sarif":
-            from haros_ci.report.sarif import render as sarif
-
-            return sarif(report, audience=flags["sarif_for"], source=source)
-        case "json":
-            from haros_ci.report.json_report import render as as_json
-
-            return as_json(report)
-        case "github":
-            from haros_ci.report.github import annotations, summary
-
-            page = os.environ.get("GITHUB_STEP_SUMMARY")
-            if page:
-                append(Path(page), summary(report))
-            return annotations(report)
-        case _:
-            from haros_ci.report.text import render as text
-
-            color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
-            width = int(os.environ.get("COLUMNS") or 0) or 120
-            return text(report, color=color, width=width, why=flags["why"], source=source)
-
-
-def write(text: str, path: Path | None) -> None:
-    """To stdout, or to a file that appears whole or not at all."""
-    if path is None:
-        sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
-        return
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        draft = path.with_name(f".{path.name}.{os.getpid()}")
-        draft.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
-        draft.replace(path)
-    except OSError as err:
-        raise UserError(f"{path}: cannot be written: {err.strerror}", help="name another --output path") from err
-
-
-def append(path: Path, text: str) -> None:
-    try:
-        with path.open("a", encoding="utf-8", errors="backslashreplace") as page:
-            page.write(text)
-    except OSError as err:
-        click.echo(f"warning: {path}: the job summary cannot be written: {err.strerror}", err=True)
-
-
 # -- baseline file ------------------------------------------------------------------------------------------------
 
 
@@ -345,16 +280,27 @@ def explain(name: str) -> int:
 
     known = list(documented_rules())
     found = [
-        (tool, rule) for tool, rule in known if name in (rule.id, f"{tool}:{rule.id}", *rule.aliases, *rule.deprecated_ids)
+        (tool, rule)
+        for tool, rule in known
+        if name in (rule.id, f"{tool}:{rule.id}", *rule.aliases, *rule.deprecated_ids)
     ]
     if not found:
         from difflib import get_close_matches
 
         near = get_close_matches(name, [word for tool, rule in known for word in (rule.id, f"{tool}:{rule.id}")], 3)
-        raise UserError(f"unknown rule '{name}'", help=f"did you mean {' or '.join(near)}?" if near else "see haros-ci rules")
+        raise UserError(
+            f"unknown rule '{name}'", help=f"did you mean {' or '.join(near)}?" if near else "see haros-ci rules"
+        )
     for tool, rule in found:
         on = ", ".join((*rule.profiles, "all"))
-        lines = [f"{tool}:{rule.id} ({rule.level.value})", "", rule.summary, "", rule.help.strip() or None, "" if rule.help else None]
+        lines = [
+            f"{tool}:{rule.id} ({rule.level.value})",
+            "",
+            rule.summary,
+            "",
+            rule.help.strip() or None,
+            "" if rule.help else None,
+        ]
         lines.append(f"Profiles: {on}")
         lines.append(f"Aliases: {', '.join(rule.aliases)}" if rule.aliases else None)
         lines.append(f"Tags: {', '.join(rule.tags)}" if rule.tags else None)

@@ -23,7 +23,9 @@ GIT = {
 
 def haros(*arguments: str, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
     """``haros-ci ARGUMENTS`` in *cwd*; CI variables of the machine the tests run on are kept away from it."""
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "HAROS_")) and k not in ("CI", "COLUMNS")}
+    kept = {
+        k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "HAROS_")) and k not in ("CI", "COLUMNS")
+    }
     return subprocess.run(
         [sys.executable, "-I", "-m", "haros_ci", *arguments],
         cwd=cwd,

@@ -34,7 +34,10 @@ def rules_of(text: str) -> list[str]:
 def test_a_finding_fails_the_run(lift: Path) -> None:
     done = haros("check", cwd=lift)
     assert done.returncode == 1
-    assert "lift/doors.py:4:1: warning: Dangerous default value [] as argument. [pylint:dangerous-default-value]" in done.stdout
+    assert (
+        "lift/doors.py:4:1: warning: Dangerous default value [] as argument. [pylint:dangerous-default-value]"
+        in done.stdout
+    )
     assert "1 finding: 1 warning" in done.stdout
 
 
@@ -93,7 +96,9 @@ def test_machine_formats_leave_stdout_pure(lift: Path, format: str) -> None:
 
 
 def test_several_outputs_at_once(lift: Path) -> None:
-    done = haros("check", "--output", "text", "--output", "sarif=out/log.sarif", "--output", "json=out/log.json", cwd=lift)
+    done = haros(
+        "check", "--output", "text", "--output", "sarif=out/log.sarif", "--output", "json=out/log.json", cwd=lift
+    )
     assert "1 finding" in done.stdout
     log = json.loads((lift / "out/log.sarif").read_text())
     assert log["version"] == "2.1.0"
@@ -127,7 +132,9 @@ def test_settings_are_shown_and_nothing_runs(lift: Path) -> None:
 
 
 def test_the_same_bytes_from_cache_and_without(lift: Path) -> None:
-    texts = {haros("check", "--output", "sarif", *more, cwd=lift).stdout for more in ([], [], ["--no-cache"], ["--jobs=1"])}
+    texts = {
+        haros("check", "--output", "sarif", *more, cwd=lift).stdout for more in ([], [], ["--no-cache"], ["--jobs=1"])
+    }
     assert len(texts) == 1
 
 
@@ -180,7 +187,12 @@ class TestBaselineFile:
                             "ruleId": "X1",
                             "message": {"text": "Doors close too fast."},
                             "locations": [
-                                {"physicalLocation": {"artifactLocation": {"uri": "lift/doors.py"}, "region": {"startLine": 6}}}
+                                {
+                                    "physicalLocation": {
+                                        "artifactLocation": {"uri": "lift/doors.py"},
+                                        "region": {"startLine": 6},
+                                    }
+                                }
                             ],
                         }
                     ],
@@ -190,7 +202,12 @@ class TestBaselineFile:
         write(lift, {"other.sarif": json.dumps(foreign)})
         done = haros("check", "--import", "other.sarif", "--output", "json", cwd=lift)
         assert "othertool:X1" in rules_of(done.stdout)
-        assert haros("check", "--import", "other.sarif", "--ignore", "othertool:X1", "--output", "json", cwd=lift).stdout.count("X1") <= 2
+        assert (
+            haros(
+                "check", "--import", "other.sarif", "--ignore", "othertool:X1", "--output", "json", cwd=lift
+            ).stdout.count("X1")
+            <= 2
+        )
         haros("check", "--import", "other.sarif", "--output", "sarif=old.sarif", cwd=lift)
         again = haros("check", "--import", "other.sarif", "--baseline", "old.sarif", cwd=lift)
         assert again.returncode == 0, again.stdout
@@ -259,7 +276,9 @@ class TestSmallCommands:
         assert haros("cache", "clear", "--cache-dir", str(place), cwd=lift).returncode == 0
         assert not list(place.glob("*.json"))
 
-    @pytest.mark.parametrize("arguments", [["--help"], ["check", "--help"], ["baseline", "create", "--help"], ["--version"]])
+    @pytest.mark.parametrize(
+        "arguments", [["--help"], ["check", "--help"], ["baseline", "create", "--help"], ["--version"]]
+    )
     def test_help(self, tmp_path: Path, arguments: list[str]) -> None:
         assert haros(*arguments, cwd=tmp_path).returncode == 0
 

@@ -26,17 +26,32 @@ def main() -> None:
         for workspace in map(Path, sys.argv[1:]):
             cells, coverage, given_up = [], {}, set()
             for profile in PROFILES:
-                command = [sys.executable, "-I", "-m", "haros_ci", "check", ".", "--output=json", f"--profile={profile}"]
+                command = [
+                    sys.executable,
+                    "-I",
+                    "-m",
+                    "haros_ci",
+                    "check",
+                    ".",
+                    "--output=json",
+                    f"--profile={profile}",
+                ]
                 command += [f"--project={project}", f"--cache-dir={scratch}/cache"]
                 done = subprocess.run(command, cwd=workspace, capture_output=True, check=False)
                 if done.returncode:
-                    sys.exit(f"{workspace}, {profile}: exit code {done.returncode}\n{done.stderr.decode(errors='replace')}")
+                    sys.exit(
+                        f"{workspace}, {profile}: exit code {done.returncode}\n{done.stderr.decode(errors='replace')}"
+                    )
                 report = json.loads(done.stdout)
                 coverage = report["coverage"]
                 number = report["counts"]["open"]
                 cells.append(f"{number} ({1000 * number / max(coverage['lines'], 1):.2f})")
                 given_up = {n["path"] for n in report["notifications"] if n.get("path") and n.get("tool")}
-            print(f"| {workspace.name} | {coverage['packages']} | {coverage['lines']} |", " | ".join(cells), f"| {len(given_up)} files |")
+            print(
+                f"| {workspace.name} | {coverage['packages']} | {coverage['lines']} |",
+                " | ".join(cells),
+                f"| {len(given_up)} files |",
+            )
 
 
 if __name__ == "__main__":

@@ -56,7 +56,9 @@ def measure(name: str, place: Path, runs: int) -> None:
     for tool, seconds in alone.items():
         print(f"    {tool:<10} alone, unsplit: {seconds:7.2f} s")
     bound = max(max(alone.values()), sum(alone.values()) / cores)
-    print(f"(a) cold {cold:.2f} s; serial sum {sum(alone.values()):.2f} s; cold / max(longest, sum / cores) = {cold / bound:.2f}")
+    print(
+        f"(a) cold {cold:.2f} s; serial sum {sum(alone.values()):.2f} s; cold / max(longest, sum / cores) = {cold / bound:.2f}"
+    )
 
     walls, same = [], True
     for _ in range(runs):
@@ -69,7 +71,10 @@ def measure(name: str, place: Path, runs: int) -> None:
 
     for language, suffix, comment in (("C++", ".cpp", "// changed\n"), ("Python", ".py", "# changed\n")):
         changed = middle_file(place, suffix)
-        for what, arguments in (("whole workspace", OURS), ("that file alone", [*OURS[:-1], str(changed.relative_to(place))])):
+        for what, arguments in (
+            ("whole workspace", OURS),
+            ("that file alone", [*OURS[:-1], str(changed.relative_to(place))]),
+        ):
             walls = []
             for _ in range(runs):
                 with changed.open("a") as file:
@@ -77,13 +82,17 @@ def measure(name: str, place: Path, runs: int) -> None:
                 walls.append(timed([*arguments, *only], place)[0])
             print(f"(d) one changed {language} file ({what}), warm: {statistics.median(walls):.2f} s")
 
-    files = sorted(str(p.relative_to(place)) for p in place.rglob("*") if p.suffix in (".cpp", ".hpp", ".h", ".py") and p.is_file())
+    files = sorted(
+        str(p.relative_to(place)) for p in place.rglob("*") if p.suffix in (".cpp", ".hpp", ".h", ".py") and p.is_file()
+    )
     random.Random(0).shuffle(files)
     files = files[:200]
     fresh = [a for a in only if not a.startswith("--cache-dir")] + ["--no-cache"]
     one = timed([*OURS[:-1], *files, *fresh, "--jobs=1"], place)[1]
     other = timed([*OURS[:-1], *reversed(files), *fresh, f"--jobs={cores + 2}"], place)[1]
-    print(f"(f) {len(files)} files in reverse order and with --jobs={cores + 2} against --jobs=1: identical bytes: {one == other}")
+    print(
+        f"(f) {len(files)} files in reverse order and with --jobs={cores + 2} against --jobs=1: identical bytes: {one == other}"
+    )
 
 
 def start_up(runs: int) -> None:
@@ -92,7 +101,9 @@ def start_up(runs: int) -> None:
         helps.append(timed([str(Path(sys.executable).parent / "haros-ci"), "--help"], Path.cwd())[0])
         clicks.append(timed([sys.executable, "-c", "import click"], Path.cwd())[0])
     ours, click = statistics.median(helps), statistics.median(clicks)
-    print(f"(c) haros-ci --help {ours * 1000:.0f} ms (min {min(helps) * 1000:.0f}); import click {click * 1000:.0f} ms; ratio {ours / click:.2f}")
+    print(
+        f"(c) haros-ci --help {ours * 1000:.0f} ms (min {min(helps) * 1000:.0f}); import click {click * 1000:.0f} ms; ratio {ours / click:.2f}"
+    )
 
 
 def unsplit(tool: str, place: Path) -> float:

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where results go: ``--output`` read, a renderer chosen for each format, and the text written."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import click
+
+from haros_ci.errors import UserError
+from haros_ci.results.result import Report
+
+FORMATS = ("text", "sarif", "github", "json")
+
+
+def parse_outputs(wanted: tuple[str, ...]) -> tuple[tuple[str, Path | None], ...]:
+    """``FORMAT[=PATH]`` as pairs; at most one format may go to stdout beside none other."""
+    outputs = []
+    for item in wanted or ("text",):
+        format, _, path = item.partition("=")
+        if format not in FORMATS:
+            raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(FORMATS)}")
+        outputs.append((format, Path(path) if path else None))
+    on_stdout = [format for format, path in outputs if path is None]
+    if len(on_stdout) > 1 and set(on_stdout) - {"text", "github"}:
+        raise UserError(
+            f"--output: {' and '.join(on_stdout)} cannot share stdout", help="give all but one a path: sarif=FILE"
+        )
+    return tuple(outputs)
+
+
+def rendered(
+    report: Report, source: Callable[[str], str], format: str, flags: Mapping[str, Any], *, to_file: bool
+) -> str:
+    match format:
+        case "sarif":
+            from haros_ci.report.sarif import render as sarif
+
+            return sarif(report, audience=flags["sarif_for"], source=source)
+        case "json":
+            from haros_ci.report.json_report import render as as_json
+
+            return as_json(report)
+        case "github":
+            from haros_ci.report.github import annotations, summary
+
+            page = os.environ.get("GITHUB_STEP_SUMMARY")
+            if page:
+                append(Path(page), summary(report))
+            return annotations(report)
+        case _:
+            from haros_ci.report.text import render as text
+
+            color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
+            width = int(os.environ.get("COLUMNS") or 0) or 120
+            return text(report, color=color, width=width, why=flags["why"], source=source)
+
+
+def write(text: str, path: Path | None) -> None:
+    """To stdout, or to a file that appears whole or not at all."""
+    if path is None:
+        sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
+        return
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        draft = path.with_name(f".{path.name}.{os.getpid()}")
+        draft.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
+        draft.replace(path)
+    except OSError as err:
+        raise UserError(f"{path}: cannot be written: {err.strerror}", help="name another --output path") from err
+
+
+def append(path: Path, text: str) -> None:
+    try:
+        with path.open("a", encoding="utf-8", errors="backslashreplace") as page:
+            page.write(text)
+    except OSError as err:
+        click.echo(f"warning: {path}: the job summary cannot be written: {err.strerror}", err=True)
