@@ -66,7 +66,7 @@ def _matched(result: Result, known: Known, evidence: str) -> Result:
         changes.append("file changed")
     if known.text and known.text != now.text:
         changes.append("text changed")
-    if known.message != result.message if known.message else known.template != now.template:
+    if known.template.rstrip(". ") != now.template.rstrip(". "):  # a message in SARIF is a full sentence
         changes.append("message changed")
     if known.level not in (None, result.level):
         changes.append(f"level {known.level.value if known.level else ''} → {result.level.value}")

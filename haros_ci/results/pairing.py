@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, field
 from operator import itemgetter
 
@@ -25,6 +25,9 @@ _KINSHIP = 0.6  # of the shorter line's words
 _LETTERS = "RPNLSTXMBAHEVU"
 
 
+_Key = tuple[object, ...]
+
+
 @dataclass(frozen=True, slots=True)
 class _Pass:
     """Pairs what agrees in all *letters*. *near* asks for a mapped line at most NEAR away, *gone* that the old file is,
@@ -37,6 +40,11 @@ class _Pass:
     edited: bool = False
     gone: bool = False
     scoped: bool = False
+
+    @property
+    def conditional(self) -> bool:
+        """Whether more than the key decides which known findings take part."""
+        return self.near or self.edited or self.scoped or "P" not in self.letters
 
 
 _IN_FILE = (
@@ -73,6 +81,7 @@ _IN_FILE = (
     _Pass("RPMB", "same message after the same lines; scope and line were edited", edited=True),
     _Pass("RPMA", "same message before the same lines; scope and line were edited", edited=True),
     _Pass("RPM", "same message near its mapped line; scope and line were edited", near=True, edited=True),
+    _Pass("RPSH", "same rule and same shape of the line; names were edited", edited=True, scoped=True),
     _Pass("RPSBA", "same rule between the same lines; the line was edited", edited=True),
     _Pass("RPSL", "same rule at its mapped line; the line was edited", edited=True),
     _Pass("RPSMU", "same message in the same scope; the baseline does not tell the text"),
@@ -170,12 +179,15 @@ class _Matcher:
         for step in passes:
             if not self.old or not self.new:
                 return
-            positions = [_LETTERS.index(letter) for letter in step.letters]
-            olds = _grouped((thing for thing in self.old if self.old_fits(thing, step)), positions)
+            key_of = itemgetter(*(_LETTERS.index(letter) for letter in step.letters))
+            wanted = {key_of(thing.features) for thing in self.new}
+            olds = _grouped(self.old, key_of, wanted)
+            if step.conditional:
+                olds = {key: fit for key, group in olds.items() if (fit := [t for t in group if self.fits(t, step)])}
             if not olds:
                 continue
-            news = _grouped(self.new, positions)
-            shared = [key for key in olds if key in news]
+            news = _grouped(self.new, key_of, olds)
+            shared = list(olds)
             if step.edited:
                 news = {key: [thing for thing in news[key] if self.is_fresh(thing)] for key in shared}
                 olds = {key: [thing for thing in olds[key] if self.is_gone(thing)] for key in shared}
@@ -193,12 +205,11 @@ class _Matcher:
             self.old = [thing for thing in self.old if thing.index not in taken_old]
             self.new = [thing for thing in self.new if thing.index not in taken_new]
 
-    def old_fits(self, thing: _Thing, step: _Pass) -> bool:
-        if step.near and thing.line is None:
+    def fits(self, thing: _Thing, step: _Pass) -> bool:
+        """Whether a known finding may take part in a pass."""
+        if (step.near and thing.line is None) or (step.scoped and not thing.scope):
             return False
-        if step.edited and thing.line is not None and not step.near and not {"L", "V"} & set(step.letters):
-            return False
-        if step.scoped and not thing.scope:
+        if step.edited and thing.line is not None and not (step.near or "L" in step.letters or "V" in step.letters):
             return False
         if "P" in step.letters:
             return True
@@ -275,11 +286,13 @@ def _features(
     )
 
 
-def _grouped(things: Iterable[_Thing], positions: list[int]) -> dict[tuple[object, ...], list[_Thing]]:
-    groups: dict[tuple[object, ...], list[_Thing]] = {}
-    pick = itemgetter(*positions)
+def _grouped(
+    things: Iterable[_Thing], key_of: Callable[[_Key], _Key], wanted: Container[_Key]
+) -> dict[_Key, list[_Thing]]:
+    """The things by key, for keys that are *wanted* and of which no feature is missing."""
+    groups: dict[_Key, list[_Thing]] = {}
     for thing in things:
-        key = pick(thing.features)
-        if None not in key:
+        key = key_of(thing.features)
+        if key in wanted and None not in key:
             groups.setdefault(key, []).append(thing)
     return groups
