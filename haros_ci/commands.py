@@ -65,6 +65,9 @@ def exit_code(report: Report, settings: Settings) -> int:
 
 def run(settings: Settings, flags: Flags) -> tuple[Report, Workspace]:
     """Analyse under a cache, saying on stderr what is being done when a person watches."""
+    import gc
+
+    gc.disable()  # a short-lived process over acyclic values: the collector would only look for what is not there
     from haros_ci.pipeline import analyse
 
     store = store_for(settings)
