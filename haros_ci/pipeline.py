@@ -144,6 +144,7 @@ def lint_options(settings: Settings) -> LintOptions:
         trust_config=settings.trust_config,
         arguments={name: s.arguments for name, s in chosen.items() if s.arguments},
         compile_database=settings.compile_database,
+        root=settings.root,
     )
 
 

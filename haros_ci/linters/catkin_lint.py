@@ -74,7 +74,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         return
     report, packages = json.loads(output.stdout), {package.name: package for package in _packages(batch)}
     manifests = {file.package: file.path for file in batch.files}
-    for name in re.findall(r"^catkin_lint: cannot lint ([\w-]+):", output.stderr.decode("utf-8", "replace"), re.MULTILINE):
+    warnings = output.stderr.decode("utf-8", "replace")
+    for name in re.findall(r"^catkin_lint: cannot lint ([\w-]+):", warnings, re.MULTILINE):
         yield GaveUp(manifests[name], "a fault of catkin_lint")
     for key, level in LEVELS.items():
         for said in report[key]:

@@ -45,7 +45,7 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    flags = flags_by_file(workspace, options.compile_database)
+    flags = flags_by_file(workspace, options)
     if not flags:
         return
     files = {file.path: file for file in workspace.files if file.language in LANGUAGES}
@@ -62,7 +62,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 def command(program: Program, batch: Batch) -> Command:
     """The database that it gets is ours: the harmless flags only, and a compiler's name that nothing starts."""
-    flags = flags_by_file(batch.workspace, batch.options.compile_database)
+    flags = flags_by_file(batch.workspace, batch.options)
     root = os.path.realpath(batch.workspace.root)
     entries = [
         {

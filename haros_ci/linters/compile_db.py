@@ -11,6 +11,7 @@ import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from haros_ci.linters.linter import LintOptions
 from haros_ci.model.workspace import Workspace
 
 #: A database beyond this many bytes is not read.
@@ -21,27 +22,26 @@ DIRECTORY_FLAGS = ("-isystem", "-iquote", "-I")
 PLAIN_FLAGS = ("-std=", "-D", "-U", "-x", "-W")
 
 
-def flags_by_file(workspace: Workspace, given: str | None) -> dict[str, tuple[str, ...]]:
+def flags_by_file(workspace: Workspace, options: LintOptions) -> dict[str, tuple[str, ...]]:
     """For every workspace file in the database its harmless flags, include directories absolute.
 
-    *given* is the file or its directory as the user named it, relative to the root; otherwise ``build`` is looked into.
-    Anything unexpected in the database is left out, never an error.
+    The database lies where the options say, relative to the user's checkout, or in its ``build``. Its paths into the
+    checkout stand for the same places in *workspace*, which may be a base revision. Anything unexpected in it is left
+    out, never an error.
     """
-    root = Path(os.path.realpath(workspace.root))
-    text = _read(root, given)
+    checkout, root = os.path.realpath(options.root or workspace.root), os.path.realpath(workspace.root)
     try:
-        entries = json.loads(text)
+        entries = json.loads(_read(Path(checkout), options.compile_database))
     except (ValueError, RecursionError):
         return {}
     known = {file.path for file in workspace.files}
     found: dict[str, tuple[str, ...]] = {}
     for entry in entries if isinstance(entries, list) else ():
         if isinstance(entry, dict) and isinstance(entry.get("file"), str):
-            directory = str(entry.get("directory", root))
-            path = os.path.realpath(os.path.join(root, directory, entry["file"]))
-            name = os.path.relpath(path, root)
+            directory = os.path.join(checkout, str(entry.get("directory", "")))
+            name = os.path.relpath(os.path.realpath(os.path.join(directory, entry["file"])), checkout)
             if name in known and name not in found:
-                found[name] = tuple(_harmless(_arguments(entry), os.path.join(root, directory), str(root)))
+                found[name] = tuple(_harmless(_arguments(entry), directory, checkout, root))
     return found
 
 
@@ -71,7 +71,7 @@ def _arguments(entry: dict[str, object]) -> list[str]:
     return []
 
 
-def _harmless(arguments: Sequence[str], directory: str, root: str) -> Iterator[str]:
+def _harmless(arguments: Sequence[str], directory: str, checkout: str, root: str) -> Iterator[str]:
     """The flags on the lists above; -W only with a warning's name (``-Wl,`` and ``-Wa,`` speak to other programs)."""
     following = iter(arguments[1:])
     for argument in following:
@@ -83,6 +83,8 @@ def _harmless(arguments: Sequence[str], directory: str, root: str) -> Iterator[s
             value = next(following, "")
         if flag in DIRECTORY_FLAGS:
             path = os.path.realpath(os.path.join(directory, value))
+            if path == checkout or path.startswith(checkout + "/"):
+                path = root + path[len(checkout) :]
             if value and _is_allowed(path, root) and os.path.isdir(path):
                 yield from (flag, path) if flag != "-I" else (flag + path,)
         elif flag == "-x":

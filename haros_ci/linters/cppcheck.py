@@ -57,7 +57,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     instead of tenths, and what is found besides lies in other packages' headers.
     """
     files = {file.path: file for file in workspace.files if file.language in LANGUAGES}
-    flags = compile_db.flags_by_file(workspace, options.compile_database)
+    flags = compile_db.flags_by_file(workspace, options)
     homes = {package.name: "" if package.path == "." else package.path for package in workspace.packages}
     setup = lru_cache(maxsize=None)(partial(_setup, os.path.realpath(workspace.root)))
     setups = {path: setup(homes.get(file.package or "", ""), flags.get(path, ())) for path, file in files.items()}
@@ -106,7 +106,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
                 yield Finding(unit, _result(error, batch.workspace))
             elif unit not in silenced:
                 silenced.add(unit)
-                yield _gave_up(unit, error)
+                yield _gave_up(unit, error, batch.workspace)
 
 
 def _setup(root: str, home: str, flags: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -133,11 +133,13 @@ def _units(error: Element, batch: Batch) -> list[str]:
     return [path for path in paths if place in includes.closure(path, direct)]
 
 
-def _gave_up(unit: str, error: Element) -> GaveUp:
-    place = error.children[0]
-    line = int(place["line"])
-    elsewhere = "" if place["file"] == unit else f" ({place['file']}:{line})"
-    return GaveUp(unit, error.attributes["msg"].splitlines()[0] + elsewhere, None if elsewhere else line or None)
+def _gave_up(unit: str, error: Element, workspace: Workspace) -> GaveUp:
+    """The reason; a file that is not of the workspace (``#include "/etc/passwd"``) is not quoted."""
+    path, line = error.children[0]["file"], int(error.children[0]["line"])
+    if all(file.path != path for file in workspace.files):
+        return GaveUp(unit, "it includes a file that is not part of the workspace and cannot be read")
+    reason = error.attributes["msg"].partition("\n")[0]
+    return GaveUp(unit, reason, line or None) if path == unit else GaveUp(unit, f"{reason} ({path}:{line})")
 
 
 def _result(error: Element, workspace: Workspace) -> Result:

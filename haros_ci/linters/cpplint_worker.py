@@ -29,9 +29,10 @@ def hasten(cpplint: Any) -> None:
     """Short cuts that change no verdict: much of cpplint's time goes to patterns whose word is not in the line."""
     for name in ("_re_pattern_types_or_objs", "_re_pattern_functions", "_re_pattern_templates"):
         rows = getattr(cpplint, name, [])
-        rows[:] = [_guarded(*row) for row in rows]
-    width: Callable[[str], int] = cpplint.GetLineWidth
-    cpplint.GetLineWidth = lambda line: len(line) if line.isascii() else width(line)
+        rows[:] = [_guarded(*row) if len(row) == 3 else row for row in rows]
+    width: Callable[[str], int] | None = getattr(cpplint, "GetLineWidth", None)
+    if width is not None:
+        cpplint.GetLineWidth = lambda line: len(line) if line.isascii() else width(line)
 
 
 def hide_outer_settings(root: str, name: str) -> None:

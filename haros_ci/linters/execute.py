@@ -95,7 +95,8 @@ def _ask(task: Task, units: tuple[Unit, ...], processes: Processes, scratch: Pat
             else:
                 gave_up.append(replace(said, message=_stripped(said.message, here)))
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
-        raise _Failed(_stripped(_last_words(output.stderr), here) or f"wrote what cannot be understood ({err})") from err
+        words = _stripped(_last_words(output.stderr), here)
+        raise _Failed(words or f"wrote what cannot be understood ({err})") from err
     return [(path, Answer(tuple(results), tuple(gave_up))) for path, (results, gave_up) in sorted(collected.items())]
 
 

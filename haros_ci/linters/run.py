@@ -113,7 +113,7 @@ class _Digests:
         parts = [SCHEMA, tool, version, fingerprint, unit.group, unit.salt, unit.file.path, unit.file.digest]
         for path in unit.dependencies:
             parts += (path, self._of(path))
-        return hashlib.sha256("\0".join(parts).encode("utf-8", "surrogateescape")).hexdigest()
+        return hashlib.sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()
 
     def _of(self, path: str) -> str:
         digest = self.known.get(path) or self._others.get(path)

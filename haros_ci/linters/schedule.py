@@ -27,13 +27,15 @@ def estimate(units: Iterable[Unit], cost: float) -> float:
 
 
 def _parts(units: tuple[Unit, ...], cost: float, seconds: float) -> Iterable[tuple[Unit, ...]]:
-    total = estimate(units, cost)
-    share = total / max(1, round(total / seconds))
+    total = sum(unit.file.size for unit in units)
+    share = total / max(1, round(total * cost / 1e6 / seconds))
     part: list[Unit] = []
+    filled = 0
     for unit in units:
         part.append(unit)
-        if estimate(part, cost) >= share * (1 - 1e-9) or len(part) == BATCH_FILES:
+        filled += unit.file.size
+        if filled >= share > 0 or len(part) == BATCH_FILES:
             yield tuple(part)
-            part = []
+            part, filled = [], 0
     if part:
         yield tuple(part)

@@ -68,7 +68,7 @@ def workspace(
     return Workspace(root, packages, ordered, DiskReader(root), None if targets is None else frozenset(targets))
 
 
-#: Reads ``path`` lines from its arguments; every line ``# say RULE`` of a file becomes a finding, other orders are obeyed.
+#: Reads ``path`` lines from its arguments; each line ``# say RULE`` of a file is a finding, other orders are obeyed.
 TOOL = """
 import os, signal, sys, time
 for path in sys.argv[1:]:
@@ -125,7 +125,9 @@ class FakeLinter:
             if rule == "!":
                 yield GaveUp(path, "refused", int(number))
             else:
-                yield Finding(path, Result(self.NAME, rule, Level.WARNING, f"{rule} found", Location(path, int(number))))
+                yield Finding(
+                    path, Result(self.NAME, rule, Level.WARNING, f"{rule} found", Location(path, int(number)))
+                )
 
 
 def everything(tool: str, rule: str, path: str) -> bool:

@@ -40,7 +40,9 @@ def marks(root: Path) -> str:
     return path.read_text() if path.exists() else ""
 
 
-def run(root: Path, files: dict[str, str], options: LintOptions | None = None, packages: tuple[Package, ...] = ()) -> Run:
+def run(
+    root: Path, files: dict[str, str], options: LintOptions | None = None, packages: tuple[Package, ...] = ()
+) -> Run:
     (only,) = lint(workspace(root, files, packages), [pylint], options or LintOptions(), MemoryStore(), everything)
     return only
 
@@ -74,7 +76,7 @@ CONFIGURATIONS = {
     "setup.cfg": "[pylint.MASTER]\ninit-hook={trap}\nload-plugins=evil\n",
     "tox.ini": "[pylint]\ninit-hook={trap}\nload-plugins=evil\n",
     "pyproject.toml": '[tool.pylint.main]\ninit-hook = """{trap}"""\nload-plugins = ["evil"]\nsource-roots = ["."]\n',
-    "scripts/pylintrc": "[MAIN]\ndisable=all\n  \n init-hook={trap}\n[X]\ngood-names=x\n    [MAIN]\n    init-hook={trap}\n",
+    "scripts/pylintrc": "[MAIN]\ndisable=all\n init-hook={trap}\n[X]\ngood-names=x\n    [MAIN]\n    init-hook={trap}\n",
 }
 
 
@@ -94,7 +96,9 @@ def test_trusted_configuration_is_passed_whole(tmp_path: Path) -> None:
     assert marks(tmp_path) == "hook\n"
 
 
-@pytest.mark.parametrize("name", ["-rcfile.py", "--init-hook=x.py", "two words.py", "100%.py", "::error::.py", "ü.py", "a'b.py"])
+@pytest.mark.parametrize(
+    "name", ["-rcfile.py", "--init-hook=x.py", "two words.py", "100%.py", "::error::.py", "ü.py", "a'b.py"]
+)
 def test_odd_names_are_linted(tmp_path: Path, name: str) -> None:
     done = run(tmp_path, {name: "import os\n"})
     assert ("unused-import", name) in {(result.rule, result.location.path) for result in done.results}

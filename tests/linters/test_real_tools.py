@@ -4,6 +4,9 @@
 from __future__ import annotations
 
 import json
+import re
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -37,7 +40,8 @@ int deref(bool on) {
 """
 MANIFEST = (
     "<package><name>robot</name><version>1.0.0</version><description>Arm.</description>"
-    '<maintainer email="a@example.org">A</maintainer><license>BSD</license><buildtool_depend>catkin</buildtool_depend></package>\n'
+    '<maintainer email="a@example.org">A</maintainer><license>BSD</license>'
+    "<buildtool_depend>catkin</buildtool_depend></package>\n"
 )
 CMAKE = "cmake_minimum_required(VERSION 3.5)\nproject(other)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
 FILES = {
@@ -91,7 +95,9 @@ def test_jobs_and_place_change_nothing(tmp_path: Path) -> None:
     assert str(tmp_path) not in repr(done[0])
 
 
-@pytest.mark.parametrize("name", ["-D.cpp", "--help.hpp", "two words.cpp", "100%.cpp", "::error::.cpp", "ü.cpp", "q\"'.cpp", "a,b.cpp"])
+@pytest.mark.parametrize(
+    "name", ["-D.cpp", "--help.hpp", "two words.cpp", "100%.cpp", "::error::.cpp", "ü.cpp", "q\"'.cpp", "a,b.cpp"]
+)
 @pytest.mark.parametrize("linter", [cpplint, cppcheck, lizard])
 def test_odd_names_are_analysed(tmp_path: Path, linter: Linter, name: str) -> None:
     defects = "void f(int a, int b, int c, int d, int e, int g, int h) { int* p = 0; *p = a; }\n"
@@ -118,10 +124,30 @@ def test_cpplint_honours_settings_inside_the_workspace(
     assert {"src/a.cpp", "lib/b.cpp"} <= done.analysed
 
 
+STD = """#include <vector>
+std::string a = std::max<int>(1, 2) + swap(b) + ns::string;
+std::unordered_map<std::vector<int>, std::less<>> c;  // printf("%d")
+void f() { printf("x"); memcpy(a, b, 3); x->sort(1); std::sort(a, b); cout << "string" << endl; }
+auto wide = "@";
+""".replace("@", "\u65e5" * 45)
+
+
+def test_the_worker_says_what_cpplint_says(tmp_path: Path) -> None:
+    done = run(tmp_path, cpplint, {"a.cpp": STD})
+    options = ["--verbose=0", "--filter=+build/include_alpha", "--linelength=100"]
+    command = [sys.executable, "-I", "-X", "utf8", "-m", "cpplint", *options, "a.cpp"]
+    plain = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False).stderr.decode()
+    expected = re.findall(r"^a\.cpp:(\d+):  (.*)  \[(.*)\] \[\d\]$", plain, re.MULTILINE)
+    said = [(str(r.location.line or 0), r.message, r.rule) for r in done.results]
+    assert sorted(said) == sorted(set(expected)) and len(said) > 10
+
+
 def test_a_line_length_of_one_directory_does_not_leak(tmp_path: Path) -> None:
     long = f"int a = {'1' * 130};  // Copyright\n"
     files = {"a/CPPLINT.cfg": "linelength=200\n", "a/a.cpp": long, "b/b.cpp": long}
-    assert {name for rule, name, _ in found(run(tmp_path, cpplint, files)) if rule == "whitespace/line_length"} == {"b.cpp"}
+    assert {name for rule, name, _ in found(run(tmp_path, cpplint, files)) if rule == "whitespace/line_length"} == {
+        "b.cpp"
+    }
 
 
 @pytest.mark.parametrize("suffix", "c cc cpp cxx c++ h hh hpp hxx h++ ipp tpp txx inl cu cuh".split())
@@ -166,11 +192,18 @@ def test_cppcheck_names_what_it_gave_up(tmp_path: Path, text: str) -> None:
     assert ("nullPointer", "b.cpp", 1) in found(done)
 
 
+def test_cppcheck_quotes_nothing_from_outside(tmp_path: Path) -> None:
+    (tmp_path / "secret").write_text("TOP_SECRET_WORD(x) more {\n")
+    done = run(tmp_path / "root", cppcheck, {"a.cpp": f'#include "{tmp_path}/secret"\n#include "../secret"\nint a;\n'})
+    assert [note.path for note in done.notifications] == ["a.cpp"]
+    assert "SECRET" not in repr(done) and str(tmp_path) not in repr(done)
+
+
 def test_a_finding_in_a_header_belongs_to_every_includer(tmp_path: Path) -> None:
     files = {
         "src/robot/include/robot/f.hpp": "inline int f() { int* p = 0; return *p; }\n",
         "src/robot/src/a.cpp": '#include "robot/f.hpp"\nint a() { return f(); }\n',
-        "src/robot/src/b.cpp": '#include <robot/f.hpp>\nint b() { return f(); }\n',
+        "src/robot/src/b.cpp": "#include <robot/f.hpp>\nint b() { return f(); }\n",
     }
     store = MemoryStore()
     (cold,) = lint(workspace(tmp_path, files, [PACKAGE]), [cppcheck], LintOptions(), store, everything)
@@ -195,14 +228,20 @@ def test_a_header_target_is_seen_through_its_includers(tmp_path: Path) -> None:
 
 
 def test_headers_in_a_circle_are_analysed_once(tmp_path: Path) -> None:
-    files = {"a.hpp": '#pragma once\n#include "b.hpp"\n', "b.hpp": '#pragma once\n#include "a.hpp"\nint f() { int* p = 0; return *p; }\n'}
+    files = {
+        "a.hpp": '#pragma once\n#include "b.hpp"\n',
+        "b.hpp": '#pragma once\n#include "a.hpp"\nint f() { int* p = 0; return *p; }\n',
+    }
     done = run(tmp_path, cppcheck, files)
     assert done.analysed == {"a.hpp", "b.hpp"} and ("nullPointer", "b.hpp", 3) in found(done)
 
 
 def test_cppcheck_uses_definitions_of_the_compile_database(tmp_path: Path) -> None:
     source = "#ifdef BROKEN\nint f() { int* p = 0; return *p; }\n#endif\n"
-    files = {"a.cpp": source, "build/compile_commands.json": json.dumps([{"file": "a.cpp", "command": "c++ -DBROKEN a.cpp"}])}
+    files = {
+        "a.cpp": source,
+        "build/compile_commands.json": json.dumps([{"file": "a.cpp", "command": "c++ -DBROKEN a.cpp"}]),
+    }
     assert ("nullPointer", "a.cpp", 2) in found(run(tmp_path, cppcheck, files))
 
 
@@ -212,7 +251,12 @@ def test_cppcheck_uses_definitions_of_the_compile_database(tmp_path: Path) -> No
         (ruff, FILES, ("F401", "go.py", 2)),
         (
             clang_tidy,
-            {**FILES, "build/compile_commands.json": json.dumps([{"file": "src/robot/src/arm.cpp", "arguments": ["c++", "-Isrc/robot/include"]}])},
+            {
+                **FILES,
+                "build/compile_commands.json": json.dumps(
+                    [{"file": "src/robot/src/arm.cpp", "arguments": ["c++", "-Isrc/robot/include"]}]
+                ),
+            },
             ("clang-analyzer-core.NullDereference", "arm.cpp", 8),
         ),
         (
@@ -255,7 +299,7 @@ def test_python_2_is_one_notification(tmp_path: Path) -> None:
         ({"setup.cfg": "[pylint.'MESSAGES CONTROL']\ndisable=W0611\n"}, False),
         ({"pyproject.toml": '[tool.pylint."messages control"]\ndisable = ["unused-import"]\n'}, False),
         ({"scripts/.pylintrc": "[MAIN]\ndisable=all\n"}, False),
-        ({"pyproject.toml": '[tool.black]\nline-length = 10\n'}, True),
+        ({"pyproject.toml": "[tool.black]\nline-length = 10\n"}, True),
         ({"pylintrc": "disable=unused-import\n"}, True),
         ({"../pylintrc": "[MAIN]\ndisable=all\n"}, True),
     ],

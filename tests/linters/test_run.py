@@ -19,7 +19,9 @@ CLEAN = {"a.py": "# say W1\n", "b.py": "x = 1\n", "d/c.py": "\n\n# say W2\n"}
 
 
 def run(root: Path, files: dict[str, str], linter: FakeLinter | None = None, options: LintOptions | None = None) -> Run:
-    (only,) = lint(workspace(root, files), [linter or FakeLinter()], options or LintOptions(), MemoryStore(), everything)
+    (only,) = lint(
+        workspace(root, files), [linter or FakeLinter()], options or LintOptions(), MemoryStore(), everything
+    )
     return only
 
 
@@ -61,7 +63,9 @@ def test_a_hanging_tool_is_stopped_and_others_go_on(tmp_path: Path) -> None:
     options = LintOptions(timeouts={"slow": 0.2}, jobs=2)
     first, second = lint(space, [slow, other], options, MemoryStore(), everything)
     assert not first.successful and first.results == () and first.analysed == frozenset()
-    assert first.notifications[0].message.startswith("slow was stopped after 0.2 s; without a result: a.py, b.py, bad.py")
+    assert first.notifications[0].message.startswith(
+        "slow was stopped after 0.2 s; without a result: a.py, b.py, bad.py"
+    )
     assert second.successful and said(second) == [("a.cpp", 1, "C1")]
     assert len(slow.asked) == 1, "what hangs once is not tried again"
 

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is read of the workspace to run the tools: includes, imports, settings, compile databases, macros, Python 2."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+from linter_samples import MemoryStore, workspace
+
+from haros_ci.linters import imports, includes, installed, ros_macros, schedule
+from haros_ci.linters.compile_db import flags_by_file
+from haros_ci.linters.linter import LintOptions, Unit
+from haros_ci.linters.process import search_path
+from haros_ci.linters.pylint_config import config_path, inert_options
+from haros_ci.linters.python2 import is_python2
+from haros_ci.model.package import Package, SourceFile
+
+PYTHON_2 = [
+    'print "x"\n',
+    "    print 'x' % y\n",
+    "print x, y\n",
+    "try:\n    f()\nexcept ValueError, e:\n    pass\n",
+    "try:\n    f()\nexcept (IOError, OSError), e:\n    pass\n",
+    'raise ValueError, "no"\n',
+    "exec code\n",
+    "if a <> b:\n    pass\n",
+    "x = `y`\n",
+    "os.chmod(p, 0755)\n",
+    "x = ur'y'\n",
+    "#!/usr/bin/env python2\nx = (\n",
+]
+NOT_PYTHON_2 = [
+    "print('x')\n",
+    "print\n",
+    "print = 3\n",
+    "print(x\n",
+    "def f(:\n",
+    "x = 1 +\n",
+    "except_ = a, b\n",
+    "try:\n    f()\nexcept (A, B) as e:\n    pass\n",
+    "raise ValueError('a, b')\n",
+    "#!/usr/bin/env python3\nx = (\n",
+    "x = 0o755 +\n",
+    "# say `x` and a <> b\nx = (\n",
+    "'''print the docs'''\n(\n",
+    "x = 10 + 0.5 +\n",
+]
+
+
+@pytest.mark.parametrize("text", PYTHON_2)
+def test_python_2_is_recognised(text: str) -> None:
+    with pytest.raises(SyntaxError):
+        compile(text, "x", "exec")
+    assert is_python2(text)
+
+
+@pytest.mark.parametrize("text", NOT_PYTHON_2)
+def test_broken_python_3_is_not_python_2(text: str) -> None:
+    assert not is_python2(text)
+
+
+INERT = [
+    ("pylintrc", "[A]\ndisable=a,\n b\nmax-line-length=99\n", {"disable": "a,\nb", "max-line-length": "99"}),
+    (".pylintrc", "[A]\nmax_line_length: 99\n", {"max-line-length": "99"}),
+    ("setup.cfg", "[pylint.MAIN]\ndisable=a\n[flake8]\nignore=b\n", {"disable": "a"}),
+    ("tox.ini", "[tool:pylint]\ngood-names=i\n", {"good-names": "i"}),
+    ("pyproject.toml", "[tool.pylint]\nmax-args = 9\n", {"max-args": "9"}),
+    (
+        "pyproject.toml",
+        '[tool.pylint.a]\ndisable = ["a", "b"]\ninit-import = true\n',
+        {"disable": "a,b", "init-import": "yes"},
+    ),
+    ("pylintrc", "[A]\nINIT-HOOK=x\nload-plugins=y\nload_plugins=y\nevaluation=z\nsource-roots=.\n", {}),
+    ("pylintrc", "[A]\nextension-pkg-allow-list=a\nextension-pkg-whitelist=a\nunsafe-load-any-extension=yes\n", {}),
+    ("pylintrc", "[A]\noutput-format=mod.Class\nmsg-template=x\nspelling-dict=en\nimport-graph=/tmp/x\njobs=99\n", {}),
+    ("pyproject.toml", '[tool.pylint.a]\ninit-hook = "x"\nload-plugins = ["y"]\n', {}),
+    ("pyproject.toml", "[tool]\npylint = 3\n", {}),
+    ("pyproject.toml", "[tool.black]\ndisable = 3\n", {}),
+]
+
+
+@pytest.mark.parametrize(("name", "text", "options"), INERT)
+def test_only_inert_options_pass(name: str, text: str, options: dict[str, str]) -> None:
+    assert inert_options(name, text) == options
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("pylintrc", "disable=x\n"), ("pyproject.toml", "[tool.pylint\n"), ("setup.cfg", "[a\n")]
+)
+def test_unreadable_settings_are_an_error(name: str, text: str) -> None:
+    with pytest.raises(ValueError):
+        inert_options(name, text)
+
+
+def test_the_nearest_settings_win(tmp_path: Path) -> None:
+    files = {"pylintrc": "[A]\n", "a/setup.cfg": "[pylint]\n", "a/b/setup.cfg": "[flake8]\n", "c/pylintrc": "\n"}
+    space = workspace(tmp_path, files)
+    found = [config_path(space, directory) for directory in ("", "a", "a/b", "c", "d/e")]
+    assert found == ["pylintrc", "a/setup.cfg", "a/setup.cfg", "pylintrc", "pylintrc"]
+
+
+def test_includes(tmp_path: Path) -> None:
+    files = {
+        "p/include/p/a.hpp": '#include "b.hpp"\n# include <vector>\n//#include "no.hpp"\n',
+        "p/include/p/b.hpp": '#include "../p/a.hpp"\n',
+        "p/src/a.cpp": '  #  include <p/a.hpp>\n#include "local.h"\n#include "q/q.hpp"\n',
+        "p/src/local.h": "",
+        "q/include/q/q.hpp": "",
+        "no.hpp": "",
+    }
+    space = workspace(tmp_path, files)
+    store = MemoryStore()
+    written = includes.written(space, space.files, store)
+    assert includes.written(space, space.files, store) == written and store.hits == 1
+    direct = includes.resolve(written, {path: ("p/include",) for path in files})
+    assert includes.closure("p/src/a.cpp", direct) == {"p/include/p/a.hpp", "p/include/p/b.hpp", "p/src/local.h"}
+    assert includes.closure("p/include/p/b.hpp", direct) == {"p/include/p/a.hpp"}
+
+
+@pytest.mark.parametrize("planted", ["[]", '{"x": 1}', '"text"', "null"])
+def test_a_spoiled_list_of_includes_is_read_anew(tmp_path: Path, planted: str) -> None:
+    space = workspace(tmp_path, {"a.cpp": '#include "b.hpp"\n'})
+    store = MemoryStore()
+    expected = includes.written(space, space.files, store)
+    store.values = dict.fromkeys(store.values, planted.replace("x", space.files[0].digest))
+    assert includes.written(space, space.files, store) == expected == {"a.cpp": ("b.hpp",)}
+
+
+IMPORTS = [
+    ("import b\n", {"p/b.py"}),
+    ("from p.b import x\n", {"p/b.py", "p/__init__.py"}),
+    ("from . import b\n", {"p/b.py"}),
+    ("from p import (\n    x,\n    b,\n)\n", {"p/b.py", "p/__init__.py"}),
+    ("if x:\n    import os, b as d\n", {"p/b.py"}),
+    ("from .sub.c import y\n", {"p/sub/c.py", "p/b.py"}),
+    ("import os\n", set()),
+    ("# import b\n", set()),
+    ("x = 'import b'\n", set()),
+    ("important = b\n", set()),
+]
+
+
+@pytest.mark.parametrize(("text", "needs"), IMPORTS)
+def test_imports_within_a_package(tmp_path: Path, text: str, needs: set[str]) -> None:
+    files = {"p/a.py": text, "p/b.py": "", "p/__init__.py": "", "p/sub/c.py": "from ..b import z\n", "q/b.py": ""}
+    found = imports.closures(workspace(tmp_path, files, [Package("p", "p"), Package("q", "q")]))
+    assert set(found["p/a.py"]) == needs and found["q/b.py"] == ()
+
+
+ALLOWED = [
+    (["-I", "inc", "-Iinc"], ["-I{root}/inc", "-I{root}/inc"]),
+    (["-isystem", "inc", "-isystem/usr/include"], ["-isystem", "{root}/inc", "-isystem", "/usr/include"]),
+    (["-iquote", "inc"], ["-iquote", "{root}/inc"]),
+    (
+        ["-DA=1", "-D", "B", "-UC", "-std=c++17", "-Wall", "-x", "c++"],
+        ["-DA=1", "-DB", "-UC", "-std=c++17", "-Wall", "-xc++"],
+    ),
+]
+FORBIDDEN = [
+    ["-fplugin=evil.so"],
+    ["-Xclang", "-load", "-Xclang", "evil.so"],
+    ["-Wl,-plugin,evil.so", "-Wa,x", "-Wp,x"],
+    ["-include", "/etc/passwd"],
+    ["-I/etc", "-I../..", "-Ilink", "-isystem", "/root", "-I", "/nonexistent"],
+    ["@response", "-o", "out", "--config=x", "-B.", "-specs=x", "-wrapper", "sh"],
+    ["-x", "ir", "-I"],
+    ["-DA\n=1"],
+]
+
+
+def database(root: Path, arguments: list[str], **more: object) -> dict[str, tuple[str, ...]]:
+    entry = {"directory": ".", "file": "a.cpp", "arguments": ["c++", *arguments, "a.cpp"], **more}
+    files = {"a.cpp": "", "inc/h.hpp": "", "build/compile_commands.json": json.dumps([entry, 3, {"file": 7}])}
+    if not (root / "link").is_symlink():
+        root.mkdir(exist_ok=True)
+        (root / "link").symlink_to("/etc")
+    return flags_by_file(workspace(root, files), LintOptions())
+
+
+@pytest.mark.parametrize(("arguments", "flags"), ALLOWED)
+def test_harmless_flags_pass(tmp_path: Path, arguments: list[str], flags: list[str]) -> None:
+    real = os.path.realpath(tmp_path)
+    joined = " ".join(flags).format(root=real).replace("-x c++", "-xc++")
+    assert " ".join(database(tmp_path, arguments)["a.cpp"]).replace("-x c++", "-xc++") == joined
+
+
+@pytest.mark.parametrize("arguments", FORBIDDEN)
+def test_other_flags_do_not(tmp_path: Path, arguments: list[str]) -> None:
+    assert database(tmp_path, arguments)["a.cpp"] == ()
+
+
+@pytest.mark.parametrize("file", ["../a.cpp", "/etc/passwd", "b.cpp", ""])
+def test_files_outside_are_not_described(tmp_path: Path, file: str) -> None:
+    assert database(tmp_path, ["-DA"], file=file) == {}
+
+
+@pytest.mark.parametrize("text", ["", "{", "3", "{}", "[[]]", "[" * 100_000])
+def test_a_broken_database_is_none(tmp_path: Path, text: str) -> None:
+    options = LintOptions(compile_database=".")
+    assert flags_by_file(workspace(tmp_path, {"a.cpp": "", "compile_commands.json": text}), options) == {}
+
+
+def test_a_command_line_is_split_not_run(tmp_path: Path) -> None:
+    entry = [{"directory": "/", "file": str(tmp_path / "a.cpp"), "command": 'c++ "-DA=x y" $(touch pwned) -c a.cpp'}]
+    space = workspace(tmp_path, {"a.cpp": "", "out/compile_commands.json": json.dumps(entry)})
+    assert flags_by_file(space, LintOptions(compile_database="out")) == {"a.cpp": ("-DA=x y",)}
+    assert not (tmp_path / "pwned").exists()
+
+
+def test_the_checkout_s_database_serves_a_base_revision(tmp_path: Path) -> None:
+    head, base = tmp_path / "head", tmp_path / "base"
+    entry = [{"directory": str(head / "build"), "file": "../a.cpp", "command": f"c++ -I{head}/inc -I{head}/new a.cpp"}]
+    files = {"a.cpp": "", "inc/h.hpp": ""}
+    workspace(head, {**files, "new/h.hpp": "", "build/compile_commands.json": json.dumps(entry)})
+    flags = flags_by_file(workspace(base, files), LintOptions(root=head))
+    assert flags == {"a.cpp": (f"-I{os.path.realpath(base)}/inc",)}
+
+
+VISIBLE = ["ROBOT_PUBLIC", "NAV2_UTIL__VISIBILITY_EXPORT", "ecl_EXPORT x ECL_LOCAL", "ROBOT_PUBLIC_TYPE", "A_DECL"]
+NOT_VISIBLE = ["PUBLIC", "public", "ROBOT_PUBLICATION", "IS_LOCAL_x", "robot_public", "EXPORT_ROBOT", "Robot_PUBLIC"]
+
+
+@pytest.mark.parametrize("text", VISIBLE)
+def test_visibility_macros_are_found(text: str) -> None:
+    assert ros_macros.visibility_macros([text])
+
+
+@pytest.mark.parametrize("text", NOT_VISIBLE)
+def test_other_names_are_not_visibility_macros(text: str) -> None:
+    assert not ros_macros.visibility_macros([text])
+
+
+def units(*sizes: int, group: str = "") -> list[Unit]:
+    return [Unit(SourceFile(f"{group}{i:03}.py", "python", size, "0"), group) for i, size in enumerate(sizes)]
+
+
+@pytest.mark.parametrize(
+    ("given", "shapes"),
+    [
+        (units(1_000_000), [1]),
+        (units(*[1_000_000] * 8), [4, 4]),
+        (units(*[1_000_000] * 9), [5, 4]),
+        (units(9_000_000, 1, 1, 1), [1, 3]),
+        (units(*[0] * 450), [200, 200, 50]),
+        (units(1, 1, group="a") + units(1, group="b"), [2, 1]),
+        ([], []),
+    ],
+)
+def test_batches_are_even_and_of_one_group(given: list[Unit], shapes: list[int]) -> None:
+    made = schedule.batches(given, cost=1.0, seconds=4.0)
+    assert [len(batch) for batch in made] == shapes
+    assert schedule.batches(given[::-1], cost=1.0, seconds=4.0) == made
+    assert sorted((u.file.path for batch in made for u in batch)) == sorted(u.file.path for u in given)
+
+
+def test_path_has_no_directory_of_the_workspace(tmp_path: Path) -> None:
+    (tmp_path / "root/bin").mkdir(parents=True)
+    (tmp_path / "link").symlink_to(tmp_path / "root/bin")
+    given = f".::bin:{tmp_path}/root/bin:{tmp_path}/link:{tmp_path}/rooted:/usr/bin:/usr/bin"
+    assert search_path({"PATH": given}, tmp_path / "root") == [f"{tmp_path}/rooted", "/usr/bin"]
+
+
+def test_no_program_is_taken_from_the_workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    tool = tmp_path / "root" / "some-tool"
+    tool.parent.mkdir()
+    tool.write_text(f"#!/bin/sh\ntouch {tmp_path}/ran\necho some-tool 1.2\n")
+    tool.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tool.parent}:/usr/bin:/bin")
+    assert installed.binary("some-tool", LintOptions(root=tool.parent)) is None
+    assert not (tmp_path / "ran").exists()
+    found = installed.binary("some-tool", LintOptions(root=tmp_path / "elsewhere"))
+    assert found is not None and (found.argv, found.version) == ((str(tool),), "1.2")
+
+
+def test_a_distribution_is_found_by_its_directory() -> None:
+    found = installed.distribution("pytest")
+    assert found is not None and found.version == pytest.__version__
+    assert installed.distribution("no-such-thing") is None
