@@ -8,8 +8,10 @@ checked file would execute a ``curses/__init__.py`` that lies beside it.
 
 from __future__ import annotations
 
+import errno
 import os
 import runpy
+import stat
 import sys
 from collections.abc import Iterable, Sequence
 from importlib.machinery import ModuleSpec, PathFinder
@@ -51,11 +53,27 @@ def trust_only_the_present_path() -> None:
     finders[:] = [TrustedFinder if finder is PathFinder else finder for finder in finders]
 
 
+def refuse_pipes() -> None:
+    """A named pipe where a module is looked for would block the whole batch: opening one fails instead."""
+
+    def hook(event: str, arguments: tuple[Any, ...]) -> None:
+        if event == "open" and isinstance(arguments[0], (str, bytes)):
+            try:
+                mode = os.stat(arguments[0]).st_mode
+            except OSError:
+                return
+            if stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode):
+                raise OSError(errno.EINVAL, "not a regular file", arguments[0])
+
+    sys.addaudithook(hook)
+
+
 def main() -> None:
     _, directory, module, *arguments = sys.argv
     if directory not in sys.path:
         sys.path.append(directory)
     trust_only_the_present_path()
+    refuse_pipes()
     sys.argv = [module, *arguments]
     runpy.run_module(module, run_name="__main__", alter_sys=True)
 
