@@ -25,7 +25,7 @@ def locate(arguments: tuple[str, ...], cwd: Path) -> Place:
     """The place of a run on *arguments* (none: *cwd*).
 
     GitHub wants paths relative to the repository, so the root is the git work tree that holds all arguments; outside
-    git it is the one directory named, or the directory above all that is named. Symbolic links in arguments are resolved.
+    git it is *cwd* if that holds them, else the directory above all that is named. Symbolic links are resolved.
     """
     named = [Path(os.path.realpath(cwd / argument)) for argument in arguments or (".",)]
     for argument, path in zip(arguments or (".",), named, strict=True):
@@ -35,9 +35,7 @@ def locate(arguments: tuple[str, ...], cwd: Path) -> Place:
     if not above.is_dir():
         above = above.parent
     here = Path(os.path.realpath(cwd))
-    if any(path.is_file() for path in named) and above.is_relative_to(here):
-        above = here
-    root = work_tree(above) or above
+    root = work_tree(above) or (here if above.is_relative_to(here) else above)
     return Place(root, tuple(path.relative_to(root).as_posix() for path in named), above)
 
 
