@@ -1,27 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the known findings come from: a file of ours, a SARIF log, or the analysis of a base revision."""
+"""Where the known findings come from: a file of ours, a SARIF log, or the analysis of a base revision.
+
+Most runs need one of these ways or none, so each is imported where it is taken.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.results.compact import MAX_BYTES, BaselineFormatError, read_compact
-from haros_ci.results.known import Known, Sides, known_from_results, known_from_sarif, rule_aliases
-from haros_ci.results.matching import match
 from haros_ci.results.result import Baseline, Notification, Result, Run
 from haros_ci.results.rule import Level
-from haros_ci.results.sarif_reader import SarifError, read_sarif
-from haros_ci.workspace.base import base_workspace
 from haros_ci.workspace.files import TooLarge, read_regular
 from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at
 
+if TYPE_CHECKING:
+    from haros_ci.results.known import Known, Sides
+
 #: The baseline file that is used without being named.
 COMPACT_NAME = ".haros-ci-baseline.jsonl"
+
+#: The largest log or baseline that is read, in bytes.
+MAX_BYTES = 64_000_000
 
 Examine = Callable[[Workspace], tuple[Run, ...]]
 
@@ -58,6 +63,9 @@ def compare(runs: tuple[Run, ...], workspace: Workspace, settings: Settings, *, 
 
 def known_findings(settings: Settings) -> tuple[Known, ...]:
     """What the baseline file of *settings* holds, read from the base revision if one is given."""
+    from haros_ci.results.compact import BaselineFormatError, read_compact
+    from haros_ci.results.known import known_from_sarif
+
     assert settings.baseline is not None
     name = settings.baseline
     data = _bytes_of(settings)
@@ -77,6 +85,8 @@ def is_sarif(data: bytes) -> bool:
 
 def sarif_runs(data: bytes, name: str, root: Path) -> tuple[Run, ...]:
     """The runs of a SARIF log, with notifications of what was left out of them; UserError if it is none."""
+    from haros_ci.results.sarif_reader import SarifError, read_sarif
+
     try:
         return read_sarif(data, name, root=root.as_posix())
     except SarifError as err:
@@ -94,6 +104,8 @@ def sides(
 
     *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone.
     """
+    from haros_ci.results.known import Sides, rule_aliases
+
     language = {file.path: file.language for side in (base, workspace) if side for file in side.files}
     present = {file.path for file in workspace.files}
     analysed = {run.tool.name: run.analysed for run in runs}
@@ -121,6 +133,9 @@ def _against_file(runs: tuple[Run, ...], workspace: Workspace, settings: Setting
 def _against_revision(
     runs: tuple[Run, ...], workspace: Workspace, settings: Settings, rev: str, examine: Examine
 ) -> Comparison:
+    from haros_ci.results.known import known_from_results
+    from haros_ci.workspace.base import base_workspace
+
     with base_workspace(
         workspace, rev, paths=settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size
     ) as base:
@@ -148,6 +163,8 @@ def _against_revision(
 
 def _matched(runs: tuple[Run, ...], known: tuple[Known, ...], sides: Sides) -> tuple[Run, ...]:
     """Each run with its results' states and, at the end, its absent ones."""
+    from haros_ci.results.matching import match
+
     by_tool: dict[str, list[Known]] = {}
     for entry in known:
         by_tool.setdefault(entry.tool, []).append(entry)

@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -20,10 +20,12 @@ from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
 from haros_ci.output import parse_outputs, rendered, write
-from haros_ci.results.known import Known, Sides
 from haros_ci.results.result import Report
 from haros_ci.results.rule import Level
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
+
+if TYPE_CHECKING:
+    from haros_ci.results.known import Known, Sides
 
 Flags = Mapping[str, Any]
 

@@ -49,13 +49,14 @@ def analyse(settings: Settings, store: Store, *, progress: Progress | None = Non
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     workspace = narrowed(workspace, settings, selection)
     runs = examine(workspace, settings, selection, store, progress)
+    runs = tuple(described(run) for run in (*runs, *imported(settings, workspace, selection)))
     compared = compare(
-        (*runs, *imported(settings, workspace, selection)),
+        runs,
         workspace,
         settings,
         examine=lambda base: examine(narrowed(base, settings, selection), settings, selection, store, progress),
     )
-    runs = tuple(described(run) for run in compared.runs)
+    runs = tuple(described(run) for run in compared.runs)  # absent results bring rules of their own
     report = Report(
         runs=runs,
         notifications=(

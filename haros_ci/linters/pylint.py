@@ -76,7 +76,9 @@ def command(program: Program, batch: Batch) -> Command:
     if batch.options.trust_config:
         extra += batch.options.arguments.get(NAME, ())
     argv = (*program.argv, f"--rcfile={rc}", *extra, "--output-format=json2", "--persistent=n", "--score=n", "--jobs=1")
-    names = ("./" + file.path for file in batch.files)
+    from glob import escape  # pylint expands wildcards in the names that it is given
+
+    names = ("./" + escape(file.path) for file in batch.files)
     return Command((*argv, "--", *names), environment={"PYLINTHOME": str(batch.scratch)})
 
 
