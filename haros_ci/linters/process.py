@@ -44,6 +44,7 @@ class Processes:
         streams[0].write_bytes(command.stdin)
         with open(streams[0], "rb") as stdin, open(streams[1], "wb") as stdout, open(streams[2], "wb") as stderr:
             process = self._start(command, root, scratch, stdin.fileno(), stdout.fileno(), stderr.fileno())
+        _limit(process.pid, timeout)
         expired = threading.Event()
 
         def expire() -> None:
@@ -93,7 +94,6 @@ class Processes:
             except (OSError, ValueError) as err:
                 raise Unstartable(str(err)) from err
             self._alive.add(process)
-        _limit(process.pid)
         return process
 
 
@@ -127,11 +127,16 @@ def _within(path: str, roots: list[str]) -> bool:
     return any(path == root or path.startswith(root.rstrip("/") + "/") for root in roots)
 
 
-def _limit(pid: int) -> None:
-    """Limits from outside (Linux): a preexec function would be unsafe beside threads."""
+def _limit(pid: int, timeout: float) -> None:
+    """Limits from outside (Linux): a preexec function would be unsafe beside threads.
+
+    The one on processor time ends what outlives us, should we be killed before its time is up.
+    """
     try:
         import resource
 
+        seconds = int(timeout) + 10
+        resource.prlimit(pid, resource.RLIMIT_CPU, (seconds, seconds))
         resource.prlimit(pid, resource.RLIMIT_CORE, (0, 0))
         resource.prlimit(pid, resource.RLIMIT_FSIZE, (OUTPUT_LIMIT, OUTPUT_LIMIT))
         resource.prlimit(pid, resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))

@@ -196,7 +196,7 @@ def _in_parallel(
 ) -> Iterable[tuple[int, Outcome]]:
     """``run_batch(0 … count-1)`` on *jobs* threads, outcomes as they come; nothing survives an interruption."""
     try:
-        if jobs == 1 or count == 1:
+        if jobs == 1 or count <= 1:
             for index in range(count):
                 yield index, run_batch(index)
             return
