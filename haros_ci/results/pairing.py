@@ -46,6 +46,11 @@ class _Pass:
         """Whether more than the key decides which known findings take part."""
         return self.near or self.edited or self.scoped or "P" not in self.letters
 
+    @property
+    def anchor(self) -> str:
+        """The few letters that tell soonest what cannot be paired."""
+        return "RT" if "T" in self.letters else "RM" if "M" in self.letters else "RPS"
+
 
 _IN_FILE = (
     _Pass("RPLSTX", "same text at its mapped line"),
@@ -176,17 +181,18 @@ class _Matcher:
         return mapper(known.line) if mapper else None
 
     def run(self, passes: Iterable[_Pass]) -> None:
+        pools: dict[str, tuple[list[_Thing], list[_Thing]]] = {}
         for step in passes:
-            if not self.old or not self.new:
-                return
-            key_of = itemgetter(*(_LETTERS.index(letter) for letter in step.letters))
-            wanted = {key_of(thing.features) for thing in self.new}
-            olds = _grouped(self.old, key_of, wanted)
+            if step.anchor not in pools:
+                pools[step.anchor] = _common(self.old, self.new, _key_of(step.anchor))
+            old, new = pools[step.anchor]
+            key_of = _key_of(step.letters)
+            olds = _grouped(old, key_of, {key_of(thing.features) for thing in new})
             if step.conditional:
                 olds = {key: fit for key, group in olds.items() if (fit := [t for t in group if self.fits(t, step)])}
             if not olds:
                 continue
-            news = _grouped(self.new, key_of, olds)
+            news = _grouped(new, key_of, olds)
             shared = list(olds)
             if step.edited:
                 news = {key: [thing for thing in news[key] if self.is_fresh(thing)] for key in shared}
@@ -202,8 +208,10 @@ class _Matcher:
                     taken_new.add(here[a].index)
                     taken_old.add(there[b].index)
                     self.pairs.append(Pair(here[a].index, there[b].index, step.evidence))
-            self.old = [thing for thing in self.old if thing.index not in taken_old]
-            self.new = [thing for thing in self.new if thing.index not in taken_new]
+            if not taken_old:
+                continue
+            self.old, self.new = _without(self.old, taken_old), _without(self.new, taken_new)
+            pools = {key: (_without(o, taken_old), _without(n, taken_new)) for key, (o, n) in pools.items()}
 
     def fits(self, thing: _Thing, step: _Pass) -> bool:
         """Whether a known finding may take part in a pass."""
@@ -284,6 +292,20 @@ def _features(
         metric or None,
         blind or None,
     )
+
+
+def _key_of(letters: str) -> Callable[[_Key], _Key]:
+    return itemgetter(*(_LETTERS.index(letter) for letter in letters))
+
+
+def _common(old: list[_Thing], new: list[_Thing], key_of: Callable[[_Key], _Key]) -> tuple[list[_Thing], list[_Thing]]:
+    """Those of each side whose key the other side has too."""
+    keys = {key_of(thing.features) for thing in old} & {key_of(thing.features) for thing in new}
+    return [t for t in old if key_of(t.features) in keys], [t for t in new if key_of(t.features) in keys]
+
+
+def _without(things: list[_Thing], taken: Container[int]) -> list[_Thing]:
+    return [thing for thing in things if thing.index not in taken]
 
 
 def _grouped(
