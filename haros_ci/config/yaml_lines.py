@@ -149,6 +149,7 @@ class _Builder:
             self.anchors[event.anchor] = made
         return made
 
+    # haros: ignore[undefined-variable] imported for type checkers, above
     def alias(self, event: yaml.AliasEvent) -> Value:
         self.aliases += 1
         if self.aliases > MAX_ALIASES:

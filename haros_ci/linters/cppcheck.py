@@ -43,7 +43,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"1 {ros_macros.library(())}"
+    return f"2 {ros_macros.library(())}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -75,20 +75,25 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def command(program: Program, batch: Batch) -> Command:
-    """Names go in through a file list. Duplicates are wanted: else a header's finding names its first includer only."""
+    """Names go in through a file list. Duplicates are wanted: else a header's finding names its first includer only.
+
+    It runs outside the workspace, for it takes a ``std.cfg`` of its working directory for its own.
+    """
     language, directories, defines = json.loads(batch.group)
+    root = os.path.realpath(batch.workspace.root)
     texts = (batch.workspace.text(f.path) for f in batch.workspace.files if f.language in LANGUAGES)
     library, names = batch.scratch / "ros.cfg", batch.scratch / "files"
     library.write_text(ros_macros.library(ros_macros.visibility_macros(texts)), encoding="utf-8")
-    names.write_text("".join(file.path + "\n" for file in batch.files), encoding="utf-8")
+    names.write_text("".join(f"{root}/{file.path}\n" for file in batch.files), encoding="utf-8")
     return Command(
         (
             *program.argv,
             *("--quiet", "--xml", "--enable=warning,style,performance,portability", "--inline-suppr"),
             *("--emit-duplicates", "--check-level=normal", f"--max-configs={MAX_CONFIGS}", f"--language={language}"),
-            *(f"--library={library}", "--library=boost,googletest,qt", *defines, *(f"-I{d}" for d in directories)),
+            *(f"--library={library}", "--library=boost,googletest,qt", *defines, *(f"-I{join(root, d)}" for d in directories)),
             f"--file-list={names}",
-        )
+        ),
+        cwd=batch.scratch,
     )
 
 
@@ -97,11 +102,19 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     if output.code != 0:
         raise ValueError(f"exit code {output.code}")
     silenced: set[str] = set()
+    root = os.path.realpath(batch.workspace.root) + "/"
     for error in elements(output.stderr, "error", "location"):
+        for place in (error.attributes, *error.children):
+            place.update({key: place[key].removeprefix(root) for key in ("file", "file0") if key in place})
         rule, severity = error.attributes["id"], error.attributes["severity"]
         if rule in ABOUT_ITSELF or severity in ("information", "debug", "none") or not error.children:
             continue
-        for unit in _units(error, batch):
+        units = _units(error, batch)
+        if rule in GAVE_UP and not units:  # in a file of nobody's; a smaller batch tells whose include it is
+            if len(batch.files) > 1:
+                raise ValueError("an included file cannot be read")
+            units = [batch.files[0].path]
+        for unit in units:
             if rule not in GAVE_UP:
                 yield Finding(unit, _result(error, batch.workspace))
             elif unit not in silenced:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
+from math import isnan
 from typing import Any
 
 from haros_ci.linters.linter import GaveUp
@@ -107,7 +108,7 @@ def _number(value: object) -> int | None:
 
 
 def _real(value: object) -> float | None:
-    if value is not None and (not isinstance(value, (int, float)) or isinstance(value, bool) or value != value):
+    if value is not None and (not isinstance(value, (int, float)) or isinstance(value, bool) or isnan(value)):
         raise ValueError("not a number")
     return value
 

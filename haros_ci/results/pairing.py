@@ -264,7 +264,7 @@ class _Matcher:
             old, new = self.known[found.old].path, self.results[found.new].location.path
             if old != new and not self.sides.exists(old) and old not in self.sides.renames:
                 votes.setdefault(old, Counter())[new] += 1
-        moved = {old: min(count, key=lambda path: (-count[path], path)) for old, count in votes.items()}
+        moved = {old: min(count.items(), key=lambda vote: (-vote[1], vote[0]))[0] for old, count in votes.items()}
         self.old = [
             self.of_known(thing.index, self.known[thing.index], moved.get(self.known[thing.index].path))
             for thing in self.old

@@ -92,7 +92,7 @@ def run_git(
     environment: dict[str, str] | None = None,
 ) -> bytes:
     """Run one git command on *repository* and return what it prints; GitError if it fails."""
-    program = _program()
+    program = _program(repository.top)
     if program is None:
         raise GitError("git is not installed")
     argv = [program, "--literal-pathspecs", "--no-pager"]
@@ -299,10 +299,12 @@ def _control_text(path: Path) -> str:
         return ""
 
 
-def _program() -> str | None:
-    """git by absolute path: a relative entry of PATH could find one in the workspace."""
+def _program(top: Path) -> str | None:
+    """git by absolute path, from no directory of the work tree *top*, which may have been put on PATH."""
     for directory in os.environ.get("PATH", os.defpath).split(os.pathsep):
         candidate = os.path.join(directory, "git")
-        if os.path.isabs(directory) and os.path.isfile(candidate) and os.access(candidate, os.X_OK):
+        if not os.path.isabs(directory) or Path(os.path.realpath(candidate)).is_relative_to(os.path.realpath(top)):
+            continue
+        if os.path.isfile(candidate) and os.access(candidate, os.X_OK):
             return candidate
     return None

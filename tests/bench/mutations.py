@@ -30,7 +30,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from commandline import git, haros
 from histories import History, Log, expected, histories, part, path_of
-from mutations import MUTATIONS, Mutation
+from mutations import MUTATIONS, Mutation  # haros: ignore[import-self] tests/mutations.py is meant
 
 from haros_ci.model.location import Location
 from haros_ci.results.fingerprint import digest
