@@ -126,8 +126,21 @@ def _against_file(runs: tuple[Run, ...], workspace: Workspace, settings: Setting
     known = known_findings(settings)
     kind = "file" if settings.baseline_rev is None else "file at revision"
     return Comparison(
-        _matched(runs, known, sides(workspace, runs, settings.paths)), Baseline(kind, settings.baseline or "")
+        _matched(runs, known, sides(workspace, runs, settings.paths)),
+        Baseline(kind, settings.baseline or ""),
+        _difference(settings),
     )
+
+
+def _difference(settings: Settings) -> tuple[Notification, ...]:
+    """What a change does to the baseline file takes effect once it is in the base revision, and is said until then."""
+    name = settings.baseline or ""
+    try:
+        if settings.baseline_rev is None or read_regular(settings.root / name, MAX_BYTES) == _bytes_of(settings):
+            return ()
+    except (OSError, TooLarge):
+        pass
+    return (Notification(Level.NOTE, f"{name} differs from the base revision's, which this run uses", configuration=True),)
 
 
 def _against_revision(

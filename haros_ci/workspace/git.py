@@ -301,10 +301,12 @@ def _control_text(path: Path) -> str:
 
 def _program(top: Path) -> str | None:
     """git by absolute path, from no directory of the work tree *top*, which may have been put on PATH."""
+    here = (top, top.resolve())
     for directory in os.environ.get("PATH", os.defpath).split(os.pathsep):
-        candidate = os.path.join(directory, "git")
-        if not os.path.isabs(directory) or Path(os.path.realpath(candidate)).is_relative_to(os.path.realpath(top)):
+        places = (Path(directory), Path(os.path.realpath(directory)))
+        if not os.path.isabs(directory) or any(place.is_relative_to(root) for place in places for root in here):
             continue
+        candidate = os.path.join(directory, "git")
         if os.path.isfile(candidate) and os.access(candidate, os.X_OK):
             return candidate
     return None
