@@ -72,7 +72,8 @@ def lint(
     for linter in linters:
         if linter.NAME in options.disabled:
             continue
-        units = tuple(u for u in _plan(linter, workspace, options, store) if _is_asked_for(u, workspace))
+        plan = _plan(linter, workspace, options, store) if _concerns(linter, workspace) else ()
+        units = tuple(unit for unit in plan if _is_asked_for(unit, workspace))
         needed = linter.DEFAULT or linter.NAME in options.enabled
         if not units and not needed:
             continue
@@ -129,6 +130,12 @@ def _plan(linter: Linter, workspace: Workspace, options: LintOptions, store: Sto
         return plan(workspace, options, store)
     files = (file for file in workspace.files if file.language in linter.LANGUAGES)
     return [Unit(file, dependencies=tuple(linter.dependencies(workspace, file))) for file in files]
+
+
+def _concerns(linter: Linter, workspace: Workspace) -> bool:
+    """Whether any file to report on is of the tool's languages; if not, its plan need not be made."""
+    targets = workspace.targets
+    return targets is None or any(f.path in targets and f.language in linter.LANGUAGES for f in workspace.files)
 
 
 def _is_asked_for(unit: Unit, workspace: Workspace) -> bool:
