@@ -25,16 +25,21 @@ def locate(arguments: tuple[str, ...], cwd: Path) -> Place:
     """The place of a run on *arguments* (none: *cwd*).
 
     GitHub wants paths relative to the repository, so the root is the git work tree that holds all arguments; outside
-    git it is *cwd* if that holds them, else the directory above all that is named. Symbolic links are resolved.
+    git it is *cwd* if that holds them, else the directory above all that is named. Symbolic links are resolved; UserError
+    for one that leads out of the work tree, or a file out of *cwd*: a change could bring it along.
     """
+    here = Path(os.path.realpath(cwd))
+    tree = work_tree(here)
     named = [Path(os.path.realpath(cwd / argument)) for argument in arguments or (".",)]
     for argument, path in zip(arguments or (".",), named, strict=True):
         if not path.exists():
             raise UserError(f"{argument}: no such file or directory", help="name files or directories of the workspace")
+        inside = Path(os.path.abspath(here / argument)).is_relative_to(tree or here)
+        if inside and not path.is_relative_to(tree or here) and (tree is not None or not path.is_dir()):
+            raise UserError(f"{argument}: a symbolic link out of the workspace", help="name what it leads to if you mean it")
     above = Path(os.path.commonpath(named))
     if not above.is_dir():
         above = above.parent
-    here = Path(os.path.realpath(cwd))
     root = work_tree(above) or (here if above.is_relative_to(here) else above)
     return Place(root, tuple(path.relative_to(root).as_posix() for path in named), above)
 
