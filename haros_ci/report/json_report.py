@@ -18,6 +18,7 @@ from typing import Any
 
 from haros_ci import __version__
 from haros_ci.report import summary
+from haros_ci.report.escape import terminal
 from haros_ci.report.message import label, number, plain
 from haros_ci.report.source_lines import quoted
 from haros_ci.results.result import Notification, Related, Report, Result, Run, is_open
@@ -103,7 +104,7 @@ def _run(run: Run) -> dict[str, Any]:
 def _notification(note: Notification) -> dict[str, Any]:
     return {
         "level": note.level.value,
-        "message": note.message,
+        "message": terminal(note.message),
         "tool": note.tool,
         "path": note.path,
         "line": note.line,

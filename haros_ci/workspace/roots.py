@@ -30,18 +30,23 @@ def locate(arguments: tuple[str, ...], cwd: Path) -> Place:
     """
     here = Path(os.path.realpath(cwd))
     tree = work_tree(here)
-    named = [Path(os.path.realpath(cwd / argument)) for argument in arguments or (".",)]
-    for argument, path in zip(arguments or (".",), named, strict=True):
-        if not path.exists():
-            raise UserError(f"{argument}: no such file or directory", help="name files or directories of the workspace")
-        inside = Path(os.path.abspath(here / argument)).is_relative_to(tree or here)
-        if inside and not path.is_relative_to(tree or here) and (tree is not None or not path.is_dir()):
-            raise UserError(f"{argument}: a symbolic link out of the workspace", help="name what it leads to if you mean it")
+    named = [_real(argument, here, tree) for argument in arguments or (".",)]
     above = Path(os.path.commonpath(named))
     if not above.is_dir():
         above = above.parent
     root = work_tree(above) or (here if above.is_relative_to(here) else above)
     return Place(root, tuple(path.relative_to(root).as_posix() for path in named), above)
+
+
+def _real(argument: str, here: Path, tree: Path | None) -> Path:
+    """Where *argument* leads to; *tree* is the work tree that *here* lies in."""
+    path = Path(os.path.realpath(here / argument))
+    if not path.exists():
+        raise UserError(f"{argument}: no such file or directory", help="name files or directories of the workspace")
+    inside = Path(os.path.abspath(here / argument)).is_relative_to(tree or here)
+    if inside and not path.is_relative_to(tree or here) and (tree is not None or not path.is_dir()):
+        raise UserError(f"{argument}: a symbolic link out of the workspace", help="name what it leads to if you mean it")
+    return path
 
 
 def work_tree(directory: Path) -> Path | None:

@@ -17,7 +17,9 @@ from typing import Any
 
 #: Lies in every workspace; its one finding must be reported whatever lies beside it.
 CONTROL = "control.py"
-CONTROL_TEXT = b'"""A file like any other."""\n\n\ndef control():\n    """Have one known defect."""\n    return nowhere_defined\n'
+CONTROL_TEXT = (
+    b'"""A file like any other."""\n\n\ndef control():\n    """Have one known defect."""\n    return nowhere_defined\n'
+)
 CONTROL_FINDING = (CONTROL, 6, "undefined-variable")
 CHEAP_FINDING = ("control.cpp", 1, "uninitvar")
 
@@ -143,7 +145,9 @@ class Trap:
             file.unlink(missing_ok=True)
         wanted = ["--output=github", *(f"--output={name}={file}" for name, file in outputs.items())]
         done = self._start(driver, "check", *wanted, *arguments, GITHUB_STEP_SUMMARY=str(page), **(environment or {}))
-        formats = {name: file.read_bytes().decode() for name, file in (*outputs.items(), ("markdown", page)) if file.exists()}
+        formats = {
+            name: file.read_bytes().decode() for name, file in (*outputs.items(), ("markdown", page)) if file.exists()
+        }
         return Outcome(done.returncode, done.stderr.decode(), {"github": done.stdout.decode(), **formats})
 
     def command(self, *arguments: str) -> str:
