@@ -18,6 +18,8 @@ DOORS: dict[str, set[str]] = {
     "config": {"model", "results", "errors"},
     "workspace": {"model", "results", "errors"},
     "linters": {"model", "results", "errors"},
+    "extract": {"model", "errors"},
+    "link": {"model", "errors"},
     "report": {"model", "results", "errors"},
     "registry": {"model", "results", "errors", "linters"},
     "api": {"model", "results", "linters"},

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rows that say what a call to a ROS library means: the tables in ``extract/apis`` and ``apis:`` of a project file.
+
+A row is a mapping, the same in Python tables and in YAML (docs/adding-an-api.md)::
+
+    {"call": "ros::NodeHandle::advertise", "args": [2, 3, 4],
+     "makes": [{"kind": "publishers", "name": "{0}", "type": "{<0>}", "queue_size": "{1}", "latched": "{2?false}"}],
+     "returns": "ros::Publisher"}
+
+``call`` is the qualified name of a function, method (``Class::method``) or, for a constructor, class; Python's is dotted
+(``rospy.Publisher``). Of several rows for one call the first whose conditions hold is taken: ``args`` (numbers of arguments
+that fit, Python keywords counted) and ``when`` (argument selector -> type name it must have, pointers and const
+ignored; ``string``, ``bool``, ``int``, ``double``, ``function``, ``list`` for the built-in ones). Values are templates: text with selectors in braces; a template
+that is one selector is the value itself. A selector is alternatives joined by ``|``, the first that is there counts, and
+``?literal`` for none (``true``, ``12``, ``text``). Alternatives:
+
+    0  1 …       positional argument          latch      keyword argument (Python)
+    <0>          template argument of the call (its type's name)      this       the receiver      this<0>    its template argument
+    0.topic      member of an argument        callback(2)  message type of the callback's parameter; callback(2,1) its second
+    typeof(1)    parameter type of an argument: bool, int, double, str, yaml      typename(1)   the name of its C++ or Python type
+    parent(0)    the name without its last part
+    item.name    in an entry with ``each``: the item's name, type, default, group
+
+``makes`` lists entries: ``kind`` is one of ``KINDS``, or
+
+    handle     the object is a node handle: ``parent`` (a handle) and ``namespace`` (text, ``~`` for private) are combined
+    node       the process registers as node ``name`` (ros::init, rospy.init_node), ``anonymous``
+    rate, timer   ``period`` in seconds or ``frequency`` in hertz; not endpoints, kept for other checks
+
+Other keys of an entry: ``name``, ``type``, ``queue_size``, ``latched``, ``value``, ``namespace`` (a handle or text; default: the
+receiver if it is a handle, else the node's own namespace), ``implicit``, ``each: "config(<0>)"`` (one endpoint for every parameter of
+the dynamic_reconfigure file of that class), ``each: "keys(0)"`` (of a dict or map argument).
+
+``returns`` is a type's name or a template; ``"{parameter}"`` is the value that the row's getter reads. ``sets`` maps an argument to a template
+that is stored through it (``{"1": "{parameter}"}``). ``fills`` maps members of the receiver (or, for a constructor or static factory, of the returned object) to
+templates. ``calls`` lists selectors of arguments that are called back later. ``transparent: "{0}"`` returns the argument itself, as
+resolveName does. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases; ``entry`` the methods of it that a framework calls (onInit).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+ENTRY_KINDS = (
+    "publishers",
+    "subscribers",
+    "servers",
+    "clients",
+    "action_servers",
+    "action_clients",
+    "getters",
+    "setters",
+    "handle",
+    "node",
+    "rate",
+    "timer",
+)
+ROW_KEYS = ("call", "class", "args", "when", "makes", "returns", "sets", "fills", "calls", "transparent", "bases", "entry")
+ENTRY_KEYS = (
+    "kind",
+    "name",
+    "type",
+    "queue_size",
+    "latched",
+    "value",
+    "namespace",
+    "parent",
+    "implicit",
+    "each",
+    "anonymous",
+    "period",
+    "frequency",
+)
+#: Without ``{`` outside a selector; ``{{`` is not needed, as no ROS name has a brace.
+SELECTOR = re.compile(r"\{([^{}]*)\}")
+ALTERNATIVE = re.compile(
+    r"\d+(\.\w+)*|<\d+>|this(<\d+>|(\.\w+)+)?|item\.(name|type|default|group)|parameter|[A-Za-z_]\w*(\.\w+)*"
+    r"|callback\([\w|]+(,\d+)?\)|(typeof|typename|parent)\([\w.|<>]+\)"
+)
+
+
+class RowError(ValueError):
+    """A row that cannot be read; the message says which key and what to write."""
+
+
+@dataclass(frozen=True, slots=True)
+class Template:
+    """Parsed text: literals and selectors in turn. A selector is (alternatives, default or None)."""
+
+    parts: tuple[str | tuple[tuple[str, ...], str | None], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One thing that a call makes; *values* maps keys of ``ENTRY_KEYS`` to templates."""
+
+    kind: str
+    values: Mapping[str, Template]
+    each: str | None = None
+    implicit: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """What a call means; see the module's text for each part."""
+
+    call: str
+    args: tuple[int, ...] = ()
+    when: tuple[tuple[str, str], ...] = ()
+    makes: tuple[Entry, ...] = ()
+    returns: Template | None = None
+    sets: tuple[tuple[str, Template], ...] = ()
+    fills: tuple[tuple[str, Template], ...] = ()
+    calls: tuple[str, ...] = ()
+    transparent: Template | None = None
+    bases: tuple[str, ...] = ()
+    entry: tuple[str, ...] = ()
+    is_class: bool = False
+
+
+def load_row(data: Mapping[str, Any]) -> Row:
+    """Check and parse one row; RowError says what is wrong with it."""
+    unknown = sorted(set(data) - set(ROW_KEYS))
+    if unknown:
+        raise RowError(f"unknown key {unknown[0]!r}; a row has {', '.join(ROW_KEYS)}")
+    name = data.get("call", data.get("class"))
+    if not isinstance(name, str) or not name or ("call" in data) == ("class" in data):
+        raise RowError("a row names either a 'call' (function, method or constructor) or a 'class'")
+    return Row(
+        call=name,
+        args=tuple(_integer(n) for n in _sequence(data, "args")),
+        when=tuple((str(k), _text(v, "when")) for k, v in _mapping(data, "when").items()),
+        makes=tuple(_entry(item) for item in _sequence(data, "makes")),
+        returns=template(_text(data["returns"], "returns")) if "returns" in data else None,
+        sets=tuple((str(k), template(_text(v, "sets"))) for k, v in _mapping(data, "sets").items()),
+        fills=tuple((str(k), template(_text(v, "fills"))) for k, v in _mapping(data, "fills").items()),
+        calls=tuple(_selector(_text(c, "calls")) for c in _sequence(data, "calls")),
+        transparent=template(_text(data["transparent"], "transparent")) if "transparent" in data else None,
+        bases=tuple(_text(b, "bases") for b in _sequence(data, "bases")),
+        entry=tuple(_text(e, "entry") for e in _sequence(data, "entry")),
+        is_class="class" in data,
+    )
+
+
+def template(text: str) -> Template:
+    """Parse a template: ``{0}/camera_info`` has the selector ``0`` and the literal ``/camera_info``."""
+    parts: list[str | tuple[tuple[str, ...], str | None]] = []
+    end = 0
+    for found in SELECTOR.finditer(text):
+        if found.start() > end:
+            parts.append(text[end : found.start()])
+        body, mark, default = found[1].partition("?")
+        alternatives = _alternatives(body)
+        parts.append((alternatives, default if mark else None))
+        end = found.end()
+    if end < len(text):
+        parts.append(text[end:])
+    return Template(tuple(parts))
+
+
+def _alternatives(body: str) -> tuple[str, ...]:
+    found = tuple(re.split(r"\|(?![^(]*\))", body))
+    for alternative in found:
+        _selector(alternative)
+    return found
+
+
+def _selector(text: str) -> str:
+    if not ALTERNATIVE.fullmatch(text):
+        raise RowError(f"{text!r} selects nothing; write for example {{0}}, {{<0>}}, {{latch?false}} or {{callback(2)}}")
+    return text
+
+
+def _entry(data: Any) -> Entry:
+    if not isinstance(data, Mapping):
+        raise RowError("an entry of 'makes' is a mapping with a 'kind'")
+    unknown = sorted(set(data) - set(ENTRY_KEYS))
+    if unknown:
+        raise RowError(f"unknown key {unknown[0]!r}; an entry has {', '.join(ENTRY_KEYS)}")
+    if data.get("kind") not in ENTRY_KINDS:
+        raise RowError(f"'kind' is one of {', '.join(ENTRY_KINDS)}")
+    return Entry(
+        kind=data["kind"],
+        values={k: template(_text(v, k)) for k, v in data.items() if k not in ("kind", "each", "implicit")},
+        each=_text(data["each"], "each") if "each" in data else None,
+        implicit=data.get("implicit") is True,
+    )
+
+
+def _sequence(data: Mapping[str, Any], key: str) -> tuple[Any, ...]:
+    value = data.get(key, ())
+    if not isinstance(value, (list, tuple)):
+        raise RowError(f"{key!r} is a list")
+    return tuple(value)
+
+
+def _mapping(data: Mapping[str, Any], key: str) -> Mapping[Any, Any]:
+    value = data.get(key, {})
+    if not isinstance(value, Mapping):
+        raise RowError(f"{key!r} is a mapping")
+    return value
+
+
+def _integer(value: Any) -> int:
+    if not isinstance(value, int) or isinstance(value, bool):
+        raise RowError("'args' is a list of numbers of arguments")
+    return value
+
+
+def _text(value: Any, key: str) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int):
+        return str(value)
+    if not isinstance(value, str):
+        raise RowError(f"{key!r} is text")
+    return value

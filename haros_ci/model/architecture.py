@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The architecture: per configuration, its nodes with all their endpoints, and the parameters set from outside.
+
+``haros-ci model --format json`` prints it; names of attributes here are the keys there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package
+from haros_ci.model.workspace import Problem
+
+#: Kinds of endpoints, in the order in which they are listed.
+KINDS = (
+    "publishers",
+    "subscribers",
+    "servers",
+    "clients",
+    "action_servers",
+    "action_clients",
+    "getters",
+    "setters",
+)
+
+#: Where an entity was learned: the source, a launch file, a hint of the project file, the data on known nodes, or the
+#: exact second tier of the C++ front end.
+PROVENANCES = ("source", "launch", "hint", "known-node", "exact-tier")
+
+
+@dataclass(frozen=True, slots=True)
+class Unknown:
+    """Why *field* of an entity is not known (its value is None, or has ``?`` for the unknown part), and where."""
+
+    field: str
+    reason: str
+    location: Location | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """A statement around an entity: if, else, for, while, do, switch, catch, #if, unless; at its keyword."""
+
+    statement: str
+    condition: str
+    location: Location
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Endpoint:
+    """One end of a topic, service, action or parameter. *kind* is one of ``KINDS``.
+
+    *name* is resolved and remapped, *original_name* resolved before remapping. *value* is a getter's default in the
+    code, or what a setter writes; None if it has none or it is unknown. *queue_size* and *latched* are of topics.
+    """
+
+    kind: str
+    name: str
+    original_name: str
+    type: str | None
+    location: Location | None
+    conditions: tuple[Condition, ...] = ()
+    queue_size: int | None = None
+    latched: bool | None = None
+    value: Any = None
+    implicit: bool = False
+    source: str = "source"
+    unknowns: tuple[Unknown, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Node:
+    """A node of a running system. *kind* is node or nodelet; *type* the executable, or a nodelet's class as looked up.
+
+    *package* and *type* are ``kobuki_node`` and ``KobukiNodelet`` for ``kobuki_node/KobukiNodelet``; *class_name* is the C++
+    class of a nodelet; *container* the manager's full name; *process* is shared by the nodes of one process.
+    *remaps* are fully resolved pairs, *arguments* the text of the launch file's ``args``.
+    """
+
+    name: str
+    kind: str
+    package: str
+    type: str
+    arguments: str = ""
+    remaps: tuple[tuple[str, str], ...] = ()
+    conditions: tuple[Condition, ...] = ()
+    location: Location | None = None
+    endpoints: tuple[Endpoint, ...] = ()
+    class_name: str | None = None
+    container: str | None = None
+    process: str | None = None
+    source: str = "source"
+    unknowns: tuple[Unknown, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Parameter:
+    """A parameter set from outside: by a launch file (*location*: its tag) or YAML (*origin*: the line that says it)."""
+
+    name: str
+    type: str | None
+    value: Any
+    conditions: tuple[Condition, ...] = ()
+    location: Location | None = None
+    origin: Location | None = None
+    source: str = "launch"
+    unknowns: tuple[Unknown, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Configuration:
+    """One system: the nodes that *launch* (paths ``package/path``) starts together. *arguments* are its launch args."""
+
+    name: str
+    launch: tuple[str, ...] = ()
+    nodes: tuple[Node, ...] = ()
+    parameters: tuple[Parameter, ...] = ()
+    arguments: tuple[tuple[str, str], ...] = ()
+    user_data: Any = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Architecture:
+    """All configurations of a workspace; *problems* become notifications."""
+
+    configurations: tuple[Configuration, ...] = ()
+    packages: tuple[Package, ...] = ()
+    problems: tuple[Problem, ...] = ()
