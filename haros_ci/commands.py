@@ -322,8 +322,7 @@ def cache(action: str, directory: str | None) -> int:
         case "dir":
             click.echo(place)
         case "stats":
-            size = sum(f.stat().st_size for f in place.rglob("*.json")) if place.is_dir() else 0
-            click.echo(f"{place}: {size / 1e6:.1f} MB")
+            click.echo(f"{place}: {DiskCache(place).size() / 1e6:.1f} MB")
         case _:
             DiskCache(place).clear()
     return 0

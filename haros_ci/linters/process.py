@@ -7,7 +7,8 @@ import os
 import signal
 import subprocess
 import threading
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
 from haros_ci.linters.linter import Command, Output
@@ -82,15 +83,16 @@ class Processes:
             if self._stopped:
                 raise Unstartable("the run was abandoned")
             try:
-                process = subprocess.Popen(
-                    command.argv,
-                    stdin=stdin,
-                    stdout=stdout,
-                    stderr=stderr,
-                    cwd=command.cwd or root,
-                    env={**environment(os.environ, root, scratch), **command.environment},
-                    start_new_session=True,
-                )
+                with _small_files():
+                    process = subprocess.Popen(
+                        command.argv,
+                        stdin=stdin,
+                        stdout=stdout,
+                        stderr=stderr,
+                        cwd=command.cwd or root,
+                        env={**environment(os.environ, root, scratch), **command.environment},
+                        start_new_session=True,
+                    )
             except (OSError, ValueError) as err:
                 raise Unstartable(str(err)) from err
             self._alive.add(process)
@@ -125,6 +127,27 @@ def kill_group(process: subprocess.Popen[bytes]) -> None:
 
 def _within(path: str, roots: list[str]) -> bool:
     return any(path == root or path.startswith(root.rstrip("/") + "/") for root in roots)
+
+
+@contextmanager
+def _small_files() -> Iterator[None]:
+    """A process started in here inherits the limit on files before its first instruction, as does what it forks.
+
+    ``_limit`` comes too late for a child that it forks at once. Nothing of ours writes as much meanwhile.
+    """
+    try:
+        import resource
+
+        soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+        cap = OUTPUT_LIMIT if hard == resource.RLIM_INFINITY else min(OUTPUT_LIMIT, hard)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (cap, hard))
+    except (ImportError, OSError, ValueError):
+        yield
+        return
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
 
 
 def _limit(pid: int, timeout: float) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
-from math import isnan
+from sys import float_info
 from typing import Any
 
 from haros_ci.linters.linter import GaveUp
@@ -69,12 +69,16 @@ def _results(tool: object, rule: object, rows: Any, wanted: Wanted, known: Colle
     tool, rule = _text(tool), _text(rule)
     asked: dict[str, bool] = {}
     for row in rows:
+        if not isinstance(row, list):
+            raise ValueError("not a row")
         path = row[2]
         if path not in asked:
             asked[path] = path in known and wanted(tool, rule, path)
         if asked[path]:
             extra = [*row[7:], *_DEFAULTS[len(row) - 7 :]]
             scope, value, limit, subject, related = extra
+            if isinstance(subject, str) or isinstance(related, str):
+                raise ValueError("not a list")
             yield Result(
                 tool,
                 rule,
@@ -108,9 +112,9 @@ def _number(value: object) -> int | None:
 
 
 def _real(value: object) -> float | None:
-    if value is not None and (not isinstance(value, (int, float)) or isinstance(value, bool) or isnan(value)):
+    if value is not None and (type(value) not in (int, float) or not abs(value) <= float_info.max):  # type: ignore[arg-type]
         raise ValueError("not a number")
-    return value
+    return value  # type: ignore[return-value]
 
 
 __all__ = ["Answer", "Wanted", "decode", "encode"]

@@ -187,10 +187,18 @@ def _analyse(
             work, units = jobs[index]
             by_path = {unit.file.path: unit for unit in units}
             for path, answer in outcome.answers:
-                value = rows.encode(answer)
-                store.put(work.linter.NAME, path, work.keys[path], value)
+                name = work.linter.NAME
+                try:
+                    value = rows.encode(answer)
+                    decoded = rows.decode(value, path, keep, digests.known)
+                except TypeError:  # what a tool wrote need not be hashable, nor have an order
+                    decoded = None
+                if decoded is None:
+                    work.fail(f"{name} failed: wrote what cannot be understood; without a result: {path}", path)
+                    continue
                 # What is reported now and what a warm run will report come from the same bytes.
-                work.take(by_path[path], rows.decode(value, path, keep, digests.known) or Answer())
+                store.put(name, path, work.keys[path], value)
+                work.take(by_path[path], decoded)
             for message, paths in outcome.failures:
                 work.fail(message, paths[0] if len(paths) == 1 else None)
             done += len(units)

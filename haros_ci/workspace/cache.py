@@ -105,8 +105,20 @@ class DiskCache:
     def clear(self) -> None:
         """Delete the cache's own files; whatever else lies in the directory stays."""
         self._shards.clear()
-        for name in self._names(_OURS):
-            (self._directory / name).unlink(missing_ok=True)
+        try:
+            for name in self._names(_OURS):
+                (self._directory / name).unlink(missing_ok=True)
+        except OSError as err:
+            raise UserError(f"the cache cannot be cleared ({err.strerror})", help="delete its directory") from err
+
+    def size(self) -> int:
+        """Bytes of the cache's own files."""
+        try:
+            return sum(os.lstat(self._directory / name).st_size for name in self._names(_SHARD))
+        except OSError as err:
+            raise UserError(
+                f"the cache cannot be read ({err.strerror})", help="name another place with --cache-dir"
+            ) from err
 
     def _shard(self, group: str, path: str) -> _Shard:
         """By path, so that a changed file rewrites one shard, where its old entries are the first to be dropped."""
@@ -179,7 +191,10 @@ class _Shard:
         for entry, found in self._entries.items():
             if isinstance(found, list) and len(found) == 2 and isinstance(found[0], int):
                 last = self._run + 1 if entry in self._used else found[0]
-                value = json.dumps(found[1], separators=(",", ":"), allow_nan=False)
+                try:
+                    value = json.dumps(found[1], separators=(",", ":"), allow_nan=False)
+                except (ValueError, RecursionError):  # 1e999 can be read, and is not JSON
+                    continue
                 rows.append((last, entry, f"{json.dumps(entry)}:[{last},{value}]"))
         rows.sort(key=lambda row: (-row[0], row[1]))
         room = limit - _FRAME
@@ -204,7 +219,7 @@ def cache_directory(choice: Path | None, environment: Mapping[str, str], root: P
         choice = _default(environment)
     place = Path(os.path.abspath(choice))
     real_root = root.resolve()
-    if not place.resolve().is_relative_to(real_root) and not place.is_relative_to(root):
+    if not Path(os.path.realpath(place)).is_relative_to(real_root) and not place.is_relative_to(root):
         return place
     if not explicit:
         raise UserError(

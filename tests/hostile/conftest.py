@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from hostile_kit import Trap
+from hostile_kit import Outcome, Trap
 
 
 @pytest.fixture(scope="session")
@@ -25,3 +25,11 @@ def trap(tmp_path: Path, cache: Path) -> Trap:
 def new_trap(tmp_path_factory: pytest.TempPathFactory, cache: Path) -> Callable[[], Trap]:
     """Makes a trap that several tests look at."""
     return lambda: Trap(tmp_path_factory.mktemp("trap"), cache)
+
+
+@pytest.fixture(scope="module")
+def uncached(new_trap: Callable[[], Trap]) -> Outcome:
+    """What is reported of the control without any cache."""
+    trap = new_trap()
+    trap.use_cheap_control()
+    return trap.run("--no-cache")

@@ -52,7 +52,10 @@ def pylint_settings(directory: str, name: str, text: str) -> Case:
     def build(t: Trap) -> None:
         hook = t.python(directory)
         t.write(f"{directory}/{name}", text.format(hook=hook, quoted=json.dumps(hook)))
-        t.write(f"{directory}/evil_plugin.py", f"{t.python(directory + '-plugin')}\ndef register(linter): {t.python(directory)}\n")
+        t.write(
+            f"{directory}/evil_plugin.py",
+            f"{t.python(directory + '-plugin')}\ndef register(linter): {t.python(directory)}\n",
+        )
         t.write(f"{directory}/beside.py", PYTHON + "import evil_extension\n")
 
     return Case(f"{directory}/{name}", build, f"{directory}/beside.py")
@@ -66,9 +69,17 @@ PYLINT = [
     pylint_settings("rc3", "pyproject.toml", "[tool.pylint.main]\n" + TOML),
     pylint_settings("rc4", "setup.cfg", "[pylint.main]\n" + INI),
     pylint_settings("rc5", "tox.ini", "[pylint]\n" + INI),
-    pylint_settings("rc6", ".pylintrc", "[MAIN]\ndisable=invalid-name\n   [MAIN]\n   init-hook={hook}\n   load-plugins=evil_plugin\n"),
+    pylint_settings(
+        "rc6",
+        ".pylintrc",
+        "[MAIN]\ndisable=invalid-name\n   [MAIN]\n   init-hook={hook}\n   load-plugins=evil_plugin\n",
+    ),
     pylint_settings("rc7", ".pylintrc", "[MAIN\x00\ninit-hook={hook}\n::error::x\n"),
-    pylint_settings("rc8", ".pylintrc", "[MAIN]\ndisable=\nevaluation=__import__('os')\nimport-graph=graph.dot\noutput-format=text:{hook}\n"),
+    pylint_settings(
+        "rc8",
+        ".pylintrc",
+        "[MAIN]\ndisable=\nevaluation=__import__('os')\nimport-graph=graph.dot\noutput-format=text:{hook}\n",
+    ),
 ]
 
 
@@ -83,7 +94,12 @@ def cpp_settings(directory: str, name: str, text: str) -> Case:
 
 
 def at_root(name: str, text: str) -> Case:
-    return Case(name, lambda t: t.write(name, text.format(payload=t.touch("root"), script=t.root / "evil_plugin.py")), "top.cpp", "uninitvar")
+    return Case(
+        name,
+        lambda t: t.write(name, text.format(payload=t.touch("root"), script=t.root / "evil_plugin.py")),
+        "top.cpp",
+        "uninitvar",
+    )
 
 
 def planted(name: str) -> Case:
@@ -109,7 +125,18 @@ def compile_database(entry: dict[str, object] | str) -> Case:
 
 FLAGS = [
     *("sh", "-c", "touch sentinel", "-fplugin=./evil.so", "-Xclang", "-load", "-Xclang", "./evil.so", "@evil.rsp"),
-    *("-include", "/etc/passwd", "-imacros", "/etc/passwd", "-I/etc", "-I", "../../outside", "-isystem", "/", "-iquote"),
+    *(
+        "-include",
+        "/etc/passwd",
+        "-imacros",
+        "/etc/passwd",
+        "-I/etc",
+        "-I",
+        "../../outside",
+        "-isystem",
+        "/",
+        "-iquote",
+    ),
     *("../outside", "-DEVIL=\n::error::x", "-Wl,--wrap=x", "-Wp,-MD,sentinel", "-o", "sentinel", "-MF", "sentinel"),
     *("-x", "/etc/passwd", "-std=c++17;touch", "--config=evil", "-B.", "--sysroot=/etc", "-specs=evil", "-Dother=(0)"),
 ]
@@ -126,12 +153,26 @@ CASES = [
     *(module(name, place) for place in ("", "nodes/") for name in MODULES),
     package("curses", "deep/"),
     package("email", "deep/"),
-    Case("deep/curses/x.so", lambda t: [t.write(f"deep/curses/x.{tag}so", b"\x7fELF") for tag in ("", "abi3.")], "deep/user.py"),
-    Case("deep/user.py", lambda t: t.write("deep/user.py", PYTHON + "import curses.x\nimport email.x\nfrom . import y\n"), "deep/user.py"),
-    Case("evil.pth", lambda t: [t.write(f"{d}evil.pth", f"import os; {t.python('pth')}") for d in ("", "nodes/")], "nodes/json.py"),
+    Case(
+        "deep/curses/x.so",
+        lambda t: [t.write(f"deep/curses/x.{tag}so", b"\x7fELF") for tag in ("", "abi3.")],
+        "deep/user.py",
+    ),
+    Case(
+        "deep/user.py",
+        lambda t: t.write("deep/user.py", PYTHON + "import curses.x\nimport email.x\nfrom . import y\n"),
+        "deep/user.py",
+    ),
+    Case(
+        "evil.pth",
+        lambda t: [t.write(f"{d}evil.pth", f"import os; {t.python('pth')}") for d in ("", "nodes/")],
+        "nodes/json.py",
+    ),
     *PYLINT,
     cpp_settings("lint1", "CPPLINT.cfg", "no-such-option\nfilter\nlinelength=one\n::error::x\n"),
-    cpp_settings("lint2", "CPPLINT.cfg", "filter=" + "-x/y," * 5_000 + "\nlinelength=99999999999999999999\nroot=../../..\n"),
+    cpp_settings(
+        "lint2", "CPPLINT.cfg", "filter=" + "-x/y," * 5_000 + "\nlinelength=99999999999999999999\nroot=../../..\n"
+    ),
     cpp_settings("tidy1", ".clang-tidy", "Checks: ['*'\n  broken: [\n"),
     cpp_settings("tidy2", ".clang-tidy", "Checks: '*'\nExtraArgs: ['-fplugin=./evil.so', '-Xclang', '-load']\n"),
     cpp_settings("check1", ".cppcheck", "--addon={script}\n--suppress=*\n"),
@@ -193,7 +234,9 @@ def test_settings_that_break_a_tool(case: Case, broken: tuple[Trap, Outcome]) ->
     assert outcome.code == 3
     assert_harmless(trap, outcome)
     assert_the_rest_is_analysed(outcome)
-    assert outcome.says(f"without a result: {case.path}") or outcome.says(f"{case.name.partition('/')[0]}/evil_plugin.py")
+    assert outcome.says(f"without a result: {case.path}") or outcome.says(
+        f"{case.name.partition('/')[0]}/evil_plugin.py"
+    )
     if case.path.endswith(".cpp"):  # what cpplint would have said is missing, not what cppcheck says
         assert (case.path, case.rule) in {(path, rule) for path, _, rule in outcome.findings()}
 

@@ -121,21 +121,41 @@ BROKEN = [
     Broken("a file of junk", lambda t: t.write(".git", b"\x00\x1b[31m::error::x\n")),
     Broken("a file of 100 MB", lambda t: t.sparse(".git", 100_000_000)),
     Broken("an empty directory", lambda t: (t.root / ".git").mkdir()),
-    Broken("a directory of junk", lambda t: [t.write(f".git/{n}", b"\x00::error::x\n") for n in ("HEAD", "config", "index")]),
+    Broken(
+        "a directory of junk",
+        lambda t: [t.write(f".git/{n}", b"\x00::error::x\n") for n in ("HEAD", "config", "index")],
+    ),
     Broken("a broken configuration", committed(lambda t: t.write(".git/config", "[core\n::error::x"))),
-    Broken("a configuration from the future", committed(lambda t: t.write(".git/config", "[core]\nrepositoryformatversion = 99\n"))),
+    Broken(
+        "a configuration from the future",
+        committed(lambda t: t.write(".git/config", "[core]\nrepositoryformatversion = 99\n")),
+    ),
     Broken("a broken index", committed(lambda t: t.write(".git/index", b"DIRC" + b"\xff" * 100))),
     Broken("a broken HEAD", committed(lambda t: t.write(".git/HEAD", "ref: ../../../etc/passwd\n"))),
     Broken("no objects", committed(lambda t: shutil.rmtree(t.root / ".git/objects"))),
     Broken("a link that leads out", elsewhere, ""),
     Broken("a link that leads nowhere", lambda t: (t.root / ".git").symlink_to("nowhere")),
     Broken("a pipe", lambda t: os.mkfifo(t.root / ".git")),
-    Broken("objects that are gone", committed(lambda t: [shutil.rmtree(d) for d in (t.root / ".git/objects").iterdir()]), ""),
-    Broken("references that lead out", committed(lambda t: t.write(".git/HEAD", "ref: refs/../../../../etc/passwd\n")), ""),
+    Broken(
+        "objects that are gone",
+        committed(lambda t: [shutil.rmtree(d) for d in (t.root / ".git/objects").iterdir()]),
+        "",
+    ),
+    Broken(
+        "references that lead out", committed(lambda t: t.write(".git/HEAD", "ref: refs/../../../../etc/passwd\n")), ""
+    ),
     Broken("a submodule that points out", committed(lambda t: t.write("sub/.git", f"gitdir: {t.outside}\n")), ""),
     Broken("a bare repository inside", committed(lambda t: bare(t)), ""),
-    Broken("tracked and deleted", committed(lambda t: [t.write("x.py", ""), t.git("add", "x.py"), (t.root / "x.py").unlink()]), ""),
-    Broken("a branch with a hostile name", committed(lambda t: t.git("checkout", "-q", "-b", "$(touch${IFS}x)@team|##<img>")), ""),
+    Broken(
+        "tracked and deleted",
+        committed(lambda t: [t.write("x.py", ""), t.git("add", "x.py"), (t.root / "x.py").unlink()]),
+        "",
+    ),
+    Broken(
+        "a branch with a hostile name",
+        committed(lambda t: t.git("checkout", "-q", "-b", "$(touch${IFS}x)@team|##<img>")),
+        "",
+    ),
 ]
 
 

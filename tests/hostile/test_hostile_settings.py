@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Project files, arguments and cache directories set as a trap, each through a run of its own."""
+"""Project files and arguments set as a trap, each through a run of its own."""
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 import pytest
-from hostile_kit import CHEAP_FINDING, CONTROL_FINDING, Trap, assert_harmless, assert_the_rest_is_analysed
+from hostile_kit import CONTROL_FINDING, Trap, assert_harmless, assert_the_rest_is_analysed
 
 OWN = ".haros-ci.yaml"
 
@@ -28,7 +26,12 @@ class Case:
 
 def settings(name: str, text: str | bytes, says: str = "", code: int = 2, file: str = OWN) -> Case:
     """A project file; wrong ones are the user's mistake, with file and line."""
-    return Case(name, lambda t: t.write(file, text.replace("TOUCH", t.touch("yaml")) if isinstance(text, str) else text), code, says)
+    return Case(
+        name,
+        lambda t: t.write(file, text.replace("TOUCH", t.touch("yaml")) if isinstance(text, str) else text),
+        code,
+        says,
+    )
 
 
 BOMB = "".join(f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]\n" for n in range(1, 10))
@@ -55,25 +58,42 @@ PROJECT_FILES = [
     settings("a key twice", "profile: ros\nprofile: all\n", f"{OWN}:2: key 'profile' stands here again"),
     settings("a wrong profile", "profile: rso\n", f"{OWN}:1: 'profile' cannot be 'rso'"),
     settings("a wrong type", "select: 3\n", f"{OWN}:1: 'select' must be a list, not a number"),
-    settings("infinite time", "linters: {pylint: {timeout: .inf}}\n", f"{OWN}:1: 'timeout' of linter 'pylint' must be above 0"),
+    settings(
+        "infinite time",
+        "linters: {pylint: {timeout: .inf}}\n",
+        f"{OWN}:1: 'timeout' of linter 'pylint' must be above 0",
+    ),
     settings("a long number", f"max-file-size: {'9' * 500}\n", f"{OWN}:1: number too long"),
     settings("a number of base 60", f"max-file-size: 1{':59' * 50}\n", f"{OWN}:1: number too long"),
     settings("a date that is none", "profile: 2024-99-99\n", f"{OWN}:1: 'profile' cannot be"),
     settings("a baseline outside", "baseline: ../../etc/passwd\n", f"{OWN}:1: 'baseline' must lie in the workspace"),
     settings("a baseline at home", "baseline: ~/x\n", f"{OWN}:1: 'baseline' must lie in the workspace"),
-    settings("a database outside", "compile-database: /etc\n", f"{OWN}:1: 'compile-database' must lie in the workspace"),
+    settings(
+        "a database outside", "compile-database: /etc\n", f"{OWN}:1: 'compile-database' must lie in the workspace"
+    ),
     settings("an empty glob", "exclude: ['']\n", f"{OWN}:1: "),
-    settings("too many selectors", "select: [" + ", ".join(f"x{n}" for n in range(900)) + "]\n", "more than 500 selectors"),
+    settings(
+        "too many selectors", "select: [" + ", ".join(f"x{n}" for n in range(900)) + "]\n", "more than 500 selectors"
+    ),
     settings("a glob that backtracks", f"exclude: ['{'**/' * 30}x{'*a' * 30}b']\n", "", 1),
     settings("a selector that backtracks", f"select: ['{'*a' * 100}b']\n", f"{OWN}:1: no rule matches"),
-    settings("arguments for pylint", "linters: {pylint: {arguments: ['--init-hook=TOUCH']}}\n", "only with --trust-config", 1),
+    settings(
+        "arguments for pylint", "linters: {pylint: {arguments: ['--init-hook=TOUCH']}}\n", "only with --trust-config", 1
+    ),
     settings("plug-ins", "plugins: [evil_plugin]\n", "plugins are loaded only with --trust-config", 1),
     settings("nothing", "", "", 1),
     settings("nothing but a BOM", b"\xef\xbb\xbf", "", 1),
-    settings("HAROS: os.system", "project: !!python/object/apply:os.system ['TOUCH']\n", "haros.yaml:1: tag", 2, "haros.yaml"),
+    settings(
+        "HAROS: os.system", "project: !!python/object/apply:os.system ['TOUCH']\n", "haros.yaml:1: tag", 2, "haros.yaml"
+    ),
     settings("HAROS: hostile keys", '"\\e[31m\\n::error::##[error]<img>@team|": 1\n', "has no effect", 1, "haros.yaml"),
     settings("HAROS: a list", "[]\n", "haros.yaml:1: a project file must be a map", 2, "haros.yaml"),
-    Case("a link that leads out", lambda t: (t.root / OWN).symlink_to(t.outside / "victim.json"), 2, "a symbolic link out of the workspace"),
+    Case(
+        "a link that leads out",
+        lambda t: (t.root / OWN).symlink_to(t.outside / "victim.json"),
+        2,
+        "a symbolic link out of the workspace",
+    ),
     Case("a link that leads nowhere", lambda t: (t.root / OWN).symlink_to("nowhere"), 1),
     Case("a link to itself", lambda t: (t.root / OWN).symlink_to(OWN), 1),
     Case("a directory", lambda t: (t.root / OWN).mkdir(), 1),
@@ -86,7 +106,13 @@ PROJECT_FILES = [
 ]
 
 ARGUMENTS = [
-    Case("a link that leads out", lambda t: (t.root / "out.py").symlink_to(t.outside / "secret.py"), 2, "out of the workspace", ("out.py",)),
+    Case(
+        "a link that leads out",
+        lambda t: (t.root / "out.py").symlink_to(t.outside / "secret.py"),
+        2,
+        "out of the workspace",
+        ("out.py",),
+    ),
     Case(
         "a link that leads out, and another file",
         lambda t: (t.root / "out.py").symlink_to(t.outside / "secret.py"),
@@ -111,89 +137,27 @@ ARGUMENTS = [
     Case("nothing there", lambda t: None, 2, "no such file or directory", ("gone.py",)),
     Case("nothing there, hostile", lambda t: None, 2, "no such file or directory", ("\x1b[31m\n::error::##[error]x",)),
     Case("an option", lambda t: t.write("--init-hook=x.py", ""), 2, "", ("--init-hook=x.py",)),
-    Case("an option behind --", lambda t: t.write("--init-hook=x.py", ""), 1, "", ("--", "--init-hook=x.py", CONTROL_FINDING[0])),
+    Case(
+        "an option behind --",
+        lambda t: t.write("--init-hook=x.py", ""),
+        1,
+        "",
+        ("--", "--init-hook=x.py", CONTROL_FINDING[0]),
+    ),
     Case("a pipe", lambda t: os.mkfifo(t.root / "pipe.py"), 1, "", ("pipe.py", CONTROL_FINDING[0])),
     Case("the same twice", lambda t: None, 1, "", (CONTROL_FINDING[0], ".", f"./{CONTROL_FINDING[0]}")),
-    Case("a hostile name", lambda t: t.write("::error::a\x1b[31m.py", ""), 1, "unprintable", ("::error::a\x1b[31m.py", CONTROL_FINDING[0])),
-    Case("a hostile selector", lambda t: None, 1, "", ("--select=\x1b[31m::error::x##[error]",)),
-    Case("a hostile profile", lambda t: None, 2, "--profile: unknown value", ("--profile=\x1b[31m\n::error::x##[error]",)),
-    Case("a hostile format", lambda t: None, 2, "unknown format", ("--output=\x1b[31m\n::error::x##[error]",)),
-]
-
-
-def shards(content: str | bytes, then: Callable[[Trap], object] = lambda t: None) -> Callable[[Trap], None]:
-    """A cache that was filled by a run and then spoiled in every file of it."""
-
-    def build(t: Trap) -> None:
-        t.use_cheap_control()
-        t.use_filled_cache()
-        for shard in t.cache.iterdir():
-            shard.write_bytes(content if isinstance(content, bytes) else content.encode())
-        then(t)
-
-    return build
-
-
-def doctored(change: Callable[[object], object]) -> Callable[[Trap], None]:
-    """A cache whose every value was changed in a way that leaves its keys right."""
-
-    def build(t: Trap) -> None:
-        t.use_cheap_control()
-        t.use_filled_cache()
-        for shard in t.cache.iterdir():
-            document = json.loads(shard.read_bytes())
-            document["entries"] = {key: [run, change(value)] for key, (run, value) in document["entries"].items()}
-            shard.write_text(json.dumps(document))
-
-    return build
-
-
-def links(t: Trap) -> None:
-    for shard in t.cache.iterdir():
-        shard.unlink()
-        shard.symlink_to(t.outside / "victim.json")
-
-
-def pipes(t: Trap) -> None:
-    for shard in t.cache.iterdir():
-        shard.unlink()
-        os.mkfifo(shard)
-
-
-def located(place: Callable[[Trap], Path]) -> Callable[[Trap], None]:
-    def build(t: Trap) -> None:
-        t.cache = place(t)
-
-    return build
-
-
-ROW = ["warning", "\x1b[31m::error::planted##[error]", "../outside/secret.py", 1, None, None, None]
-CACHES = [
-    Case("in the workspace", located(lambda t: t.root / "cache"), 2, "the cache directory lies inside the workspace"),
-    Case("in the workspace, by a way round", located(lambda t: t.outside / ".." / "ws" / "cache"), 2, "inside the workspace"),
-    Case("in the workspace, named", located(lambda t: t.root / "cache"), 1, "", ("--cache-dir=cache",)),
     Case(
-        "behind a link of the workspace",
-        lambda t: (t.root / "cache").symlink_to(t.outside),
-        2,
-        "through a symbolic link of the workspace",
-        ("--cache-dir=cache",),
+        "a hostile name",
+        lambda t: t.write("::error::a\x1b[31m.py", ""),
+        1,
+        "unprintable",
+        ("::error::a\x1b[31m.py", CONTROL_FINDING[0]),
     ),
-    Case("a file", located(lambda t: t.outside / "victim.json"), 1, "the cache cannot be written"),
-    Case("below a file", located(lambda t: t.outside / "victim.json" / "cache"), 1, "the cache cannot be written"),
-    Case("a device", located(lambda t: Path("/dev/null")), 1, "the cache cannot be written"),
-    Case("emptied files", shards(""), 1),
-    Case("junk", shards(b"\x00\xff::error::x"), 1),
-    Case("another format", shards('{"format": 99, "run": 1, "entries": {}}'), 1),
-    Case("wrong types", shards('{"format": 1, "run": "x", "entries": []}'), 1),
-    Case("no numbers", shards('{"format": 1, "run": NaN, "entries": {"a": [Infinity, 1e999]}}'), 1),
-    Case("deep", shards("[" * 200_000), 1),
-    Case("links to a victim", shards("", links), 1),
-    Case("pipes", shards("", pipes), 1),
-    Case("values of no shape", doctored(lambda value: 1e300), 1),
-    Case("values of another shape", doctored(lambda value: {"rules": [[1, 2, 3]], "gave_up": {}}), 1),
-    Case("deep values", doctored(lambda value: {"rules": [[[[[[]]]]]], "gave_up": [[[[]]]]}), 1),
-    Case("lines that are none", doctored(lambda value: {"rules": [["cppcheck", "uninitvar", [[*ROW[:2], "control.cpp", -1, 2**70, True, "x"]]]], "gave_up": []}), 1),
+    Case("a hostile selector", lambda t: None, 1, "", ("--select=\x1b[31m::error::x##[error]",)),
+    Case(
+        "a hostile profile", lambda t: None, 2, "--profile: unknown value", ("--profile=\x1b[31m\n::error::x##[error]",)
+    ),
+    Case("a hostile format", lambda t: None, 2, "unknown format", ("--output=\x1b[31m\n::error::x##[error]",)),
 ]
 
 
@@ -208,9 +172,8 @@ def assert_case(case: Case, trap: Trap) -> None:
     if case.code == 2:
         assert outcome.stderr.startswith(("error: ", "Usage: ")) and set(outcome.formats.values()) <= {""}
     else:
-        finding = CONTROL_FINDING if (trap.root / CONTROL_FINDING[0]).exists() else CHEAP_FINDING
-        assert_the_rest_is_analysed(outcome, finding)
-        assert {path for path, _, _ in outcome.findings()} == {finding[0]}
+        assert_the_rest_is_analysed(outcome)
+        assert {path for path, _, _ in outcome.findings()} == {CONTROL_FINDING[0]}
 
 
 @pytest.mark.parametrize("case", PROJECT_FILES, ids=lambda case: case.name)
@@ -223,36 +186,12 @@ def test_arguments(case: Case, trap: Trap) -> None:
     assert_case(case, trap)
 
 
-@pytest.mark.parametrize("case", CACHES, ids=lambda case: case.name)
-def test_caches(case: Case, trap: Trap) -> None:
-    """Whatever lies in the cache, the report is the same, and a cache that cannot be used costs time only."""
-    assert_case(case, trap)
-
-
-def test_a_planted_answer_names_no_file_outside(trap: Trap) -> None:
-    """A cache restored from elsewhere can lie about the files that it knows; it cannot speak of others."""
-    doctored(lambda value: {"rules": [["cppcheck", "uninitvar", [ROW]]], "gave_up": []})(trap)
-    outcome = trap.run()
-    assert outcome.code == 0 and outcome.findings() == set()
-    assert_harmless(trap, outcome)
-
-
-@pytest.mark.skipif(os.geteuid() == 0, reason="the superuser can write everywhere")
-def test_a_cache_that_cannot_be_written(trap: Trap) -> None:
-    trap.cache = trap.place / "cache"
-    trap.cache.mkdir(mode=0o500)
-    outcome = trap.run()
-    assert outcome.code == 1 and "the cache cannot be written" in outcome.stderr
-    assert_the_rest_is_analysed(outcome)
-
-
-@pytest.mark.skipif(os.geteuid() == 0, reason="the superuser can read everything")
 def test_what_cannot_be_read(trap: Trap) -> None:
     trap.write("locked.py", "X = undefined_here\n").chmod(0)
     trap.write("locked/inside.py", "X = undefined_here\n")
     (trap.root / "locked").chmod(0)
     try:
-        outcome = trap.run()
+        outcome = trap.run(driver=trap.unprivileged())
     finally:
         (trap.root / "locked").chmod(0o700)
     assert outcome.code == 1 and outcome.says("it cannot be read")

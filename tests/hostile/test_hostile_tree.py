@@ -30,7 +30,9 @@ class Case:
 def named(name: str, says: str = "") -> Case:
     """A file with one known defect and a hostile name."""
     cpp = name.endswith(".cpp")
-    return Case(name, says or ("uninitvar" if cpp else "undefined-variable"), lambda t: t.write(name, CPP if cpp else PYTHON))
+    return Case(
+        name, says or ("uninitvar" if cpp else "undefined-variable"), lambda t: t.write(name, CPP if cpp else PYTHON)
+    )
 
 
 def holding(name: str, data: bytes, says: str) -> Case:
@@ -158,10 +160,18 @@ CONTENTS = [
     holding("broken.py", b"def f(:\n", "syntax-error"),
     holding("broken.cpp", b"int f( { ) }\n", "cppcheck could not analyse this file"),
     holding("surrogate.py", b'X = ("\\ud800", undefined_here)\n', "undefined-variable"),
-    holding("quotes.py", 'X = undefined_here  # \x1b]52;c;x\x07 \u202e ::error::x ##[error]x\n'.encode(), "undefined-variable"),
+    holding(
+        "quotes.py",
+        "X = undefined_here  # \x1b]52;c;x\x07 \u202e ::error::x ##[error]x\n".encode(),
+        "undefined-variable",
+    ),
     holding("says.py", b"::error::pwned\n##[error]pwned\n", "syntax-error"),
     holding("comment.py", b'"""::error::x"""\n    ::error::y\n\x1b[31m ##[stop-commands]x\n', "syntax-error"),
-    holding("passwd.cpp", b'#include "/etc/passwd"\n#include </etc/shadow>\n' + CPP, "a file that is not part of the workspace"),
+    holding(
+        "passwd.cpp",
+        b'#include "/etc/passwd"\n#include </etc/shadow>\n' + CPP,
+        "a file that is not part of the workspace",
+    ),
     holding("outside.cpp", b'#include "../outside/error.hpp"\n' + CPP, "a file that is not part of the workspace"),
     holding("beyond.cpp", b'#include "../outside/secret.hpp"\n#include "../../../x.hpp"\n' + CPP, "uninitvar"),
     holding("itself.cpp", b'#pragma once\n#include "itself.cpp"\n' + CPP, "uninitvar"),
@@ -177,7 +187,9 @@ GOOD = '<package format="3"><name>{}</name><version>1.0.0</version></package>\n'
 MANIFESTS = [
     manifest("laughs", f'<!DOCTYPE p [<!ENTITY e0 "x">{LAUGHS}]><package><name>&e9;</name></package>'),
     manifest("entity", '<!DOCTYPE p [<!ENTITY x SYSTEM "file:///etc/passwd">]><package><name>&x;</name></package>'),
-    manifest("parameter", '<!DOCTYPE p [<!ENTITY % x SYSTEM "file:///etc/passwd">%x;]><package><name>a</name></package>'),
+    manifest(
+        "parameter", '<!DOCTYPE p [<!ENTITY % x SYSTEM "file:///etc/passwd">%x;]><package><name>a</name></package>'
+    ),
     manifest("remote", '<!DOCTYPE p SYSTEM "http://localhost:9/x.dtd"><package><name>a</name></package>'),
     manifest("torn", "<package><name>a</name>"),
     manifest("void", ""),
@@ -185,7 +197,9 @@ MANIFESTS = [
     manifest("another", "<launch/>"),
     manifest("deep", "<a>" * 50_000 + "</a>" * 50_000),
     manifest("wide", "<package><name>a</name>" + "<a/>" * 150_000 + "</package>"),
-    manifest("attributes", "<package " + " ".join(f'a{n}="x"' for n in range(200)) + "><name>attributes</name></package>", ""),
+    manifest(
+        "attributes", "<package " + " ".join(f'a{n}="x"' for n in range(200)) + "><name>attributes</name></package>", ""
+    ),
     manifest("large", "<package><name>a</name>" + "<!-- -->\n" * 600_000 + "</package>", "more than the limit"),
     manifest("coded", b'<?xml version="1.0" encoding="no-such-codec"?><package><name>a</name></package>'),
     manifest("binary", b"\x00\x01\x02"[1:]),
