@@ -183,6 +183,29 @@ def show(**flags: Any) -> int:
 
 
 @haros_ci.command()
+@click.argument("paths", nargs=-1, type=click.Path())
+@click.option("--format", type=click.Choice(["text", "json", "dot", "mermaid", "sqlite"]), default="text")
+@click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
+@click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
+@click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
+@click.option("--env", metavar="NAME=VALUE", multiple=True, help="What $(env NAME) is in launch files.")
+@click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
+@click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace.")
+@click.option("--expect", type=click.Path(dir_okay=False), help="Compare with the architecture that this file declares.")
+@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
+@click.option("--isolated", is_flag=True, help="Read no project file.")
+@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
+@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
+@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+@click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
+def model(**flags: Any) -> int:
+    """Reconstruct the running system from source: nodes, topics, services, actions, parameters."""
+    from haros_ci import model_command
+
+    return model_command.model(flags)
+
+
+@haros_ci.command()
 @click.option("--json", "as_json", is_flag=True, help="As JSON.")
 @click.option("--profile", metavar="NAME", default="ros", show_default=True, help="Mark what this profile enables.")
 def rules(as_json: bool, profile: str) -> int:

@@ -25,6 +25,10 @@ DOORS: dict[str, set[str]] = {
     "api": {"model", "results", "linters"},
     "baselines": {"model", "results", "errors", "config", "workspace"},
     "pipeline": {"model", "results", "errors", "config", "workspace", "linters", "registry", "baselines"},
+    "architecture": {"model", "errors", "config", "workspace", "extract", "link"},
+    "model_command": {
+        "architecture", "baselines", "commands", "errors", "link", "model", "output", "report", "workspace",
+    },
     "output": {"results", "errors", "report"},
     "commands": {
         "output",
@@ -38,7 +42,7 @@ DOORS: dict[str, set[str]] = {
         "pipeline",
         "cli",
     },
-    "cli": {"errors", "commands", "report"},
+    "cli": {"errors", "commands", "model_command", "report"},
     "__main__": {"cli"},
     "__init__": set(),
 }

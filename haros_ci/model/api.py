@@ -7,34 +7,52 @@ A row is a mapping, the same in Python tables and in YAML (docs/adding-an-api.md
      "makes": [{"kind": "publishers", "name": "{0}", "type": "{<0>}", "queue_size": "{1}", "latched": "{2?false}"}],
      "returns": "ros::Publisher"}
 
-``call`` is the qualified name of a function, method (``Class::method``) or, for a constructor, class; Python's is dotted
-(``rospy.Publisher``). Of several rows for one call the first whose conditions hold is taken: ``args`` (numbers of arguments
-that fit, Python keywords counted) and ``when`` (argument selector -> type name it must have, pointers and const
-ignored; ``string``, ``bool``, ``int``, ``double``, ``function``, ``list`` for the built-in ones). Values are templates: text with selectors in braces; a template
-that is one selector is the value itself. A selector is alternatives joined by ``|``, the first that is there counts, and
-``?literal`` for none (``true``, ``12``, ``text``). Alternatives:
+``call`` is the qualified name of a function, method (``Class::method``) or, for a constructor, class; Python's is
+dotted (``rospy.Publisher``). Of several rows for one call the first whose conditions hold is taken: ``args`` (numbers
+of arguments that fit, Python keywords counted) and ``when`` (argument selector -> type name it must have, pointers
+and const ignored; ``string``, ``bool``, ``int``, ``double``, ``function``, ``list`` for the built-in ones; a method,
+a lambda, a bind and a function object are a ``function``). A condition on an argument whose type is not known does
+not hold.
 
-    0  1 …       positional argument          latch      keyword argument (Python)
-    <0>          template argument of the call (its type's name)      this       the receiver      this<0>    its template argument
-    0.topic      member of an argument        callback(2)  message type of the callback's parameter; callback(2,1) its second
-    typeof(1)    parameter type of an argument: bool, int, double, str, yaml      typename(1)   the name of its C++ or Python type
-    parent(0)    the name without its last part
-    item.name    in an entry with ``each``: the item's name, type, default, group
+Values are templates: text with selectors in braces; a template that is one selector is the value itself. A selector
+is alternatives joined by ``|``, the first that is there counts, and ``?literal`` for none (``true``, ``12``,
+``text``). Alternatives:
+
+    0  1 …          positional argument                        latch      keyword argument (Python)
+    0.topic         member of an argument                      this       the receiver
+    <0>             template argument of the call (its type's name)       this<0>    the receiver's template argument
+    callback(2)     message type of the callback's parameter; callback(2,1) its second
+    typeof(1)       parameter type of an argument: bool, int, double, str, yaml; typeof(<0>|1|2): the first known one
+    typename(1)     the name of its C++ or Python type
+    parent(0)       the namespace of a name as it is resolved and remapped, with its last slash: ``/left/``
+    search(0)       the full name of a parameter as searchParam finds it, from the entry's namespace upwards; unknown
+                    where nothing sets it
+    item.name       in an entry with ``each``: the item's name, type, default, group
+    parameter       the value that the row's getter reads
+    this.namespace  of a node handle: its full namespace       handle()  handle(~)    a node handle, for ``fills``
+    node.name  node.namespace  process.name  process.namespace    full names of the node, and of the process that it
+                    runs in: the same but for a nodelet, whose process is its manager's
 
 ``makes`` lists entries: ``kind`` is one of ``KINDS``, or
 
-    handle     the object is a node handle: ``parent`` (a handle) and ``namespace`` (text, ``~`` for private) are combined
-    node       the process registers as node ``name`` (ros::init, rospy.init_node), ``anonymous``
-    rate, timer   ``period`` in seconds or ``frequency`` in hertz; not endpoints, kept for other checks
+    handle          the object is a node handle: ``parent`` (a handle) and ``namespace`` (text, ``~``: private) combined
+    node            the process registers as node ``name`` (ros::init, rospy.init_node); ``anonymous`` is true, or flags
+                    that name ``AnonymousName``
+    rate, timer     ``period`` in seconds or ``frequency`` in hertz; not endpoints, kept for other checks
 
-Other keys of an entry: ``name``, ``type``, ``queue_size``, ``latched``, ``value``, ``namespace`` (a handle or text; default: the
-receiver if it is a handle, else the node's own namespace), ``implicit``, ``each: "config(<0>)"`` (one endpoint for every parameter of
-the dynamic_reconfigure file of that class), ``each: "keys(0)"`` (of a dict or map argument).
+Other keys of an entry: ``name``, ``type``, ``queue_size``, ``latched``, ``value``, ``namespace`` (a handle or text;
+default: the receiver if it is a handle, else the node's own namespace), ``implicit``, ``each: "config(<0>)"`` (one
+endpoint for every parameter of the dynamic_reconfigure file of that class), ``each: "keys(0)"`` (of a dict or map
+argument). A ``type`` is ``pkg/Name``, or a C++ or Python type that stands for it: pointers, const, ``::Request`` and
+``::Response``, and an action's ``Action`` are taken off.
 
-``returns`` is a type's name or a template; ``"{parameter}"`` is the value that the row's getter reads. ``sets`` maps an argument to a template
-that is stored through it (``{"1": "{parameter}"}``). ``fills`` maps members of the receiver (or, for a constructor or static factory, of the returned object) to
-templates. ``calls`` lists selectors of arguments that are called back later. ``transparent: "{0}"`` returns the argument itself, as
-resolveName does. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases; ``entry`` the methods of it that a framework calls (onInit).
+``returns`` is a type's name or a template; ``"{parameter}"`` is the value that the row's getter reads. ``sets`` maps
+an argument to a template that is stored through it (``{"1": "{parameter}"}``); where the getter has no ``value``,
+that is no default, the argument may also keep what it had. ``fills`` maps members of the receiver (or, for a
+constructor or static factory, of the returned object) to templates. ``calls`` lists selectors of arguments that are
+called back later; those that are not there or are no functions are passed over. ``transparent: "{0}"`` returns the
+argument itself, as resolveName does. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases;
+``entry`` the methods of it that a framework calls (onInit).
 """
 
 from __future__ import annotations
@@ -42,6 +60,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 ENTRY_KINDS = (
@@ -58,7 +77,20 @@ ENTRY_KINDS = (
     "rate",
     "timer",
 )
-ROW_KEYS = ("call", "class", "args", "when", "makes", "returns", "sets", "fills", "calls", "transparent", "bases", "entry")
+ROW_KEYS = (
+    "call",
+    "class",
+    "args",
+    "when",
+    "makes",
+    "returns",
+    "sets",
+    "fills",
+    "calls",
+    "transparent",
+    "bases",
+    "entry",
+)
 ENTRY_KEYS = (
     "kind",
     "name",
@@ -78,7 +110,7 @@ ENTRY_KEYS = (
 SELECTOR = re.compile(r"\{([^{}]*)\}")
 ALTERNATIVE = re.compile(
     r"\d+(\.\w+)*|<\d+>|this(<\d+>|(\.\w+)+)?|item\.(name|type|default|group)|parameter|[A-Za-z_]\w*(\.\w+)*"
-    r"|callback\([\w|]+(,\d+)?\)|(typeof|typename|parent)\([\w.|<>]+\)"
+    r"|callback\([\w|]+(,\d+)?\)|(typeof|typename|parent|search)\([\w.|<>]+\)|handle\(~?\)"
 )
 
 
@@ -132,7 +164,7 @@ def load_row(data: Mapping[str, Any]) -> Row:
     return Row(
         call=name,
         args=tuple(_integer(n) for n in _sequence(data, "args")),
-        when=tuple((str(k), _text(v, "when")) for k, v in _mapping(data, "when").items()),
+        when=tuple((_selector(str(k)), _text(v, "when")) for k, v in _mapping(data, "when").items()),
         makes=tuple(_entry(item) for item in _sequence(data, "makes")),
         returns=template(_text(data["returns"], "returns")) if "returns" in data else None,
         sets=tuple((str(k), template(_text(v, "sets"))) for k, v in _mapping(data, "sets").items()),
@@ -145,6 +177,7 @@ def load_row(data: Mapping[str, Any]) -> Row:
     )
 
 
+@lru_cache(maxsize=4096)
 def template(text: str) -> Template:
     """Parse a template: ``{0}/camera_info`` has the selector ``0`` and the literal ``/camera_info``."""
     parts: list[str | tuple[tuple[str, ...], str | None]] = []
@@ -170,7 +203,7 @@ def _alternatives(body: str) -> tuple[str, ...]:
 
 def _selector(text: str) -> str:
     if not ALTERNATIVE.fullmatch(text):
-        raise RowError(f"{text!r} selects nothing; write for example {{0}}, {{<0>}}, {{latch?false}} or {{callback(2)}}")
+        raise RowError(f"{text!r} selects nothing; write for example {{0}}, {{<0>}}, {{latch?false}}, {{callback(2)}}")
     return text
 
 

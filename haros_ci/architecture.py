@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From a workspace to its architecture: facts of each file through the cache, then everything linked afresh."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from haros_ci import __version__
+from haros_ci.config.settings import Settings
+from haros_ci.errors import UserError
+from haros_ci.extract.apis.tables import rows
+from haros_ci.extract.program_json import from_json, to_json
+from haros_ci.link import hints
+from haros_ci.link.index import Source
+from haros_ci.link.link import Wanted, link
+from haros_ci.model.api import Row, RowError, load_row
+from haros_ci.model.architecture import Architecture, Configuration
+from haros_ci.model.build import Build
+from haros_ci.model.launch import LaunchFile
+from haros_ci.model.program import Program
+from haros_ci.model.workspace import Problem, Store, Workspace
+from haros_ci.workspace.build import builds
+
+#: Part of every key: a front end that says something else of the same bytes gets another.
+FACTS = f"{__version__}-1"
+
+
+def architecture(
+    workspace: Workspace,
+    settings: Settings,
+    store: Store,
+    *,
+    wanted: tuple[Wanted, ...] | None = None,
+    environment: Mapping[str, str] | None = None,
+    known_nodes: bool = True,
+) -> Architecture:
+    """The architecture of *workspace* as *settings* (hints, API rows, configurations of the project file) want it.
+
+    *wanted* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees.
+    """
+    built = builds(workspace)
+    problems: list[Problem] = []
+    where = settings.project_file or "the project file"
+    project = settings.project
+    found = link(
+        workspace,
+        programs(workspace, built, store, problems),
+        launch_reader(workspace, store),
+        built,
+        api_rows(project.get("apis"), where, problems),
+        wanted=configurations(workspace, project, problems, where) if wanted is None else wanted,
+        environment=environment,
+        known=known_nodes,
+    )
+    hinted: list[Configuration] = []
+    declared = project.get("configurations")
+    for configuration in found.configurations:
+        entry = declared.get(configuration.name) if isinstance(declared, Mapping) else None
+        given = entry.get("hints") if isinstance(entry, Mapping) else None
+        if isinstance(given, Mapping):
+            configuration, said = hints.apply(configuration, given, where, workspace.packages)
+            problems += said
+        hinted.append(configuration)
+    said_before = dict.fromkeys((*found.problems, *problems))
+    return replace(
+        found,
+        configurations=tuple(hinted),
+        problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
+    )
+
+
+def programs(
+    workspace: Workspace, built: Mapping[str, Build], store: Store, problems: list[Problem]
+) -> tuple[Source, ...]:
+    """Every C++ and Python file as a program, from *store* where its bytes are known there."""
+    roots = [(directory, name) for build in built.values() for name, directory in build.python_roots]
+    sources = []
+    for file in workspace.files:
+        if file.language not in ("cpp", "python"):
+            continue
+        program = _program(workspace, file.path, file.language, file.digest, store)
+        problems += [Problem(file.path, message, line) for line, message in program.problems]
+        module = module_name(file.path, roots) if file.language == "python" else ""
+        sources.append(Source(file.path, file.package, program, module))
+    return tuple(sources)
+
+
+def _program(workspace: Workspace, path: str, language: str, digest: str, store: Store) -> Program:
+    key = f"{FACTS} {digest}"
+    program = from_json(store.get(f"facts-{language}", path, key))
+    if program is None:
+        read: Callable[[str], Program]
+        if language == "cpp":
+            from haros_ci.extract.cpp.read import read_cpp as read
+        else:
+            from haros_ci.extract.python.read import read_python as read
+        program = read(workspace.text(path))
+        store.put(f"facts-{language}", path, key, to_json(program))
+    return program
+
+
+def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
+    """The dotted name under which a Python file is imported, "" if it lies below no import root.
+
+    *roots* are pairs of a directory and the top-level package that it is, "" for all that is in it (setup.py, package_dir).
+    """
+    best = ""
+    for directory, name in roots:
+        if path.startswith(f"{directory}/"):
+            inner = path[len(directory) + 1 :]
+            found = f"{name}/{inner}" if name else inner
+            if not best or len(found) < len(best):
+                best = found
+    return best.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+
+
+def launch_reader(workspace: Workspace, store: Store) -> Callable[[str], LaunchFile | None]:
+    """A function from a root-relative path to the launch file's tags, None if there is no such file."""
+    from haros_ci.extract.launch.xml import read_launch
+
+    read: dict[str, LaunchFile | None] = {}
+
+    def load(path: str) -> LaunchFile | None:
+        if path not in read:
+            text = workspace.text(path)
+            read[path] = read_launch(text) if text else None
+        return read[path]
+
+    return load
+
+
+def api_rows(declared: object, where: str, problems: list[Problem]) -> dict[str, tuple[Row, ...]]:
+    """The API rows by language; those of the project file come first."""
+    own: list[Row] = []
+    for number, item in enumerate(declared if isinstance(declared, (list, tuple)) else (), start=1):
+        try:
+            if not isinstance(item, Mapping):
+                raise RowError("a row is a mapping with a 'call'")
+            own.append(load_row(item))
+        except RowError as err:
+            problems.append(Problem(where, f"row {number} of 'apis': {err}"))
+    return {language: (*own, *rows(language, 1)) for language in ("cpp", "python")}
+
+
+def configurations(
+    workspace: Workspace, project: Mapping[str, Any], problems: list[Problem], where: str
+) -> tuple[Wanted, ...] | None:
+    """The configurations of a project file in HAROS's words; None if it has none."""
+    declared = project.get("configurations")
+    if not isinstance(declared, Mapping) or not declared:
+        return None
+    wanted = []
+    for name, entry in declared.items():
+        launch = entry.get("launch") if isinstance(entry, Mapping) else entry
+        paths = [launch_path(workspace, str(item)) for item in launch or ()]
+        for item, path in zip(launch or (), paths, strict=True):
+            if path is None:
+                said = f"configuration {name}: no launch file {item} in the workspace; correct 'launch'"
+                problems.append(Problem(where, said))
+        arguments = entry.get("args") if isinstance(entry, Mapping) else None
+        given = {str(k): written(v) for k, v in arguments.items()} if isinstance(arguments, Mapping) else {}
+        wanted.append(
+            Wanted(
+                name=str(name),
+                launch=tuple(path for path in paths if path is not None),
+                arguments=given,
+                user_data=entry.get("user_data") if isinstance(entry, Mapping) else None,
+            )
+        )
+    return tuple(wanted)
+
+
+def written(value: object) -> str:
+    """A value of YAML as one writes it on roslaunch's command line."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def launch_path(workspace: Workspace, name: str) -> str | None:
+    """The root-relative path that ``package/path`` (as HAROS writes it) or a path of the workspace means."""
+    paths = {file.path for file in workspace.files}
+    package, _, rest = name.partition("/")
+    for each in workspace.packages:
+        if each.name == package:
+            path = rest if each.path == "." else f"{each.path}/{rest}"
+            if path in paths:
+                return path
+    return name if name in paths else None
+
+
+def chosen(workspace: Workspace, launch: Iterable[str], arguments: Mapping[str, str], name: str) -> tuple[Wanted, ...]:
+    """One configuration from the command line; UserError names a launch file that is not there."""
+    paths = []
+    for item in launch:
+        path = launch_path(workspace, item)
+        if path is None:
+            raise UserError(f"no launch file {item} in the workspace", help="name it as package/launch/file.launch")
+        paths.append(path)
+    return (Wanted(name=name, launch=tuple(paths), arguments=arguments),)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Other libraries (ROS 1, C++): real-time publishers, interactive markers, bonds, robot models, plugins."""
+
+from __future__ import annotations
+
+# fmt: off
+ROWS: tuple[dict[str, object], ...] = (
+    # realtime_tools/realtime_publisher.h
+    {"call": "realtime_tools::RealtimePublisher", "args": [3, 4],
+     "makes": [{"kind": "publishers", "name": "{1}", "type": "{<0>}", "queue_size": "{2}", "latched": "{3?false}",
+                "namespace": "{0}"}]},
+    {"call": "realtime_tools::RealtimePublisher::init", "args": [3, 4],
+     "makes": [{"kind": "publishers", "name": "{1}", "type": "{this<0>}", "queue_size": "{2}",
+                "latched": "{3?false}", "namespace": "{0}"}]},
+
+    # interactive_markers/interactive_marker_server.h, interactive_marker_client.h, menu_handler.h
+    {"call": "interactive_markers::InteractiveMarkerServer", "args": [1, 2, 3],
+     "makes": [{"kind": "publishers", "name": "{0}/update", "type": "visualization_msgs/InteractiveMarkerUpdate",
+                "queue_size": 100, "latched": False},
+               {"kind": "publishers", "name": "{0}/update_full", "type": "visualization_msgs/InteractiveMarkerInit",
+                "queue_size": 100, "latched": True},
+               {"kind": "subscribers", "name": "{0}/feedback",
+                "type": "visualization_msgs/InteractiveMarkerFeedback", "queue_size": 100}]},
+    {"call": "interactive_markers::InteractiveMarkerServer::insert", "args": [1, 2, 3], "calls": ["1"]},
+    {"call": "interactive_markers::InteractiveMarkerServer::setCallback", "args": [2, 3], "calls": ["1"]},
+    {"call": "interactive_markers::InteractiveMarkerClient::subscribe", "args": [1],
+     "makes": [{"kind": "subscribers", "name": "{0}/update", "type": "visualization_msgs/InteractiveMarkerUpdate",
+                "queue_size": 100},
+               {"kind": "subscribers", "name": "{0}/update_full", "type": "visualization_msgs/InteractiveMarkerInit",
+                "queue_size": 100}]},
+    {"call": "interactive_markers::MenuHandler::insert", "args": [2], "calls": ["1"]},
+    {"call": "interactive_markers::MenuHandler::insert", "args": [3], "calls": ["2"]},
+
+    # bondcpp/bond.h, bondcpp/src/bond.cpp, bond/msg/Constants.msg: the topic is used from start on.
+    {"call": "bond::Bond", "args": [2, 3, 4], "fills": {"topic": "{0}"}, "calls": ["2", "3"]},
+    {"call": "bond::Bond::start", "args": [0],
+     "makes": [{"kind": "publishers", "name": "{this.topic}", "type": "bond/Status", "queue_size": 5,
+                "latched": False, "implicit": True},
+               {"kind": "subscribers", "name": "{this.topic}", "type": "bond/Status", "queue_size": 30,
+                "implicit": True},
+               {"kind": "getters", "name": "/bond_disable_heartbeat_timeout", "type": "bool", "value": False,
+                "implicit": True}]},
+
+    # urdf/model.h: the parameter is searched for from the handle's namespace upwards.
+    {"call": "urdf::Model::initParam", "args": [1],
+     "makes": [{"kind": "getters", "name": "{search(0)}", "type": "str"}]},
+    {"call": "urdf::Model::initParamWithNodeHandle", "args": [1],
+     "makes": [{"kind": "getters", "name": "{search(0)}", "type": "str"}]},
+    {"call": "urdf::Model::initParamWithNodeHandle", "args": [2],
+     "makes": [{"kind": "getters", "name": "{search(0)}", "type": "str", "namespace": "{1}"}]},
+
+    # pluginlib/class_loader.hpp: which class is loaded is a value; all that is known is the base.
+    {"call": "pluginlib::ClassLoader::createInstance", "args": [1], "returns": "{this<0>}"},
+    {"call": "pluginlib::ClassLoader::createUniqueInstance", "args": [1], "returns": "{this<0>}"},
+    {"call": "pluginlib::ClassLoader::createUnmanagedInstance", "args": [1], "returns": "{this<0>}"},
+    {"call": "pluginlib::ClassLoader::createClassInstance", "args": [1, 2], "returns": "{this<0>}"},
+)

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Text that is parsed once more: macros used as statements, and initialisers that look like parameters."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import Any
+
+from tree_sitter import Node
+
+from haros_ci.extract.cpp import expressions, statements
+from haros_ci.extract.cpp.grammar import field, kinds, parse
+from haros_ci.extract.cpp.unit import Unit
+
+_DEEPEST = 3
+_MOST = 500
+_LONGEST = 8000
+_HEAD = "void f(){"
+_IDENTIFIER = kinds("identifier")
+_FUNCTION = field("function")
+_ARGUMENTS = field("arguments")
+_BODY = field("body")
+_PARAMETER = kinds("parameter_declaration")
+_NAMED = kinds("type_identifier qualified_identifier")
+_ARRAY = kinds("abstract_array_declarator")
+_NEVER = kinds("optional_parameter_declaration variadic_parameter_declaration type_qualifier ...")
+_PRIMITIVE = kinds("primitive_type sized_type_specifier placeholder_type_specifier")
+_CALLED = kinds("abstract_function_declarator")
+_PARAMETERS = kinds("parameter_list")
+_PLAIN = kinds("identifier")
+_OPERATORS = frozenset(("new", "delete", "throw", "not", "sizeof", "co_await"))
+_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|##?\s*\w*|\w+', re.DOTALL)
+
+
+def _block(text: str) -> Node | None:
+    """The body of a function that consists of *text*, one character per byte; None if that is no C++."""
+    root = parse(f"{_HEAD}{text}}}".encode("latin-1"))
+    if root.has_error or root.child_count != 1:
+        return None
+    return root.children[0].child_by_field_id(_BODY)
+
+
+def expand(unit: Unit, call: Node, depth: int, out: list[Any]) -> bool:
+    """Lower a use of a macro of this file as its body, all of it at the use's position; False if it is not simple."""
+    function, given = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
+    if function is None or given is None or function.kind_id not in _IDENTIFIER:
+        return False
+    macro = unit.found.callable_macros.get(unit.cut(function))
+    if macro is None or unit.level >= _DEEPEST or unit.found.expansions >= _MOST:
+        return False
+    unit.found.expansions += 1
+    parameters, body = macro
+    texts = [unit.text[child.start_byte : child.end_byte] for child in given.children if child.is_named]
+    text = _substituted(body.encode().decode("latin-1"), parameters, texts)
+    if text is None or len(text) > _LONGEST:
+        return False
+    node = _block(text + ";")
+    if node is None:
+        return False
+    inner = replace(
+        unit, text=f"{_HEAD}{text};}}", fixed=unit.position(call), level=unit.level + 1, shift=0
+    )
+    out.extend(statements.block(inner, node.children, depth))
+    return True
+
+
+def _substituted(body: str, parameters: tuple[str, ...], texts: list[str]) -> str | None:
+    values = dict(zip(parameters, texts, strict=False))
+    if parameters and parameters[-1] in ("...", "__VA_ARGS__"):
+        values["__VA_ARGS__"] = ", ".join(texts[len(parameters) - 1 :])
+    elif len(parameters) != len(texts):
+        return None
+
+    def token(match: re.Match[str]) -> str:
+        word = match.group()
+        if word.startswith("##"):
+            rest = word[2:].strip()
+            return "\0" + values.get(rest, rest)
+        if word.startswith("#"):
+            value = values.get(word[1:].strip(), "")
+            return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+        return values.get(word, word)
+
+    return re.sub(r"\s*\0", "", _TOKEN.sub(token, body))
+
+
+def constructed(unit: Unit, head: Node, depth: int) -> tuple[Any, ...] | None:
+    """The arguments of ``T x(a, b)`` where the tree has a function's declaration; None where it is one.
+
+    Inside functions, a declaration of a function is rare and one of a variable is common: it is taken for a function
+    only if it has no parameters or one that cannot be an expression (``int``, ``const T``, ``T name``).
+    """
+    children = head.children
+    if children[-1].kind_id not in _PARAMETERS:
+        return None
+    listed = children[-1]
+    names: list[Any] | None = []
+    named = 0
+    for child in listed.children:
+        kind = child.kind_id
+        if kind in _NEVER:
+            return None
+        if kind not in _PARAMETER:
+            if child.is_named:
+                names = None
+            continue
+        named += 1
+        parts = child.children
+        if len(parts) == 1 and parts[0].kind_id in _NAMED:
+            if names is not None:
+                names.append(expressions.expression(unit, parts[0], depth) if parts[0].type != "type_identifier" else ("name", unit.cut(parts[0])))
+            continue
+        names = None
+        if any(part.kind_id in _NEVER for part in parts):
+            return None
+        if parts[0].kind_id in _PRIMITIVE and not (len(parts) > 1 and parts[1].kind_id in _CALLED):
+            return None
+        if len(parts) > 1 and parts[1].kind_id in _PLAIN and unit.cut(parts[0]) not in _OPERATORS:
+            return None
+    if not named:
+        return None
+    if names is not None:
+        return tuple(names)
+    return _reread(unit, listed, depth)
+
+
+def _reread(unit: Unit, listed: Node, depth: int) -> tuple[Any, ...]:
+    text = "x" + unit.text[listed.start_byte : listed.end_byte] + ";"
+    node = _block(text)
+    if node is not None:
+        start = unit.shift + listed.start_byte
+        unit.found.reread.append((start, unit.shift + listed.end_byte))
+        inner = replace(unit, text=f"{_HEAD}{text}}}", shift=start - len(_HEAD) - 1)
+        for child in node.children:
+            given = child.children[0].child_by_field_id(_ARGUMENTS) if child.child_count else None
+            if given is not None:
+                return expressions.arguments(inner, given, depth)
+    return (unit.opaque(listed),)

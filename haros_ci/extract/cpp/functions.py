@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Function definitions and declarations, constructors' initialisers and lambdas."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from tree_sitter import Node
+
+from haros_ci.extract.cpp import expressions, statements, types
+from haros_ci.extract.cpp.grammar import ERROR, errors, kinds
+from haros_ci.extract.cpp.unit import AUTO, Unit
+from haros_ci.model.program import Field, Function
+
+_ERRORS = 20
+_BODY = kinds("compound_statement")
+_TRY = kinds("try_statement constructor_try_statement")
+_INITS = kinds("field_initializer_list")
+_INIT = kinds("field_initializer")
+_VIRTUAL = kinds("virtual_specifier")
+_LISTS = kinds("argument_list initializer_list")
+_CAPTURES = kinds("lambda_capture_specifier")
+_CAPTURE_VALUE = kinds("lambda_capture_initializer")
+_ABSTRACT_FUNCTION = kinds("abstract_function_declarator lambda_declarator")
+_TEMPLATE_PARAMETERS = kinds("template_parameter_list")
+_TYPE_PARAMETERS = kinds(
+    "type_parameter_declaration optional_type_parameter_declaration variadic_type_parameter_declaration"
+)
+_TEMPLATE_TEMPLATE = kinds("template_template_parameter_declaration")
+_VALUE_PARAMETERS = kinds("parameter_declaration optional_parameter_declaration variadic_parameter_declaration")
+_TRAILING = kinds("trailing_return_type")
+_NAMES = kinds("type_identifier identifier")
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """Where declarations stand: *name* is qualified; *space* is the namespace around it, for friends.
+
+    *members* collects the data members of a class.
+    """
+
+    name: str = ""
+    space: str = ""
+    members: list[Field] | None = None
+    guards: tuple[tuple[int, int, str], ...] = ()
+    templates: tuple[str, ...] = ()
+
+    def qualified(self, name: str) -> str:
+        """*name* as seen from outside this scope."""
+        if name.startswith("::"):
+            return name[2:]
+        return f"{self.name}::{name}" if self.name else name
+
+
+def template_names(unit: Unit, node: Node) -> tuple[str, ...]:
+    """The names in a ``template_parameter_list``, in order; unnamed ones are left out."""
+    found: list[str] = []
+    for child in node.children:
+        if child.kind_id in _TEMPLATE_TEMPLATE:
+            child = child.children[-1]
+        if child.kind_id in _TYPE_PARAMETERS:
+            named = next((each for each in child.children if each.kind_id in _NAMES), None)
+            found.append(unit.cut(named) if named is not None else "")
+        elif child.kind_id in _VALUE_PARAMETERS:
+            found.append(types.parameter(unit, child, 0).name.lstrip("*"))
+    return tuple(name for name in found if name)
+
+
+def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scope: Scope, node: Node | None) -> None:
+    """Add the function that *declared* names; *node* is its ``function_definition``, None for a declaration."""
+    head = declared.function
+    assert head is not None
+    name = scope.qualified(declared.name)
+    owner, _, last = name.rpartition("::")
+    kind = "function"
+    if last.startswith("~"):
+        kind = "destructor"
+    elif owner.rpartition("::")[2] == last and (before.node is None or before.type[0].isupper()):
+        kind = "constructor"
+    slot = len(unit.found.functions)
+    unit.found.functions.append(None)
+    around = unit.function, unit.owner
+    unit.function, unit.owner = name, owner
+    parameters: tuple[Any, ...] = ()
+    is_virtual = before.is_virtual
+    for child in head.children:
+        if child.kind_id in types.PARAMETER_LIST:
+            parameters = types.parameters(unit, child, 0)
+        elif child.kind_id in _VIRTUAL:
+            is_virtual = True
+    line, column = unit.position(declared.node)
+    body, brace, inits = (None, (0, 0), ()) if node is None else _definition(unit, node)
+    unit.function, unit.owner = around
+    unit.found.functions[slot] = Function(
+        name=name,
+        owner=owner,
+        kind=kind,
+        parameters=parameters,
+        returns=declared.type,
+        line=line,
+        column=column,
+        body=body,
+        body_line=brace[0],
+        body_column=brace[1],
+        templates=scope.templates,
+        inits=inits,
+        guards=scope.guards,
+        is_static=before.is_static,
+        is_virtual=is_virtual,
+    )
+
+
+def _definition(unit: Unit, node: Node) -> tuple[tuple[Any, ...] | None, tuple[int, int], tuple[Any, ...]]:
+    """Body, its brace and the initialisers; defaulted and deleted functions have no body."""
+    body: tuple[Any, ...] | None = None
+    brace = (0, 0)
+    inits: tuple[Any, ...] = ()
+    for child in node.children:
+        kind = child.kind_id
+        if kind in _INITS:
+            inits = _initialisers(unit, child)
+        elif kind in _BODY:
+            brace = unit.position(child)
+            body = statements.block(unit, child.children, 0)
+        elif kind in _TRY:
+            for each in child.children:
+                if each.kind_id in _INITS:
+                    inits = _initialisers(unit, each)
+                elif each.kind_id in _BODY:
+                    brace = unit.position(each)
+            body = statements.block(unit, [child], 0)
+    if node.has_error:
+        _note(unit, node)
+    return body, brace, inits
+
+
+def _note(unit: Unit, node: Node) -> None:
+    """Record the first error in a function that was not mended by reading it again."""
+    for error in errors(node, _ERRORS):
+        offset = error.start_byte + unit.shift
+        if not any(start <= offset <= end for start, end in unit.found.reread[-_ERRORS:]):
+            unit.problem(error, "syntax that is not understood: part of the function is not read")
+            return
+
+
+def _initialisers(unit: Unit, node: Node) -> tuple[Any, ...]:
+    found = []
+    for child in node.children:
+        if child.kind_id not in _INIT:
+            continue
+        children = child.children
+        name, chosen = types.path(unit, children[0], 0)
+        values: tuple[Any, ...] = ()
+        for each in children[1:]:
+            if each.kind_id in _LISTS:
+                values = expressions.arguments(unit, each, 1)
+        line, column = unit.position(child)
+        found.append((name, (name, chosen, ""), values, line, column))
+    return tuple(found)
+
+
+def lambda_expression(unit: Unit, node: Node, depth: int) -> Any:
+    """("lambda", index); captures with a value become variables at the start of its body."""
+    slot = len(unit.found.functions)
+    unit.found.functions.append(None)
+    parameters: tuple[Any, ...] = ()
+    returns: Any = AUTO
+    captured: list[Any] = []
+    templates: tuple[str, ...] = ()
+    body: tuple[Any, ...] = ()
+    brace = (0, 0)
+    for child in node.children:
+        kind = child.kind_id
+        if kind in _CAPTURES:
+            captured = _captures(unit, child, depth)
+        elif kind in _ABSTRACT_FUNCTION:
+            for each in child.children:
+                if each.kind_id in types.PARAMETER_LIST:
+                    parameters = types.parameters(unit, each, depth)
+                elif each.kind_id in _TRAILING:
+                    returns = types.descriptor(unit, each.children[-1], depth)
+        elif kind in _TEMPLATE_PARAMETERS:
+            templates = template_names(unit, child)
+        elif kind in _BODY:
+            brace = unit.position(child)
+            body = statements.block(unit, child.children, depth)
+    _fill(unit, slot, node, (*captured, *body), brace, parameters, returns, templates)
+    return ("lambda", slot)
+
+
+def block_as_lambda(unit: Unit, node: Node, depth: int) -> Any:
+    """A block where an expression is expected (a macro's argument, a statement expression): a lambda of it."""
+    slot = len(unit.found.functions)
+    unit.found.functions.append(None)
+    body = statements.block(unit, node.children, depth)
+    _fill(unit, slot, node, body, unit.position(node))
+    return ("lambda", slot)
+
+
+def _fill(
+    unit: Unit,
+    slot: int,
+    node: Node,
+    body: tuple[Any, ...],
+    brace: tuple[int, int],
+    parameters: tuple[Any, ...] = (),
+    returns: Any = AUTO,
+    templates: tuple[str, ...] = (),
+) -> None:
+    line, column = unit.position(node)
+    unit.found.functions[slot] = Function(
+        name=f"{unit.function}::(lambda)" if unit.function else "(lambda)",
+        owner=unit.owner,
+        kind="lambda",
+        parameters=parameters,
+        returns=returns,
+        line=line,
+        column=column,
+        body=body,
+        body_line=brace[0],
+        body_column=brace[1],
+        templates=templates,
+    )
+
+
+def _captures(unit: Unit, node: Node, depth: int) -> list[Any]:
+    found = []
+    for child in node.children:
+        if child.kind_id in _CAPTURE_VALUE:
+            children = child.children
+            named = next((each for each in children if each.kind_id in _NAMES), None)
+            if named is not None and children[-1].kind_id != ERROR:
+                line, column = unit.position(named)
+                value = expressions.expression(unit, children[-1], depth)
+                found.append(("var", unit.cut(named), AUTO, ("=", value), line, column))
+    return found

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The front end's entry: one C++ file to one Program."""
+
+from __future__ import annotations
+
+from tree_sitter import Node
+
+from haros_ci.extract.cpp import blanks, branches, scopes
+from haros_ci.extract.cpp.functions import Scope
+from haros_ci.extract.cpp.grammar import errors, parse
+from haros_ci.extract.cpp.unit import Unit, unit_of
+from haros_ci.model.program import Program
+
+_LARGEST = 4_000_000
+_COUNTED = 1000
+
+
+def read_cpp(text: str) -> Program:
+    """Lower a C++ source or header, any dialect from C++98 to C++20, without its includes.
+
+    All branches of its preprocessor conditionals are read. What cannot be read is left out, with a problem
+    (at most five per file) where that is in a function; nothing is raised.
+    """
+    if len(text) > _LARGEST:
+        return Program("c++", problems=((1, f"larger than {_LARGEST} characters: the file is not read"),))
+    text = text.removeprefix("\ufeff")
+    data, root = _tree(blanks.readable(text))
+    unit = unit_of(data)
+    scopes.declare(unit, [root], Scope(), 0)
+    return _program(unit)
+
+
+def _tree(text: str) -> tuple[bytes, Node]:
+    """The tree of *text* with the least in errors, and what was parsed for it: the same length, some of it blank."""
+    data = text.encode("utf-8", "replace")
+    root = parse(data)
+    for reduce in (blanks.simplified, branches.single):
+        if not root.has_error:
+            break
+        reduced = reduce(text)
+        if reduced != text:
+            other = reduced.encode("utf-8", "replace")
+            other_root = parse(other)
+            if _unread(other_root) < _unread(root):
+                text, data, root = reduced, other, other_root
+    return data, root
+
+
+def _unread(root: Node) -> int:
+    """How much of the text is in syntax errors."""
+    return sum(node.end_byte - node.start_byte + 1 for node in errors(root, _COUNTED))
+
+
+def _program(unit: Unit) -> Program:
+    found = unit.found
+    return Program(
+        "c++",
+        functions=tuple(each for each in found.functions if each is not None),
+        classes=tuple(each for each in found.classes if each is not None),
+        variables=tuple(found.variables),
+        aliases=tuple(found.aliases),
+        scopes=tuple(found.scopes),
+        includes=tuple(found.includes),
+        macros=tuple(found.macros),
+        registered=tuple(found.registered),
+        problems=tuple(found.problems),
+    )

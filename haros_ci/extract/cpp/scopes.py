@@ -1,0 +1,415 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands at namespace and class scope: classes, enumerations, variables, aliases, macros."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from tree_sitter import Node
+
+from haros_ci.extract.cpp import expansion, expressions, functions, preprocessor, types
+from haros_ci.extract.cpp.functions import Scope
+from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
+from haros_ci.extract.cpp.unit import DEEPEST, Unit
+from haros_ci.model.program import Alias, Class, Field
+
+_NAME = field("name")
+_BODY = field("body")
+_TYPE = field("type")
+_VALUE = field("value")
+_PATH = field("path")
+_FUNCTION = field("function")
+_ARGUMENTS = field("arguments")
+_PARAMETERS = field("parameters")
+_SEMICOLON = kinds(";")
+_COMMA = kinds(",")
+_EQUALS = kinds("=")
+_INLINE = kinds("inline")
+_NAMESPACE = kinds("namespace")
+_SCOPED_ENUM = kinds("class struct")
+_ENUMERATOR = kinds("enumerator")
+_BASES = kinds("base_class_clause")
+_INITIALIZER = kinds("init_declarator")
+_BRACES = kinds("initializer_list")
+_PARENTHESES = kinds("argument_list")
+_IGNORED = kinds("bitfield_clause attribute_specifier attribute_declaration gnu_asm_expression ERROR")
+_TEMPLATE_PARAMETERS = kinds("template_parameter_list")
+_NAMED = kinds("identifier type_identifier namespace_identifier qualified_identifier nested_namespace_specifier")
+_CALL = kinds("call_expression")
+_IDENTIFIER = kinds("identifier")
+_LOST = kinds(
+    "{ function_declarator expression_statement compound_statement if_statement for_statement for_range_loop"
+    " while_statement do_statement switch_statement return_statement try_statement"
+)
+_CONTINUATION = re.compile(r"\\\r?\n")
+
+#: A declarator with its initialiser; "function" where it declares one.
+Variable = tuple[types.Declared, Any]
+Handler = Callable[[Unit, Node, Scope, int], None]
+
+
+def declare(unit: Unit, nodes: list[Node], scope: Scope, depth: int) -> None:
+    """Add what *nodes* declare in *scope* to the unit."""
+    if depth > DEEPEST:
+        if nodes:
+            unit.problem(nodes[0], "nested too deeply: what is inside is not read")
+        return
+    for node in nodes:
+        handler = _HANDLERS.get(node.kind_id)
+        if handler is not None:
+            handler(unit, node, scope, depth + 1)
+
+
+def variables(unit: Unit, node: Node, scope: Scope, depth: int) -> Iterator[Variable]:
+    """The declarators of a declaration in a function: a function there is a variable unless it cannot be one."""
+    before = before_declarators(unit, node, scope, depth)
+    for declared, init in declarators(unit, before, depth):
+        if init is None and declared.function is not None:
+            given = expansion.constructed(unit, declared.function, depth)
+            init = "function" if given is None else ("(", given)
+        yield declared, init
+
+
+def before_declarators(unit: Unit, node: Node, scope: Scope, depth: int) -> types.Specifiers:
+    """The specifiers of a declaration; a class or an enumeration among them is added to the unit."""
+    before = types.specifiers(unit, node.children, depth)
+    if before.node is None:
+        return before
+    kind = before.node.kind_id
+    if kind in types.ENUM:
+        enumeration(unit, before.node, scope, depth)
+    elif kind in types.CLASS_KINDS and before.node.child_by_field_id(_BODY) is not None:
+        is_used = any(child.is_named for child in before.rest)
+        name = class_of(unit, before.node, scope, depth, is_used)
+        if name and before.type[0] == "":
+            return before._replace(type=(name, (), before.type[2]))
+    return before
+
+
+def declarators(unit: Unit, before: types.Specifiers, depth: int) -> Iterator[Variable]:
+    """The declarators after *before*, each with its initialiser or None."""
+    rest = before.rest
+    index = 0
+    while index < len(rest):
+        node = rest[index]
+        index += 1
+        kind = node.kind_id
+        if kind in _COMMA or kind in _IGNORED or kind in _EQUALS:
+            continue
+        if kind in _SEMICOLON or not node.is_named:
+            return
+        init: Any = None
+        if kind in _INITIALIZER:
+            children = node.children
+            node, value = children[0], children[-1]
+            init = _initialiser(unit, value, any(each.kind_id in _EQUALS for each in children), depth)
+        else:
+            while index < len(rest) and rest[index].kind_id in _IGNORED:
+                index += 1
+            following = rest[index] if index < len(rest) else None
+            if following is not None and following.kind_id in _EQUALS and index + 1 < len(rest):
+                init = _initialiser(unit, rest[index + 1], True, depth)
+                index += 2
+            elif following is not None and following.kind_id in _BRACES:
+                init = _initialiser(unit, following, False, depth)
+                index += 1
+        yield types.declarator(unit, node, before.type, depth), init
+
+
+def _initialiser(unit: Unit, value: Node, equals: bool, depth: int) -> Any:
+    if equals:
+        return ("=", expressions.expression(unit, value, depth))
+    if value.kind_id in _PARENTHESES:
+        return ("(", expressions.arguments(unit, value, depth))
+    if value.kind_id in _BRACES:
+        return ("{", expressions.arguments(unit, value, depth))
+    return None
+
+
+def class_of(unit: Unit, node: Node, scope: Scope, depth: int, is_used: bool = False, alias: str = "") -> str:
+    """Add the class that *node* defines; its qualified name, "" where it only names one or is an anonymous part.
+
+    An unnamed class takes the name of its typedef, *alias*, or where variables have it (*is_used*) one of its own.
+    """
+    body = node.child_by_field_id(_BODY)
+    if body is None:
+        return ""
+    if depth > DEEPEST:
+        unit.problem(node, "nested too deeply: what is inside is not read")
+        return ""
+    named = types.specified_name(node)
+    line, column = unit.position(node if named is None else named)
+    if named is not None:
+        name = scope.qualified(types.path(unit, named, depth)[0])
+    elif alias or is_used:
+        name = scope.qualified(alias or f"(anonymous {line}:{column})")
+    else:
+        declare(unit, body.children, scope, depth)
+        return ""
+    bases = tuple(
+        types.plain_type(unit, each, depth)
+        for child in node.children
+        if child.kind_id in _BASES
+        for each in child.children
+        if each.kind_id in types.TYPE_KINDS
+    )
+    slot = len(unit.found.classes)
+    unit.found.classes.append(None)
+    members: list[Field] = []
+    around = unit.function, unit.owner
+    unit.function = unit.owner = name
+    inside = Scope(name, scope.space, members, scope.guards)
+    declare(unit, body.children, inside, depth)
+    unit.function, unit.owner = around
+    unit.found.classes[slot] = Class(name, bases, tuple(members), line, column, scope.templates)
+    return name
+
+
+def enumeration(unit: Unit, node: Node, scope: Scope, depth: int, alias: str = "") -> None:
+    """Add the constants of an enumeration, with their values where these are literal or counted."""
+    body = node.child_by_field_id(_BODY)
+    if body is None:
+        return
+    named = types.specified_name(node)
+    name = alias if named is None else types.path(unit, named, depth)[0]
+    is_scoped = any(child.kind_id in _SCOPED_ENUM for child in node.children)
+    prefixes = [f"{name}::"] if name else []
+    if not is_scoped:
+        prefixes.append("")
+    type_ = (scope.qualified(name) if name else "int", (), "c")
+    start: Any = ("num", 0)
+    count = 0
+    for child in _enumerators(body):
+        child_name = child.child_by_field_id(_NAME)
+        if child_name is None:
+            continue
+        given = child.child_by_field_id(_VALUE)
+        if given is not None:
+            start, count = expressions.expression(unit, given, depth), 0
+        if start[0] == "num":
+            value: Any = ("num", start[1] + count)
+        else:
+            value = ("op", "+", (start, ("num", count))) if count else start
+        count += 1
+        line, column = unit.position(child_name)
+        text = unit.cut(child_name)
+        for prefix in prefixes:
+            qualified = scope.qualified(prefix + text)
+            unit.found.variables.append(Field(qualified, type_, ("=", value), line, column, True))
+
+
+def _enumerators(body: Node) -> Iterator[Node]:
+    """The enumerators, those within conditionals included."""
+    waiting = [body]
+    while waiting:
+        node = waiting.pop()
+        if node.kind_id in _ENUMERATOR:
+            yield node
+        else:
+            waiting.extend(child for child in reversed(node.children) if child.is_named)
+
+
+def _declaration(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    before = before_declarators(unit, node, scope, depth)
+    is_extern = any(unit.cut(child) == "extern" for child in node.children[:2])
+    for declared, init in declarators(unit, before, depth):
+        if declared.function is not None:
+            functions.declare(unit, declared, before, scope, None)
+            continue
+        is_macro = declared.is_parenthesized and init is None
+        if not declared.name or is_macro or (is_extern and init is None):
+            continue
+        line, column = unit.position(declared.node)
+        if scope.members is None:
+            name = scope.qualified(declared.name)
+            unit.found.variables.append(Field(name, declared.type, init, line, column, before.is_static))
+        else:
+            scope.members.append(Field(declared.name, declared.type, init, line, column, before.is_static))
+
+
+def _function(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    before = before_declarators(unit, node, scope, depth)
+    for child in before.rest:
+        if child.is_named and child.kind_id not in _IGNORED:
+            declared = types.declarator(unit, child, before.type, depth)
+            if declared.function is not None:
+                functions.declare(unit, declared, before, scope, node)
+            return
+
+
+def _template(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    names = scope.templates
+    for child in node.children:
+        if child.kind_id in _TEMPLATE_PARAMETERS:
+            names = (*names, *functions.template_names(unit, child))
+    declare(unit, node.children, Scope(scope.name, scope.space, scope.members, scope.guards, names), depth)
+
+
+def _namespace(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    """Unnamed and inline namespaces are as good as not there."""
+    named = node.child_by_field_id(_NAME)
+    body = node.child_by_field_id(_BODY)
+    name = scope.name
+    if named is not None and node.children[0].kind_id not in _INLINE:
+        name = scope.qualified("".join(unit.cut(named).split()))
+    if body is not None:
+        declare(unit, body.children, Scope(name, name, None, scope.guards), depth)
+
+
+def _linkage(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    body = node.child_by_field_id(_BODY)
+    if body is not None:
+        declare(unit, [body], scope, depth)
+
+
+def _inside(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    declare(unit, node.children, scope, depth)
+
+
+def _friend(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    declare(unit, node.children, Scope(scope.space, scope.space, None, scope.guards, scope.templates), depth)
+
+
+def _error(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    children = node.children
+    if any(child.kind_id in _LOST for child in children):
+        unit.problem(node, "syntax that is not understood: part of the file is not read")
+    declare(unit, children, scope, depth)
+
+
+def _stray(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    unit.problem(node, "a statement outside of functions: braces that do not match hide part of the file")
+
+
+def _class(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    class_of(unit, node, scope, depth)
+
+
+def _enum(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    enumeration(unit, node, scope, depth)
+
+
+def _typedef(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    before = types.specifiers(unit, node.children, depth)
+    base = before.type
+    is_first = True
+    for child in before.rest:
+        if child.kind_id in _SEMICOLON:
+            break
+        if not child.is_named or child.kind_id in _IGNORED:
+            continue
+        declared = types.declarator(unit, child, base, depth)
+        type_ = declared.type
+        if declared.function is not None:
+            type_ = types.function_type(unit, declared.function.children, type_, depth)
+        if is_first and before.node is not None:
+            is_unnamed = base[0] == ""
+            if before.node.kind_id in types.ENUM:
+                enumeration(unit, before.node, scope, depth, declared.name)
+            elif before.node.kind_id in types.CLASS_KINDS:
+                class_of(unit, before.node, scope, depth, True, declared.name)
+            is_first = False
+            if is_unnamed:
+                base = (declared.name, (), base[2])
+                continue
+        if declared.name:
+            unit.found.aliases.append(Alias(scope.qualified(declared.name), type_, scope.templates))
+
+
+def _alias(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    named, target = node.child_by_field_id(_NAME), node.child_by_field_id(_TYPE)
+    if named is not None and target is not None:
+        type_ = types.descriptor(unit, target, depth)
+        unit.found.aliases.append(Alias(scope.qualified(unit.cut(named)), type_, scope.templates))
+
+
+def _using(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    children = node.children
+    is_directive = any(child.kind_id in _NAMESPACE for child in children)
+    for child in children:
+        if child.kind_id not in _NAMED:
+            continue
+        name = types.path(unit, child, depth)[0]
+        if is_directive:
+            unit.found.scopes.append((scope.name, name))
+            continue
+        head, _, last = name.rpartition("::")
+        if head.rpartition("::")[2] != last:
+            unit.found.aliases.append(Alias(scope.qualified(last), (name, (), "")))
+
+
+def _namespace_alias(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    names = ["".join(unit.cut(child).split()) for child in node.children if child.kind_id in _NAMED]
+    if len(names) == 2:
+        unit.found.aliases.append(Alias(scope.qualified(names[0]), (names[1], (), "namespace")))
+
+
+def _include(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    path = node.child_by_field_id(_PATH)
+    if path is not None:
+        unit.found.includes.append(unit.cut(path))
+
+
+def _macro(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    named, value, listed = (node.child_by_field_id(each) for each in (_NAME, _VALUE, _PARAMETERS))
+    if named is None:
+        return
+    body = "" if value is None else _CONTINUATION.sub(" ", unit.cut(value)).strip()
+    parameters = None
+    if listed is not None:
+        inside = _CONTINUATION.sub(" ", unit.cut(listed))[1:-1].strip()
+        parameters = tuple(each.strip() for each in inside.split(",")) if inside else ()
+        if "(" in body:
+            unit.found.callable_macros[unit.cut(named)] = (parameters, body)
+    unit.found.macros.append((unit.cut(named), parameters, body))
+
+
+def _conditional(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    found = preprocessor.branches(unit, node)
+    is_guard = preprocessor.is_include_guard(unit, found)
+    for index, (line, column, text, nodes) in enumerate(found):
+        guards = scope.guards if is_guard and index == 0 else (*scope.guards, (line, column, text))
+        declare(unit, nodes, Scope(scope.name, scope.space, scope.members, guards, scope.templates), depth)
+
+
+def _registration(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
+    call = node.children[0] if node.child_count else node
+    if call.kind_id not in _CALL:
+        return
+    function, given = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
+    if function is None or given is None or function.kind_id not in _IDENTIFIER:
+        return
+    texts = tuple(
+        unit.collapsed(child.start_byte, child.end_byte)
+        for child in given.children
+        if child.is_named and child.kind_id != ERROR
+    )
+    unit.found.registered.append((unit.cut(function), texts, *unit.position(call)))
+
+
+_HANDLERS: dict[int, Handler] = table(
+    {
+        "declaration field_declaration": _declaration,
+        "function_definition inline_method_definition": _function,
+        "template_declaration": _template,
+        "namespace_definition": _namespace,
+        "linkage_specification": _linkage,
+        "declaration_list translation_unit": _inside,
+        "friend_declaration": _friend,
+        "ERROR": _error,
+        "class_specifier struct_specifier union_specifier": _class,
+        "enum_specifier": _enum,
+        "type_definition": _typedef,
+        "alias_declaration": _alias,
+        "using_declaration": _using,
+        "namespace_alias_definition": _namespace_alias,
+        "preproc_include": _include,
+        "preproc_def preproc_function_def": _macro,
+        "preproc_if preproc_ifdef": _conditional,
+        "expression_statement": _registration,
+        "if_statement for_statement for_range_loop while_statement do_statement switch_statement return_statement"
+        " compound_statement try_statement": _stray,
+    }
+)

@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Statements and local declarations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from tree_sitter import Node
+
+from haros_ci.extract.cpp import expansion, expressions, functions, preprocessor, scopes, types
+from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
+from haros_ci.extract.cpp.unit import AUTO, DEEPEST, NOTHING, Unit
+
+_BLOCK = kinds("compound_statement")
+_CASE = kinds("case_statement")
+_IF = kinds("if_statement")
+_ELSE = kinds("else_clause")
+_INIT = kinds("init_statement")
+_DECLARATION = kinds("declaration")
+_CONDITIONS = kinds("condition_clause parenthesized_expression")
+_PATTERN = kinds("structured_binding_declarator")
+_CATCH = kinds("catch_clause")
+_ELLIPSIS = kinds("...")
+_COLON = kinds(":")
+_CALL = kinds("call_expression")
+_BODY = field("body")
+_CONDITION = field("condition")
+_CONSEQUENCE = field("consequence")
+_ALTERNATIVE = field("alternative")
+_INITIALIZER = field("initializer")
+_UPDATE = field("update")
+_RIGHT = field("right")
+_VALUE = field("value")
+_PARAMETERS = field("parameters")
+
+Statements = list[Any]
+Handler = Callable[[Unit, Node, int, Statements], None]
+
+
+def block(unit: Unit, nodes: list[Node], depth: int) -> tuple[Any, ...]:
+    """The statements among *nodes*, the children of a block."""
+    out: Statements = []
+    if depth > DEEPEST:
+        if nodes:
+            unit.problem(nodes[0], "nested too deeply: what is inside is not read")
+        return ()
+    for node in nodes:
+        handler = _HANDLERS.get(node.kind_id)
+        if handler is not None:
+            handler(unit, node, depth + 1, out)
+    return tuple(out)
+
+
+def _body(unit: Unit, node: Node | None, depth: int) -> tuple[Any, ...]:
+    """The block of a controlled statement, with or without braces."""
+    if node is None:
+        return ()
+    return block(unit, node.children if node.kind_id in _BLOCK else [node], depth)
+
+
+def _expression(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    child = node.children[0] if node.child_count else node
+    if child.kind_id in _CALL and unit.found.callable_macros and expansion.expand(unit, child, depth, out):
+        return
+    if child.is_named and child.kind_id != ERROR:
+        out.append(("do", expressions.expression(unit, child, depth)))
+
+
+def _bare(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    out.append(("do", expressions.expression(unit, node, depth)))
+
+
+def _declaration(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    scope = functions.Scope(unit.function, unit.function)
+    for each in scopes.variables(unit, node, scope, depth):
+        if each[0].is_parenthesized and each[1] is None:
+            out.append(("do", unit.opaque(node)))
+        else:
+            _variable(unit, each, depth, out)
+
+
+def _variable(unit: Unit, each: scopes.Variable, depth: int, out: Statements) -> None:
+    declared, init = each
+    if isinstance(init, str):
+        return
+    line, column = unit.position(declared.node)
+    out.append(("var", declared.name, declared.type, init, line, column))
+    if declared.node.kind_id in _PATTERN:
+        text = unit.cut(declared.node)[:200]
+        for child in declared.node.children:
+            if child.is_named:
+                line, column = unit.position(child)
+                out.append(("var", unit.cut(child), AUTO, ("=", ("?", text)), line, column))
+
+
+def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) -> tuple[str, Any]:
+    """Text and value of a condition; what it declares goes to *before*."""
+    if node is None:
+        return "", ("?", "")
+    if node.kind_id not in _CONDITIONS:
+        return unit.collapsed(node.start_byte, node.end_byte), expressions.expression(unit, node, depth)
+    text = unit.collapsed(node.start_byte + 1, node.end_byte - 1)
+    value: Any = ("?", text)
+    for child in node.children:
+        kind = child.kind_id
+        if kind in _INIT:
+            before.extend(block(unit, child.children, depth))
+        elif kind in _DECLARATION:
+            start = len(before)
+            _declaration(unit, child, depth, before)
+            if len(before) > start:
+                value = ("name", before[start][1])
+        elif child.is_named and kind != ERROR:
+            value = expressions.expression(unit, child, depth)
+    return text, value
+
+
+def _wrapped(before: Statements, statement: Any, out: Statements) -> None:
+    out.append(("block", (*before, statement)) if before else statement)
+
+
+def _if(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    before: Statements = []
+    line, column = unit.position(node)
+    text, value = _condition(unit, node.child_by_field_id(_CONDITION), depth, before)
+    then = _body(unit, node.child_by_field_id(_CONSEQUENCE), depth)
+    alternative = node.child_by_field_id(_ALTERNATIVE)
+    else_line = else_column = 0
+    other: tuple[Any, ...] = ()
+    if alternative is not None:
+        else_line, else_column = unit.position(alternative)
+        other = _body(unit, alternative.children[-1], depth)
+    _wrapped(before, ("if", line, column, text, value, then, else_line, else_column, other), out)
+
+
+def _while(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    before: Statements = []
+    line, column = unit.position(node)
+    text, value = _condition(unit, node.child_by_field_id(_CONDITION), depth, before)
+    body = _body(unit, node.child_by_field_id(_BODY), depth)
+    out.append(("loop", "while", line, column, text, tuple(before), value, body))
+
+
+def _do(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    line, column = unit.position(node)
+    text, value = _condition(unit, node.child_by_field_id(_CONDITION), depth, [])
+    body = _body(unit, node.child_by_field_id(_BODY), depth)
+    if unit.level and value in (("num", 0), ("bool", False)):
+        out.append(("block", body))
+    else:
+        out.append(("loop", "do", line, column, text, (), value, body))
+
+
+def _for(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    line, column = unit.position(node)
+    first = node.child_by_field_id(_INITIALIZER)
+    before: tuple[Any, ...] = ()
+    if first is not None:
+        before = block(unit, [first], depth)
+    condition = node.child_by_field_id(_CONDITION)
+    text = "" if condition is None else unit.collapsed(condition.start_byte, condition.end_byte)
+    value = None if condition is None else expressions.expression(unit, condition, depth)
+    body = _body(unit, node.child_by_field_id(_BODY), depth)
+    update = node.child_by_field_id(_UPDATE)
+    if update is not None:
+        body = (*body, ("do", expressions.expression(unit, update, depth)))
+    out.append(("loop", "for", line, column, text, before, value, body))
+
+
+def _each(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    before: Statements = []
+    line, column = unit.position(node)
+    children = node.children
+    if len(children) > 2 and children[2].kind_id in _INIT:
+        before.extend(block(unit, children[2].children, depth))
+    start = next((index for index, child in enumerate(children) if child.type == "("), 0) + 1
+    if before:
+        start += 1
+    found = types.specifiers(unit, children[start:], depth)
+    declared = None
+    if found.rest and found.rest[0].kind_id not in _COLON:
+        declared = types.declarator(unit, found.rest[0], found.type, depth)
+    right = node.child_by_field_id(_RIGHT)
+    body_node = node.child_by_field_id(_BODY)
+    value: Any = ("?", "") if right is None else expressions.expression(unit, right, depth)
+    text = "" if right is None else unit.collapsed(children[start].start_byte, right.end_byte)
+    names: Statements = []
+    if declared is not None and declared.node.kind_id in _PATTERN:
+        _variable(unit, (declared, None), depth, names)
+    body = (*names[1:], *_body(unit, body_node, depth))
+    name, type_ = ("", AUTO) if declared is None else (declared.name, declared.type)
+    _wrapped(before, ("each", line, column, text, name, type_, value, body), out)
+
+
+def _switch(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    before: Statements = []
+    line, column = unit.position(node)
+    text, value = _condition(unit, node.child_by_field_id(_CONDITION), depth, before)
+    cases: list[Any] = []
+    body = node.child_by_field_id(_BODY)
+    if body is not None:
+        _cases(unit, body.children, depth, cases, ())
+    _wrapped(before, ("switch", line, column, text, value, tuple(cases)), out)
+
+
+def _cases(unit: Unit, nodes: list[Node], depth: int, cases: list[Any], guard: tuple[Any, ...]) -> None:
+    """Collect the cases among *nodes*; those under an #if have their blocks under that #if."""
+    for node in nodes:
+        if node.kind_id in _CASE:
+            children = node.children
+            value = node.child_by_field_id(_VALUE)
+            start = next((index for index, child in enumerate(children) if child.kind_id in _COLON), 0) + 1
+            inside = block(unit, children[start:], depth)
+            if guard:
+                inside = (("pre", ((*guard, inside),)),)
+            cases.append((None if value is None else expressions.expression(unit, value, depth), inside))
+        elif node.kind_id in preprocessor.CONDITIONAL and depth <= DEEPEST:
+            for line, column, text, children in preprocessor.branches(unit, node):
+                _cases(unit, children, depth + 1, cases, (line, column, text))
+
+
+def _try(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    handlers = []
+    for child in node.children:
+        if child.kind_id not in _CATCH:
+            continue
+        line, column = unit.position(child)
+        text, name, type_ = "...", "", NOTHING
+        caught = child.child_by_field_id(_PARAMETERS)
+        if caught is not None:
+            text = unit.collapsed(caught.start_byte + 1, caught.end_byte - 1)
+            for each in types.parameters(unit, caught, depth):
+                name, type_ = each.name, each.type
+        handlers.append((line, column, text, name, type_, _body(unit, child.child_by_field_id(_BODY), depth)))
+    out.append(("try", _body(unit, node.child_by_field_id(_BODY), depth), tuple(handlers)))
+
+
+def _operand(unit: Unit, node: Node, depth: int) -> Any:
+    for child in node.children[1:]:
+        if child.is_named and child.kind_id != ERROR:
+            return expressions.expression(unit, child, depth)
+    return None
+
+
+def _return(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    out.append(("return", _operand(unit, node, depth)))
+
+
+def _throw(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    out.append(("throw", _operand(unit, node, depth)))
+
+
+def _yield(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    out.append(("do", _operand(unit, node, depth) or unit.opaque(node)))
+
+
+def _nested(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    out.append(("block", block(unit, node.children, depth)))
+
+
+def _inside(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    """What stands behind labels and attributes, and what can be told within a syntax error."""
+    out.extend(block(unit, node.children, depth))
+
+
+def _pre(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    found = preprocessor.branches(unit, node)
+    out.append(("pre", tuple((line, column, text, block(unit, nodes, depth)) for line, column, text, nodes in found)))
+
+
+def _class(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    name = scopes.class_of(unit, node, functions.Scope(unit.function, unit.function), depth)
+    if name:
+        out.append(("class", name.rpartition("::")[2]))
+
+
+def _scoped(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    scopes.declare(unit, [node], functions.Scope(unit.function, unit.function), depth)
+
+
+def _function(unit: Unit, node: Node, depth: int, out: Statements) -> None:
+    """A function definition within a body is a macro with a block after it: the block is read, the macro is not."""
+    body = node.child_by_field_id(_BODY)
+    if body is not None:
+        out.append(("block", block(unit, body.children, depth)))
+
+
+def _constant(statement: Any) -> Handler:
+    return lambda unit, node, depth, out: out.append(statement)
+
+
+_HANDLERS: dict[int, Handler] = table(
+    {
+        "expression_statement": _expression,
+        "declaration": _declaration,
+        "if_statement": _if,
+        "while_statement": _while,
+        "do_statement": _do,
+        "for_statement": _for,
+        "for_range_loop": _each,
+        "switch_statement": _switch,
+        "try_statement constructor_try_statement": _try,
+        "return_statement co_return_statement": _return,
+        "co_yield_statement": _yield,
+        "throw_statement": _throw,
+        "break_statement": _constant(("break",)),
+        "continue_statement": _constant(("continue",)),
+        "compound_statement": _nested,
+        "labeled_statement attributed_statement ERROR": _inside,
+        "preproc_if preproc_ifdef": _pre,
+        "class_specifier struct_specifier union_specifier": _class,
+        "enum_specifier type_definition alias_declaration using_declaration namespace_alias_definition"
+        " preproc_def preproc_function_def preproc_include template_declaration": _scoped,
+        "function_definition": _function,
+        "assignment_expression update_expression call_expression comma_expression binary_expression new_expression"
+        " unary_expression parenthesized_expression conditional_expression lambda_expression": _bare,
+    }
+)

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the lowering of one file carries along: its text, its positions, and what was found so far."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from tree_sitter import Node
+
+from haros_ci.model.program import Alias, Class, Field, Function
+
+#: Statements and expressions nested deeper than this become ("?", text): what reads them may recurse.
+DEEPEST = 100
+MOST_PROBLEMS = 5
+AUTO = ("auto", (), "")
+NOTHING = ("", (), "")
+_LONGEST_TEXT = 200
+
+
+@dataclass(slots=True)
+class Found:
+    """The contents of the Program under construction, shared by the file and its macro expansions.
+
+    *expansions* counts them; *reread* are the offsets of what was parsed again, whose errors do not matter.
+    """
+
+    functions: list[Function | None] = field(default_factory=list)
+    classes: list[Class | None] = field(default_factory=list)
+    variables: list[Field] = field(default_factory=list)
+    aliases: list[Alias] = field(default_factory=list)
+    scopes: list[tuple[str, str]] = field(default_factory=list)
+    includes: list[str] = field(default_factory=list)
+    macros: list[tuple[str, tuple[str, ...] | None, str]] = field(default_factory=list)
+    registered: list[tuple[str, tuple[str, ...], int, int]] = field(default_factory=list)
+    problems: list[tuple[int, str]] = field(default_factory=list)
+    callable_macros: dict[str, tuple[tuple[str, ...], str]] = field(default_factory=dict)
+    expansions: int = 0
+    reread: list[tuple[int, int]] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class Unit:
+    """A text being lowered: the file, or a piece of it that was parsed again.
+
+    *text* has one character per UTF-8 byte. *shift* leads from its offsets to the file's; *fixed* is the position
+    of everything in a macro expansion, *level* how many expansions deep it is. *function* and *owner* are the
+    qualified names of the function, and of its class, in which lambdas, aliases and classes are now found.
+    """
+
+    text: str
+    starts: Sequence[int]
+    continuations: Sequence[int]
+    found: Found
+    shift: int = 0
+    fixed: tuple[int, int] | None = None
+    level: int = 0
+    function: str = ""
+    owner: str = ""
+
+    def cut(self, node: Node) -> str:
+        """The source text of *node*."""
+        return decoded(self.text[node.start_byte : node.end_byte])
+
+    def collapsed(self, start: int, end: int) -> str:
+        """The source text between two offsets on one line, shortened to what a person reads."""
+        if end - start > 4 * _LONGEST_TEXT:
+            end = start + 4 * _LONGEST_TEXT
+        return " ".join(decoded(self.text[start:end]).split())[:_LONGEST_TEXT]
+
+    def position(self, node: Node) -> tuple[int, int]:
+        """Line and column of the start of *node* in the file."""
+        return self.fixed or self.locate(node.start_byte + self.shift)
+
+    def locate(self, offset: int) -> tuple[int, int]:
+        """Line and column of an offset into the file, 1-based; columns count code points."""
+        line = bisect_right(self.starts, offset)
+        start = self.starts[line - 1]
+        column = offset - start + 1
+        if self.continuations:
+            column -= bisect_left(self.continuations, offset) - bisect_left(self.continuations, start)
+        return line, column
+
+    def opaque(self, node: Node) -> Any:
+        """The expression that stands for what has no other form."""
+        return ("?", self.collapsed(node.start_byte, node.end_byte))
+
+    def problem(self, node: Node, message: str) -> None:
+        """Record that something at *node* is lost; the first few per file are enough."""
+        entry = (self.position(node)[0], message)
+        if len(self.found.problems) < MOST_PROBLEMS and entry not in self.found.problems:
+            self.found.problems.append(entry)
+
+
+def decoded(piece: str) -> str:
+    """*piece* of a Unit's text as it was written."""
+    return piece if piece.isascii() else piece.encode("latin-1").decode("utf-8", "replace")
+
+
+def unit_of(data: bytes) -> Unit:
+    """A Unit over the UTF-8 text of a file."""
+    text = data.decode("latin-1")
+    starts = [0, *(match.end() for match in re.finditer("\n", text))]
+    continuations = [] if text.isascii() else [match.start() for match in re.finditer("[\x80-\xbf]", text)]
+    return Unit(text, starts, continuations, Found())

@@ -1,0 +1,284 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python expressions in the little language of ``model.program``."""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from haros_ci.extract.python.annotations import NO_TYPE, type_of
+from haros_ci.extract.python.scope import DEEPEST, Scope, qualified, too_deep
+from haros_ci.extract.python.source import place, unknown
+from haros_ci.model.program import Block, Expression, Function, Parameter
+
+_OPERATORS: dict[type[ast.AST], str] = {
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.Div: "/",
+    ast.FloorDiv: "//",
+    ast.Mod: "%",
+    ast.Pow: "**",
+    ast.MatMult: "@",
+    ast.LShift: "<<",
+    ast.RShift: ">>",
+    ast.BitOr: "|",
+    ast.BitAnd: "&",
+    ast.BitXor: "^",
+    ast.Not: "!",
+    ast.UAdd: "+",
+    ast.USub: "-",
+    ast.Invert: "~",
+    ast.And: "&&",
+    ast.Or: "||",
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.In: "in",
+    ast.NotIn: "not in",
+    ast.Is: "is",
+    ast.IsNot: "is not",
+}
+_WIDEST_INTEGER = 64  # bits; a JSON reader need not take more
+_STR_CONVERSION = ord("s")
+
+
+def operator_text(node: ast.AST) -> str:
+    """An operator as the little language spells it."""
+    return _OPERATORS[type(node)]
+
+
+def expression(node: ast.expr, scope: Scope, depth: int) -> Expression:
+    """Lower one expression; what has no words, or lies too deep, is ``("?", text)``."""
+    if depth > DEEPEST:
+        too_deep(scope, node)
+        return unknown(scope.file.source, node)
+    lower = _LOWERED.get(type(node))
+    return lower(node, scope, depth + 1) if lower else unknown(scope.file.source, node)
+
+
+def parameters(arguments: ast.arguments, scope: Scope, depth: int) -> tuple[Parameter, ...]:
+    """All parameters in order; a bare ``*`` is one named ``*``, so that what follows is by keyword only."""
+
+    def parameter(mark: str, found: ast.arg, default: ast.expr | None) -> Parameter:
+        type_ = type_of(found.annotation, lambda node: expression(node, scope, depth)) if found.annotation else NO_TYPE
+        return Parameter(mark + found.arg, type_, None if default is None else expression(default, scope, depth))
+
+    positional = [*arguments.posonlyargs, *arguments.args]
+    missing = len(positional) - len(arguments.defaults)
+    found = [
+        parameter("", item, arguments.defaults[index - missing] if index >= missing else None)
+        for index, item in enumerate(positional)
+    ]
+    if arguments.vararg:
+        found.append(parameter("*", arguments.vararg, None))
+    elif arguments.kwonlyargs:
+        found.append(Parameter("*", NO_TYPE))
+    found += [
+        parameter("", item, default) for item, default in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+    ]
+    if arguments.kwarg:
+        found.append(parameter("**", arguments.kwarg, None))
+    return tuple(found)
+
+
+def this_within(scope: Scope, names: set[str]) -> str | None:
+    """What a function inside *scope* sees of its method's first parameter, unless it rebinds the name."""
+    return None if scope.this in names else scope.this
+
+
+def _lambda(node: ast.expr, found: tuple[Parameter, ...], scope: Scope, body: Callable[[Scope], Block]) -> Expression:
+    file = scope.file
+    index = len(file.functions)
+    file.functions.append(None)
+    name = qualified(scope, "<lambda>")
+    names = {parameter.name.lstrip("*") for parameter in found}
+    inner = Scope(file, "function", name, this_within(scope, names))
+    line, column = place(file.source, node)
+    file.functions[index] = Function(
+        name, "", "lambda", found, NO_TYPE, line, column, body(inner), body_line=line, body_column=column
+    )
+    return ("lambda", index)
+
+
+def _plain_lambda(node: ast.Lambda, scope: Scope, depth: int) -> Expression:
+    found = parameters(node.args, scope, depth)
+    return _lambda(node, found, scope, lambda inner: (("return", expression(node.body, inner, depth)),))
+
+
+def _comprehension(node: ast.ListComp | ast.SetComp | ast.GeneratorExp, scope: Scope, depth: int) -> Expression:
+    """``[f(x) for x in xs]`` is ``[for](xs, lambda x: f(x))``; a pattern is taken apart in the lambda's body."""
+    each = node.generators[0]
+    if len(node.generators) > 1 or each.ifs or each.is_async:
+        return unknown(scope.file.source, node)
+    iterable = expression(each.iter, scope, depth)
+    target = each.target
+    name = target.id if isinstance(target, ast.Name) else ""
+    bound = {part.id for part in ast.walk(target) if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store)}
+
+    def body(inner: Scope) -> Block:
+        inner = replace(inner, this=this_within(scope, bound))
+        result = ("return", expression(node.elt, inner, depth))
+        if name:
+            return (result,)
+        return (("do", ("set", "=", expression(target, inner, depth), ("name", ""))), result)
+
+    function = _lambda(node, (Parameter(name, NO_TYPE),), scope, body)
+    return ("call", ("name", "[for]"), (iterable, function), (), *place(scope.file.source, node))
+
+
+def _constant(node: ast.Constant, scope: Scope, depth: int) -> Expression:
+    value = node.value
+    if value is None:
+        return ("none",)
+    if isinstance(value, bool):
+        return ("bool", value)
+    if isinstance(value, str) and (value.isascii() or not any("\ud800" <= c <= "\udfff" for c in value)):
+        return ("str", value)
+    if isinstance(value, int) and value.bit_length() <= _WIDEST_INTEGER:
+        return ("num", value)
+    if isinstance(value, float) and math.isfinite(value):
+        return ("num", value)
+    return unknown(scope.file.source, node)
+
+
+def _name(node: ast.Name, scope: Scope, depth: int) -> Expression:
+    return ("this",) if node.id == scope.this else ("name", node.id)
+
+
+def _attribute(node: ast.Attribute, scope: Scope, depth: int) -> Expression:
+    return ("field", expression(node.value, scope, depth), node.attr)
+
+
+def _subscript(node: ast.Subscript, scope: Scope, depth: int) -> Expression:
+    return ("index", expression(node.value, scope, depth), expression(node.slice, scope, depth))
+
+
+def _call(node: ast.Call, scope: Scope, depth: int) -> Expression:
+    callee = expression(node.func, scope, depth)
+    arguments = [expression(item, scope, depth) for item in node.args]
+    for keyword in node.keywords:
+        value = expression(keyword.value, scope, depth)
+        arguments.append(("kw", keyword.arg, value) if keyword.arg else ("starstar", value))
+    return ("call", callee, tuple(arguments), (), *place(scope.file.source, node))
+
+
+def _unary(node: ast.UnaryOp, scope: Scope, depth: int) -> Expression:
+    return ("op", _OPERATORS[type(node.op)], (expression(node.operand, scope, depth),))
+
+
+def _binary(node: ast.BinOp, scope: Scope, depth: int) -> Expression:
+    return (
+        "op",
+        _OPERATORS[type(node.op)],
+        (expression(node.left, scope, depth), expression(node.right, scope, depth)),
+    )
+
+
+def _all_of(operator: str, parts: list[Expression], node: ast.expr, scope: Scope, depth: int) -> Expression:
+    if depth + len(parts) > DEEPEST:
+        too_deep(scope, node)
+        return unknown(scope.file.source, node)
+    joined = parts[0]
+    for part in parts[1:]:
+        joined = ("op", operator, (joined, part))
+    return joined
+
+
+def _boolean(node: ast.BoolOp, scope: Scope, depth: int) -> Expression:
+    inner = depth + len(node.values)
+    parts = [expression(value, scope, inner) for value in node.values]
+    return _all_of(_OPERATORS[type(node.op)], parts, node, scope, depth)
+
+
+def _compare(node: ast.Compare, scope: Scope, depth: int) -> Expression:
+    """``a < b < c`` is ``a < b && b < c``."""
+    inner = depth + len(node.ops)
+    sides = [expression(side, scope, inner) for side in (node.left, *node.comparators)]
+    parts: list[Expression] = [
+        ("op", _OPERATORS[type(operator)], (left, right))
+        for operator, left, right in zip(node.ops, sides, sides[1:], strict=False)
+    ]
+    return _all_of("&&", parts, node, scope, depth)
+
+
+def _conditional(node: ast.IfExp, scope: Scope, depth: int) -> Expression:
+    parts = [expression(part, scope, depth) for part in (node.test, node.body, node.orelse)]
+    return ("if", *parts)
+
+
+def _list(node: ast.List | ast.Tuple | ast.Set, scope: Scope, depth: int) -> Expression:
+    return ("list", tuple([expression(item, scope, depth) for item in node.elts]))
+
+
+def _dict(node: ast.Dict, scope: Scope, depth: int) -> Expression:
+    """``**other`` in it is a starstar as key, with an unknown value."""
+    pairs: list[tuple[Expression, Expression]] = []
+    for key, value in zip(node.keys, node.values, strict=True):
+        lowered = expression(value, scope, depth)
+        pairs.append(
+            (("starstar", lowered), unknown(scope.file.source, value))
+            if key is None
+            else (expression(key, scope, depth), lowered)
+        )
+    return ("dict", tuple(pairs))
+
+
+def _format(node: ast.JoinedStr, scope: Scope, depth: int) -> Expression:
+    """A part with a conversion or a format is unknown: joined as plain text it would be wrong."""
+    parts: list[Expression] = []
+    for part in node.values:
+        if not isinstance(part, ast.FormattedValue):
+            parts.append(expression(part, scope, depth))
+        elif part.format_spec is not None or part.conversion not in (-1, _STR_CONVERSION):
+            parts.append(unknown(scope.file.source, node))
+        else:
+            parts.append(expression(part.value, scope, depth))
+    return ("format", tuple(parts))
+
+
+def _walrus(node: ast.NamedExpr, scope: Scope, depth: int) -> Expression:
+    scope.file.rebound.add(node.target.id)
+    return ("set", "=", expression(node.target, scope, depth), expression(node.value, scope, depth))
+
+
+def _starred(node: ast.Starred, scope: Scope, depth: int) -> Expression:
+    return ("star", expression(node.value, scope, depth))
+
+
+def _inner(node: ast.Await | ast.Yield | ast.YieldFrom, scope: Scope, depth: int) -> Expression:
+    return ("none",) if node.value is None else expression(node.value, scope, depth)
+
+
+_LOWERED: dict[type[ast.AST], Callable[[Any, Scope, int], Expression]] = {
+    ast.Constant: _constant,
+    ast.Name: _name,
+    ast.Attribute: _attribute,
+    ast.Subscript: _subscript,
+    ast.Call: _call,
+    ast.UnaryOp: _unary,
+    ast.BinOp: _binary,
+    ast.BoolOp: _boolean,
+    ast.Compare: _compare,
+    ast.IfExp: _conditional,
+    ast.List: _list,
+    ast.Tuple: _list,
+    ast.Set: _list,
+    ast.Dict: _dict,
+    ast.JoinedStr: _format,
+    ast.NamedExpr: _walrus,
+    ast.Starred: _starred,
+    ast.Lambda: _plain_lambda,
+    ast.ListComp: _comprehension,
+    ast.SetComp: _comprehension,
+    ast.GeneratorExp: _comprehension,
+    ast.Await: _inner,
+    ast.Yield: _inner,
+    ast.YieldFrom: _inner,
+}

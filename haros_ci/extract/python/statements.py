@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python statements in the little language of ``model.program``."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable
+from typing import Any
+
+from haros_ci.extract.python.annotations import NO_TYPE
+from haros_ci.extract.python.definitions import annotation, define_class, define_function
+from haros_ci.extract.python.expressions import expression, operator_text
+from haros_ci.extract.python.imports import imported
+from haros_ci.extract.python.scope import DEEPEST, Scope, bind, conditionally, rebind, too_deep
+from haros_ci.extract.python.source import column, condition, place, unknown
+from haros_ci.model.program import Alias, Block, Expression, Statement
+
+_ELSE = re.compile(r"[ \t\f]*(else)\b")
+_LEAVES = frozenset(("break", "continue", "return", "throw"))
+
+
+def block(nodes: list[ast.stmt], scope: Scope, depth: int) -> Block:
+    """Lower statements one after the other; what lies too deep is unknown."""
+    if depth > DEEPEST and nodes:
+        too_deep(scope, nodes[0])
+        return tuple([("do", unknown(scope.file.source, node)) for node in nodes])
+    lowered: list[Statement] = []
+    for node in nodes:
+        lower = _LOWERED.get(type(node))
+        if lower:
+            lowered.extend(lower(node, scope, depth + 1))
+        else:
+            lowered.append(("do", unknown(scope.file.source, node)))
+    return tuple(lowered)
+
+
+def _nothing(node: ast.stmt, scope: Scope, depth: int) -> Block:
+    return ()
+
+
+def _globals(node: ast.Global, scope: Scope, depth: int) -> Block:
+    scope.file.rebound.update(node.names)
+    return ()
+
+
+def _plain(node: ast.Expr, scope: Scope, depth: int) -> Block:
+    """Docstrings and other literals that stand alone say nothing."""
+    return () if isinstance(node.value, ast.Constant) else (("do", expression(node.value, scope, depth)),)
+
+
+def _bind(target: ast.expr, value: ast.expr | None, lowered: Expression | None, scope: Scope, node: ast.stmt) -> None:
+    """Note what an assignment, loop or import binds in a module or class; *lowered* None for an unknown value."""
+    if scope.bindings is None:
+        return
+    known = unknown(scope.file.source, node) if lowered is None else lowered
+    if isinstance(target, ast.Name):
+        bind(scope, target.id, NO_TYPE, known, node, place(scope.file.source, target))
+    elif isinstance(target, ast.Starred):
+        _bind(target.value, None, None, scope, node)
+    elif isinstance(target, (ast.Tuple, ast.List)):
+        items: list[Expression | None] = [None] * len(target.elts)
+        if isinstance(value, (ast.Tuple, ast.List)) and lowered is not None and len(value.elts) == len(items):
+            stars = any(isinstance(item, ast.Starred) for item in (*value.elts, *target.elts))
+            items = items if stars else list(lowered[1]) if lowered[0] == "list" else items
+        for inner, item in zip(target.elts, items, strict=True):
+            _bind(inner, None, item, scope, node)
+
+
+def _assign(node: ast.Assign, scope: Scope, depth: int) -> Block:
+    if depth + len(node.targets) > DEEPEST:
+        too_deep(scope, node)
+        return (("do", unknown(scope.file.source, node)),)
+    value = expression(node.value, scope, depth)
+    for target in node.targets:
+        _bind(target, node.value, value, scope, node)
+    for target in reversed(node.targets):
+        value = ("set", "=", expression(target, scope, depth), value)
+    return (("do", value),)
+
+
+def _annotated(node: ast.AnnAssign, scope: Scope, depth: int) -> Block:
+    value = None if node.value is None else expression(node.value, scope, depth)
+    if isinstance(node.target, ast.Name):
+        where = place(scope.file.source, node.target)
+        type_ = annotation(node.annotation, scope, depth)
+        bind(scope, node.target.id, type_, value, node, where)
+        return (("var", node.target.id, type_, None if value is None else ("=", value), *where),)
+    return () if value is None else (("do", ("set", "=", expression(node.target, scope, depth), value)),)
+
+
+def _augmented(node: ast.AugAssign, scope: Scope, depth: int) -> Block:
+    _bind(node.target, None, None, scope, node)
+    if isinstance(node.target, ast.Name):
+        rebind(scope, node.target.id)
+    target, value = expression(node.target, scope, depth), expression(node.value, scope, depth)
+    return (("do", ("set", operator_text(node.op) + "=", target, value)),)
+
+
+def _delete(node: ast.Delete, scope: Scope, depth: int) -> Block:
+    rebind(scope, *(target.id for target in node.targets if isinstance(target, ast.Name)))
+    return (("do", unknown(scope.file.source, node)),)
+
+
+def _assert(node: ast.Assert, scope: Scope, depth: int) -> Block:
+    return (("do", expression(node.test, scope, depth)),)
+
+
+def _if(node: ast.If, scope: Scope, depth: int) -> Block:
+    source = scope.file.source
+    inner = conditionally(scope)
+    test = expression(node.test, scope, depth)
+    body, other = block(node.body, inner, depth), block(node.orelse, inner, depth)
+    text = condition(source, node.test, node.test)
+    where = _else(node.body, node.orelse, scope)
+    return (("if", *place(source, node), text, test, body, *where, other),)
+
+
+def _else(body: list[ast.stmt], orelse: list[ast.stmt], scope: Scope) -> tuple[int, int]:
+    """Where ``else`` or ``elif`` stands: ast places only an elif; between it and the body are no other statements."""
+    if not orelse:
+        return (0, 0)
+    source, first = scope.file.source, orelse[0]
+    for line in range((body[-1].end_lineno or 0) + 1, first.lineno + 1):
+        if found := _ELSE.match(source.parsed[line - 1]):
+            return line, column(source, line, len(source.parsed[line - 1][: found.start(1)].encode())) + 1
+    return place(source, first)
+
+
+def _while(node: ast.While, scope: Scope, depth: int) -> Block:
+    source = scope.file.source
+    test = expression(node.test, scope, depth)
+    body = block(node.body, conditionally(scope), depth)
+    text = condition(source, node.test, node.test)
+    return (("loop", "while", *place(source, node), text, (), test, body), *_after_loop(node, scope, depth))
+
+
+def _for(node: ast.For | ast.AsyncFor, scope: Scope, depth: int) -> Block:
+    """A pattern is taken apart by a first statement of the body, from the nameless item."""
+    source = scope.file.source
+    inner = conditionally(scope)
+    items = expression(node.iter, scope, depth)
+    _bind(node.target, None, None, inner, node)
+    target = expression(node.target, scope, depth)
+    body = block(node.body, inner, depth)
+    name = target[1] if target[0] == "name" else ""
+    if not name:
+        body = (("do", ("set", "=", target, ("name", ""))), *body)
+    text = condition(source, node.target, node.iter)
+    each = ("each", *place(source, node), text, name, NO_TYPE, items, body)
+    return (each, *_after_loop(node, scope, depth))
+
+
+def _after_loop(node: ast.For | ast.AsyncFor | ast.While, scope: Scope, depth: int) -> Block:
+    """A loop's else runs unless the loop was left by break: then it hangs on a condition nobody wrote."""
+    if not node.orelse:
+        return ()
+    if not any(isinstance(part, ast.Break) for statement in node.body for part in ast.walk(statement)):
+        return block(node.orelse, scope, depth)
+    body = block(node.orelse, conditionally(scope), depth)
+    return (("if", *_else(node.body, node.orelse, scope), "else", ("?", "else"), body, 0, 0, ()),)
+
+
+def _with(node: ast.With | ast.AsyncWith, scope: Scope, depth: int) -> Block:
+    """The body follows in the same block: Python has no scope there."""
+    entered: list[Statement] = []
+    for item in node.items:
+        call = expression(item.context_expr, scope, depth)
+        if item.optional_vars is None:
+            entered.append(("do", call))
+        else:
+            _bind(item.optional_vars, None, None, scope, node)
+            entered.append(("do", ("set", "=", expression(item.optional_vars, scope, depth), call)))
+    return (*entered, *block(node.body, scope, depth))
+
+
+def _try(node: Any, scope: Scope, depth: int) -> Block:
+    """What else says belongs to the tried block, what finally says comes after all of it."""
+    inner = conditionally(scope)
+    tried = block(node.body, inner, depth) + block(node.orelse, inner, depth)
+    handlers = tuple([_handler(handler, inner, depth) for handler in node.handlers])
+    return (("try", tried, handlers), *block(node.finalbody, scope, depth))
+
+
+def _handler(node: ast.ExceptHandler, scope: Scope, depth: int) -> Statement:
+    text = condition(scope.file.source, node.type, node.type) if node.type else ""
+    if node.name:
+        text = f"{text} as {node.name}"
+        rebind(scope, node.name)
+    type_ = annotation(node.type, scope, depth)
+    return (*place(scope.file.source, node), text, node.name or "", type_, block(node.body, scope, depth))
+
+
+def _match(node: Any, scope: Scope, depth: int) -> Block:
+    """Alternatives are cases that fall through; a pattern that is no value, or has a guard, is unknown text."""
+    source = scope.file.source
+    inner = conditionally(scope)
+    cases: list[tuple[Expression | None, Block]] = []
+    for case in node.cases:
+        body = _captured(case.pattern, scope) + block(case.body, inner, depth)
+        if not body or body[-1][0] not in _LEAVES:
+            body = (*body, ("break",))
+        patterns = case.pattern.patterns if isinstance(case.pattern, ast.MatchOr) else [case.pattern]
+        values = [_pattern(pattern, scope, depth) for pattern in patterns]
+        if case.guard is not None:
+            values = [("?", condition(source, case.pattern, case.guard)[:200])]
+        cases += [(value, ()) for value in values[:-1]]
+        cases.append((values[-1], body))
+    text = condition(source, node.subject, node.subject)
+    return (("switch", *place(source, node), text, expression(node.subject, scope, depth), tuple(cases)),)
+
+
+def _captured(pattern: Any, scope: Scope) -> Block:
+    """Names that a pattern binds have unknown values."""
+    names = [getattr(part, "name", None) or getattr(part, "rest", None) for part in ast.walk(pattern)]
+    found = sorted({name for name in names if name})
+    rebind(scope, *found)
+    value = unknown(scope.file.source, pattern)
+    return tuple([("do", ("set", "=", ("name", name), value)) for name in found])
+
+
+def _pattern(pattern: Any, scope: Scope, depth: int) -> Expression | None:
+    if isinstance(pattern, ast.MatchValue):
+        return expression(pattern.value, scope, depth)
+    if isinstance(pattern, ast.MatchSingleton):
+        return ("none",) if pattern.value is None else ("bool", pattern.value)
+    if isinstance(pattern, ast.MatchAs) and pattern.pattern is None and pattern.name is None:
+        return None
+    return unknown(scope.file.source, pattern)
+
+
+def _return(node: ast.Return, scope: Scope, depth: int) -> Block:
+    return (("return", None if node.value is None else expression(node.value, scope, depth)),)
+
+
+def _raise(node: ast.Raise, scope: Scope, depth: int) -> Block:
+    return (("throw", None if node.exc is None else expression(node.exc, scope, depth)),)
+
+
+def _function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope, depth: int) -> Block:
+    rebind(scope, node.name)
+    index = define_function(node, scope, depth, block)
+    return (("def", node.name, index),) if scope.kind == "function" else ()
+
+
+def _class(node: ast.ClassDef, scope: Scope, depth: int) -> Block:
+    rebind(scope, node.name)
+    name = define_class(node, scope, depth, block)
+    return (("class", name),) if scope.kind == "function" else ()
+
+
+def _import(node: ast.Import | ast.ImportFrom, scope: Scope, depth: int) -> Block:
+    found = imported(node)
+    rebind(scope, *(name for name, _ in found))
+    if scope.kind == "module":
+        scope.file.aliases.update({Alias(name, (target, (), "")): None for name, target in found})
+        return ()
+    return tuple([("import", name, target) for name, target in found])
+
+
+def _type_alias(node: Any, scope: Scope, depth: int) -> Block:
+    if scope.kind == "module":
+        scope.file.aliases[Alias(node.name.id, annotation(node.value, scope, depth))] = None
+    return ()
+
+
+_LOWERED: dict[type[ast.AST], Callable[[Any, Scope, int], Block]] = {
+    ast.Expr: _plain,
+    ast.Assign: _assign,
+    ast.AnnAssign: _annotated,
+    ast.AugAssign: _augmented,
+    ast.Delete: _delete,
+    ast.Assert: _assert,
+    ast.If: _if,
+    ast.While: _while,
+    ast.For: _for,
+    ast.AsyncFor: _for,
+    ast.With: _with,
+    ast.AsyncWith: _with,
+    ast.Try: _try,
+    ast.Match: _match,
+    ast.Return: _return,
+    ast.Raise: _raise,
+    ast.Break: lambda node, scope, depth: (("break",),),
+    ast.Continue: lambda node, scope, depth: (("continue",),),
+    ast.Pass: _nothing,
+    ast.Global: _globals,
+    ast.Nonlocal: _nothing,
+    ast.FunctionDef: _function,
+    ast.AsyncFunctionDef: _function,
+    ast.ClassDef: _class,
+    ast.Import: _import,
+    ast.ImportFrom: _import,
+}
+for _name, _lower in (("TryStar", _try), ("TypeAlias", _type_alias)):
+    if hasattr(ast, _name):  # from Python 3.11 and 3.12
+        _LOWERED[getattr(ast, _name)] = _lower

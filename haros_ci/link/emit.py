@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From an entry of an API row to what it makes: names resolved, types told, what is unknown with its reason."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.link.names import pattern, resolve
+from haros_ci.link.run import Made
+from haros_ci.link.types import data_type, message_type, parameter_type
+from haros_ci.link.values import Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
+from haros_ci.model.api import Entry
+from haros_ci.model.architecture import KINDS
+from haros_ci.model.location import Location
+from haros_ci.model.program import Type
+
+if TYPE_CHECKING:
+    from haros_ci.link.api_rows import Applied
+
+Unknowns = list[tuple[str, str, Location | None]]
+PARAMETERS = ("getters", "setters")
+
+
+def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
+    """Make one endpoint (or name the node); for a getter, the value that it reads is returned."""
+    run = applied.run
+    if entry.kind == "node":
+        from haros_ci.link.api_rows import value_of
+
+        name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+        anonymous = value_of(applied, entry.values["anonymous"]) if "anonymous" in entry.values else Known(False)
+        if name is not None:
+            run.names.append((name, anonymous == Known(True)))
+        return None
+    if entry.kind not in KINDS:
+        return None
+    unknowns: Unknowns = []
+    name = _name(applied, entry, unknowns)
+    value, default = _value(applied, entry, unknowns)
+    endpoint_type = _type(applied, entry, unknowns, default)
+    queue = latched = None
+    if entry.kind in ("publishers", "subscribers"):
+        queue = _integer(applied, entry, "queue_size", unknowns)
+    if entry.kind == "publishers":
+        latched = _flag(applied, entry, unknowns)
+    run.make(
+        Made(
+            kind=entry.kind,
+            name=name,
+            type=endpoint_type,
+            location=applied.location,
+            conditions=tuple(run.conditions),
+            queue_size=queue,
+            latched=latched,
+            value=None if entry.each is not None else value,
+            implicit=entry.implicit,
+            unknowns=tuple(unknowns),
+        )
+    )
+    if entry.kind != "getters":
+        return None
+    from haros_ci.link.api_rows import parameter_value
+
+    found = parameter_value(applied, run.context.remap(name), default)
+    if entry.each is not None:
+        _remember(applied, entry, found)
+    return found
+
+
+def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
+    """A dynamic_reconfigure parameter's value, for the callback that gets them all."""
+    from haros_ci.link.api_rows import config_name, select_value
+
+    assert entry.each is not None and applied.item is not None
+    name = config_name(select_value(applied, entry.each[7:-1]))
+    config = applied.run.config_objects.setdefault(name, Object(name))
+    member = applied.item["name"].value
+    config.fields[member] = Cell(value if value is not None else Opaque("a parameter that is not set"))
+
+
+def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> str:
+    from haros_ci.link.api_rows import namespace_of, value_of
+
+    context = applied.run.context
+    found = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    if found is None:
+        found = applied.run.opaque("it is not given", applied.frame, applied.location.line)
+    text, why, where = pattern(found)
+    space: Value = Known(context.namespace)
+    if "namespace" in entry.values:
+        chosen = value_of(applied, entry.values["namespace"])
+        if chosen is not None:
+            space = namespace_of(applied, chosen)
+    elif isinstance(applied.receiver, Object) and applied.receiver.namespace is not None:
+        space = applied.receiver.namespace
+        if isinstance(space, Opaque):
+            space = namespace_of(applied, space)
+    elif isinstance(applied.receiver, Object) and applied.receiver.name in ("ros::NodeHandle",):
+        space = namespace_of(applied, applied.receiver)
+    prefix, space_why, space_where = pattern(space)
+    if why is not None:
+        unknowns.append(("name", why, where or applied.location))
+    elif space_why is not None and text[:1] not in ("/", "~"):
+        unknowns.append(("name", space_why, space_where or applied.location))
+    return resolve(text, prefix, context.name)
+
+
+def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | None) -> str | None:
+    from haros_ci.link.api_rows import TypeValue, value_of
+
+    found: Any = value_of(applied, entry.values["type"]) if "type" in entry.values else None
+    result: str | None = None
+    if isinstance(found, Library):
+        found = TypeValue((found.name, (), ""))
+    if entry.kind in PARAMETERS:
+        if isinstance(found, TypeValue):
+            result = parameter_type(found.type)
+        elif isinstance(found, Known):
+            result = parameter_type((str(found.value), (), "")) or str(found.value)
+        if result is None and default is not None:
+            known, data = data_of(default)
+            result = data_type(data) if known else None
+        if result is None:
+            unknowns.append(("type", "the type of the variable is not known", applied.location))
+        return result
+    if isinstance(found, TypeValue):
+        result = message_type(found.type)
+        if result is None and found.type[0]:
+            unknowns.append(("type", f"{found.type[0]} is no message type that is known", applied.location))
+            return None
+    elif isinstance(found, Known) and isinstance(found.value, str):
+        result = found.value
+    if result is not None and entry.kind in ("action_servers", "action_clients"):
+        result = result.removesuffix("Action")
+    if result is None:
+        reason = found.reason if isinstance(found, Opaque) else "the call does not tell it"
+        unknowns.append(("type", reason, applied.location))
+    return result
+
+
+def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Value | None]:
+    from haros_ci.link.api_rows import TypeValue, value_of
+
+    if entry.kind not in PARAMETERS or "value" not in entry.values:
+        return None, None
+    found = value_of(applied, entry.values["value"])
+    if found is None or isinstance(found, TypeValue):
+        return None, None
+    known, data = data_of(found)
+    if known:
+        return data, found
+    why = opaque_of(found)
+    unknowns.append(("value", why.reason if why else "it is not plain data", (why and why.location) or applied.location))
+    return None, found
+
+
+def _integer(applied: Applied, entry: Entry, key: str, unknowns: Unknowns) -> int | None:
+    from haros_ci.link.api_rows import value_of
+
+    if key not in entry.values:
+        return None
+    found = value_of(applied, entry.values[key])
+    if found is None:
+        return None
+    if isinstance(found, Known) and isinstance(found.value, (int, float)) and not isinstance(found.value, bool):
+        return int(found.value)
+    if isinstance(found, Known) and found.value is None:
+        return None
+    why = opaque_of(found)
+    unknowns.append((key, why.reason if why else "it is no number", (why and why.location) or applied.location))
+    return None
+
+
+def _flag(applied: Applied, entry: Entry, unknowns: Unknowns) -> bool | None:
+    from haros_ci.link.api_rows import value_of
+
+    found = value_of(applied, entry.values["latched"]) if "latched" in entry.values else None
+    if found is None:
+        return False
+    if isinstance(found, Known):
+        return bool(found.value)
+    why = opaque_of(found)
+    unknowns.append(("latched", why.reason if why else "it is no flag", (why and why.location) or applied.location))
+    return None

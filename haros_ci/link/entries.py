@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where node types begin: an executable's ``main``, a nodelet's class, a Python script; and the files they are made of."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from haros_ci.link.follow import Entry
+from haros_ci.link.index import Index, Source
+from haros_ci.model.build import Build, PluginClass, Target
+
+#: The base class that a plug-in needs to be a nodelet.
+NODELET = "nodelet::Nodelet"
+
+
+@dataclass(frozen=True, slots=True)
+class Programs:
+    """The workspace's programs by language and path, with their indexes and what the packages build."""
+
+    cpp: Index
+    python: Index
+    sources: Mapping[str, Source]
+    builds: Mapping[str, Build]
+
+    def index_of(self, entry: Entry) -> Index:
+        return self.python if entry.source.program.language == "python" else self.cpp
+
+
+def executables(programs: Programs) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
+    """All node types that can be started, by package and executable: where each begins, and its files."""
+    found: dict[tuple[str, str], tuple[Entry, frozenset[str]]] = {}
+    for package, build in sorted(programs.builds.items()):
+        for target in build.targets:
+            if target.kind != "executable" or target.is_test:
+                continue
+            files = files_of(programs, target)
+            entry = _main(programs, (*target.sources, *target.conditional_sources))
+            if entry is not None:
+                found.setdefault((package, target.output), (entry, files))
+        for path in build.scripts:
+            source = programs.sources.get(path)
+            if source is not None and source.program.language == "python":
+                found.setdefault((package, posixpath.basename(path)), (Entry(source), frozenset((path,))))
+        for installed in build.installed:
+            source = programs.sources.get(installed.path)
+            if installed.kind == "program" and source is not None and source.program.language == "python":
+                name = installed.name or posixpath.basename(installed.path)
+                found.setdefault((package, name), (Entry(source), frozenset((installed.path,))))
+    return found
+
+
+def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozenset[str]]]:
+    """All nodelet classes by look-up name: the description, where each begins, and its library's files."""
+    found: dict[str, tuple[PluginClass, Entry, frozenset[str]]] = {}
+    for _, build in sorted(programs.builds.items()):
+        for plugin in build.plugins:
+            if plugin.base.replace(" ", "") != NODELET:
+                continue
+            library = posixpath.basename(plugin.library).removeprefix("lib")
+            targets = [t for t in build.targets if t.kind == "library" and library in (t.output, t.name)]
+            files = files_of(programs, targets[0]) if targets else frozenset[str]()
+            candidates = [
+                item for item in programs.cpp.classes.get(plugin.type.strip(), ()) if item[1].bases or item[1].fields
+            ]
+            candidates.sort(key=lambda item: (item[0].path not in files, item[0].package != plugin.package, item[0].path))
+            if candidates:
+                source, definition = candidates[0]
+                entry = Entry(source, definition=definition)
+                found.setdefault(plugin.name, (plugin, entry, files))
+                found.setdefault(plugin.type.strip().replace("::", "/"), (plugin, entry, files))
+    return found
+
+
+def files_of(programs: Programs, target: Target) -> frozenset[str]:
+    """The sources of a target and of all workspace libraries that it links, transitively."""
+    by_name = {t.name: t for build in programs.builds.values() for t in build.targets if t.kind not in ("executable",)}
+    own = programs.builds.get(target.package)
+    local = {t.name: t for t in own.targets} if own is not None else {}
+    files: set[str] = set()
+    seen: set[str] = set()
+    waiting = [target]
+    while waiting:
+        current = waiting.pop()
+        files.update(current.sources)
+        files.update(current.conditional_sources)
+        for link in current.links:
+            linked = local.get(link) or by_name.get(link)
+            if linked is not None and linked.name not in seen:
+                seen.add(linked.name)
+                waiting.append(linked)
+    return frozenset(files)
+
+
+def _main(programs: Programs, paths: Iterable[str]) -> Entry | None:
+    for path in paths:
+        source = programs.sources.get(path)
+        if source is None:
+            continue
+        for function in source.program.functions:
+            if function.name == "main" and function.body is not None:
+                return Entry(source, function)
+        for macro, arguments, _, _ in source.program.registered:  # a main that a macro writes
+            if macro.endswith("MAIN") and arguments:
+                return None
+    return None

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One node from its entry: initialisation first, then everything that is called back, until nothing new turns up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from haros_ci.link import calls, construct, expressions
+from haros_ci.link.index import Source
+from haros_ci.link.run import Frame, OutOfSteps, Root, Run
+from haros_ci.link.state import Writes, joined
+from haros_ci.link.values import Callable, Cell, Known, Object, Opaque, Sequence, Text, Value
+from haros_ci.model.location import Location
+from haros_ci.model.program import Class, Function
+
+#: Callbacks of one node that are followed.
+ROOTS = 400
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Entry:
+    """Where a node begins: a function (``main``), a class that a framework loads, or a Python module."""
+
+    source: Source
+    function: Function | None = None
+    definition: Class | None = None
+
+
+def follow(run: Run, entry: Entry) -> bool:
+    """Follow the node; what it makes is in ``run.made``. False if it is larger than the budget."""
+    frame = Frame(entry.source, "")
+    try:
+        _start(run, frame, entry)
+        _call_back(run, frame)
+    except OutOfSteps:
+        return False
+    return True
+
+
+def _start(run: Run, frame: Frame, entry: Entry) -> None:
+    location = Location(entry.source.path)
+    if entry.definition is not None:
+        owner = (entry.source, entry.definition)
+        construct.instance(run, frame, owner, (), (), Location(entry.source.path, entry.definition.line))
+        first, run.roots[:] = list(run.roots), []
+        for root in first:
+            calls.invoke(run, frame, root.function, _arguments(run, root, frame), location)
+    elif entry.function is not None:
+        words = run.context.arguments
+        args: tuple[calls.Argument, ...] = ()
+        if entry.function.parameters:
+            argv = Opaque("the command line") if words is None else None
+            program: Value = Opaque("the program's name", None, ("char", (), "*"))
+            cells = tuple(Cell(value) for value in (program, *(Known(word) for word in words or ())))
+            args = (
+                calls.Argument(argv or Known(len(cells))),
+                calls.Argument(argv or Sequence(Cell(cells))),  # type: ignore[arg-type]
+            )
+        calls.invoke(run, frame, Callable(entry.source, entry.function), args, location)
+    else:
+        expressions.module_frame(run, entry.source)
+
+
+def _call_back(run: Run, frame: Frame) -> None:
+    """Follow the callbacks: each from the state after initialisation, joined with what the others leave behind."""
+    done = 0
+    effects: list[Writes] = []
+    while done < min(len(run.roots), ROOTS):
+        batch = run.roots[done:ROOTS]
+        run.quiet += 1
+        for root in batch:
+            mark = run.state.mark()
+            _invoke(run, frame, root)
+            effects.append(run.state.undo(mark))
+        run.quiet -= 1
+        for number, root in enumerate(batch, start=done):
+            if not run.relevance.matters(root.function.function.body, root.function.source):
+                continue
+            mark = run.state.mark()
+            _disturb(run, effects, number)
+            _invoke(run, frame, root)
+            run.state.undo(mark)
+        done += len(batch)
+
+
+def _disturb(run: Run, effects: Iterable[Writes], own: int) -> None:
+    for number, writes in enumerate(effects):
+        for cell, value in writes.items():
+            if number == own and not isinstance(value, (Known, Text)):
+                continue
+            after = joined(cell.value, value)
+            if after is not cell.value:
+                run.state.write(cell, after)
+
+
+def _invoke(run: Run, frame: Frame, root: Root) -> None:
+    before = run.conditions[:]
+    run.conditions[:] = root.conditions
+    calls.invoke(run, frame, root.function, _arguments(run, root, frame), Location(frame.source.path))
+    run.conditions[:] = before
+
+
+def _arguments(run: Run, root: Root, frame: Frame) -> tuple[calls.Argument, ...]:
+    """What a framework passes: a dynamic_reconfigure callback gets the configuration, all else is not known."""
+    function = root.function.function
+    found: list[calls.Argument] = []
+    scope = function.owner or function.name.rpartition("::")[0]
+    inner = Frame(root.function.source, scope, function, root.function.this, templates=root.function.templates)
+    for number, parameter in enumerate(function.parameters):
+        if number < len(root.function.bound) and root.function.bound[number] is not None:
+            continue
+        if parameter.default is not None or parameter.name.startswith("*"):
+            break
+        kind = run.type_in(parameter.type, inner)
+        config: Object | None = run.config_objects.get(kind[0])
+        if config is not None:
+            found.append(calls.Argument(config))
+        else:
+            found.append(calls.Argument(run.opaque("what a callback is given", inner, function.line, kind)))
+    return tuple(found)

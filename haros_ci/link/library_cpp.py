@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Models of C++ libraries: std::string and containers, streams, bind, smart pointers, yaml-cpp, XmlRpcValue, ros::package."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.link import construct as classes
+from haros_ci.link import operators
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import STRINGS
+from haros_ci.link.values import (
+    FALSE,
+    NONE,
+    TRUE,
+    Callable,
+    Cell,
+    Choice,
+    Known,
+    Library,
+    Mapped,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Text,
+    Value,
+    concatenate,
+)
+from haros_ci.model.location import Location
+from haros_ci.model.program import Type
+
+if TYPE_CHECKING:
+    from haros_ci.link.calls import Argument
+
+STREAMS = frozenset(
+    ("std::stringstream", "std::ostringstream", "std::istringstream", "stringstream", "ostringstream", "istringstream")
+)
+FILES = frozenset(("std::ifstream", "std::fstream", "ifstream", "fstream"))
+BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
+MAKERS = frozenset(
+    f"{space}::{name}" for space in ("boost", "std") for name in ("make_shared", "make_unique", "shared_ptr", "unique_ptr")
+)
+TRANSPARENT = frozenset(
+    (
+        "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
+        "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
+        "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
+        "boost::lexical_cast std::function boost::function std::max std::abs"
+    ).split()
+)
+
+
+def construct(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
+    """An instance of a modelled class."""
+    name = kind[0]
+    if name in STREAMS:
+        text = args[0].value if args and isinstance(args[0].value, (Known, Text)) else Known("")
+        return Object(name, fields={"[text]": Cell(text)})
+    if name in FILES:
+        return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})
+    if name == "YAML::Parser":
+        return Object(name, fields={"[stream]": Cell(args[0].value if args else NONE)})
+    if name in ("YAML::Node", "XmlRpc::XmlRpcValue"):
+        return args[0].value if args else NONE
+    if name in ("std::pair",) and len(args) == 2:
+        return Object(name, fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
+    if name in ("ros::Duration", "ros::WallDuration", "ros::Rate", "ros::Time") and len(args) == 1:
+        return None
+    return None
+
+
+def function(
+    run: Run, frame: Frame, name: str, args: tuple[Argument, ...], targs: Any, location: Location
+) -> Value | None:
+    """A modelled free function or constructor by its name."""
+    name = name.removeprefix("::")
+    if name in BINDERS and args:
+        return _bind(args)
+    if name in MAKERS:
+        if name.endswith("_ptr"):
+            return args[0].value if args else NONE
+        if targs:
+            kind = run.type_in(targs[0], frame) if isinstance(targs[0], (tuple, list)) else ("", (), "")
+            return classes.create(run, frame, (kind[0], kind[1], ""), args, location)
+        return None
+    if name in TRANSPARENT and len(args) in (1, 2):
+        value = args[0].value
+        if name.endswith(("to_string", "lexical_cast")) and name != "boost::lexical_cast":
+            return concatenate((value,))
+        if name == "boost::lexical_cast" and targs:
+            wanted = run.type_in(targs[0], frame)
+            return concatenate((value,)) if wanted[0] in STRINGS else operators.converted(_number(value), wanted)
+        if name in ("std::max", "std::abs"):
+            return None
+        return value
+    if name == "ros::package::getPath" and args and isinstance(args[0].value, Known):
+        return Known(f"$(find {args[0].value.value})")
+    if name in ("ros::names::append", "ros::names::parentNamespace"):
+        return concatenate((args[0].value, Known("/"), args[1].value)) if len(args) == 2 else None
+    if name == "YAML::LoadFile" and args:
+        return _yaml_file(run, args[0].value)
+    if name in ("YAML::Load", "YAML::LoadAll") and args:
+        return _yaml_stream(run, args[0].value)
+    if name in ("std::find_if", "std::find") and args:
+        return args[0].value if isinstance(args[0].value, Object) and args[0].value.name == "[end]" else None
+    if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
+        run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
+        return NONE
+    if name in ("sprintf", "snprintf", "std::sprintf") and args and args[0].cell is not None:
+        run.state.write(args[0].cell, run.opaque("it is formatted by sprintf", frame, None, ("std::string", (), "")))
+        return NONE
+    return None
+
+
+def _number(value: Value) -> Value:
+    if isinstance(value, Known) and isinstance(value.value, str):
+        try:
+            return Known(float(value.value) if "." in value.value else int(value.value))
+        except ValueError:
+            return Opaque("it is no number")
+    return value
+
+
+def _bind(args: tuple[Argument, ...]) -> Value:
+    """``bind(&C::m, this, _1, x)``: what is bound keeps its place, placeholders are open."""
+    function = args[0].value
+    if isinstance(function, Pointer):
+        function = function.cell.value
+    if not isinstance(function, Callable):
+        return function
+    rest = list(args[1:])
+    this = function.this
+    if function.function.owner and rest and function.frame is None:
+        first = rest[0].value.cell.value if isinstance(rest[0].value, Pointer) else rest[0].value
+        if isinstance(first, Object):
+            this = first
+            rest = rest[1:]
+        elif len(rest) > len(function.function.parameters):
+            rest = rest[1:]
+    bound: list[Any] = [None if _is_placeholder(item.value) else item.value for item in rest]
+    while bound and bound[-1] is None:
+        bound.pop()
+    templates = this.templates if this is not None else function.templates
+    return Callable(function.source, function.function, this, tuple(bound), function.frame, templates)
+
+
+def _is_placeholder(value: Value) -> bool:
+    return isinstance(value, Library) and value.name.rpartition("::")[2].lstrip("_").isdigit()
+
+
+def method(
+    run: Run, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[Argument, ...]
+) -> Value | None:
+    """A modelled method by the kind of value it is called on."""
+    if isinstance(receiver, Known):
+        return _data(run, frame, receiver, cell, name, args)
+    if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
+        return receiver
+    if isinstance(receiver, Text) and name in ("size", "length"):
+        return run.opaque("the length of a text", frame)
+    if isinstance(receiver, Text) and name == "empty":
+        return FALSE
+    if isinstance(receiver, (Known, Text, Opaque)) and name in ("append", "push_back") and cell is not None and args:
+        kind = cell.type
+        if kind is not None and kind[0] in STRINGS:
+            run.state.write(cell, concatenate((receiver, args[0].value)))
+            return cell.value
+    if isinstance(receiver, Opaque) and name in ("c_str", "str", "data", "get"):
+        return receiver
+    if isinstance(receiver, Sequence):
+        return _sequence(run, frame, receiver, name, args)
+    if isinstance(receiver, Mapped):
+        return _mapped(run, frame, receiver, name, args)
+    if isinstance(receiver, Object):
+        return _object(run, receiver, name, args)
+    return None
+
+
+def _data(
+    run: Run, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[Argument, ...]
+) -> Value | None:
+    data = receiver.value
+    if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
+        return receiver
+    if isinstance(data, str):
+        if name in ("size", "length"):
+            return Known(len(data))
+        if name == "empty":
+            return Known(not data)
+        values = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+        if name == "substr" and values and all(isinstance(v, int) for v in values):
+            end = values[0] + values[1] if len(values) > 1 else len(data)
+            return Known(data[values[0] : end]) if 0 <= values[0] <= len(data) else None
+        if name in ("find", "rfind") and len(values) == 1 and isinstance(values[0], str):
+            found = data.find(values[0]) if name == "find" else data.rfind(values[0])
+            return Known(found)
+        if name == "compare" and len(values) == 1 and isinstance(values[0], str):
+            return Known((data > values[0]) - (data < values[0]))
+        if name in ("at",) and values and isinstance(values[0], int) and 0 <= values[0] < len(data):
+            return Known(ord(data[values[0]]))
+        if name in ("append", "push_back", "assign") and cell is not None and args:
+            before: tuple[Value, ...] = () if name == "assign" else (receiver,)
+            run.state.write(cell, concatenate((*before, args[0].value)))
+            return cell.value
+        if name == "clear" and cell is not None:
+            run.state.write(cell, Known(""))
+            return NONE
+        if cell is not None and name in ("insert", "erase", "replace", "swap", "resize", "pop_back"):
+            run.state.write(cell, run.opaque(f"it is changed by {name}", frame, None, cell.type))
+            return cell.value
+        return None
+    if name in ("size",) and isinstance(data, (list, dict)):
+        return Known(len(data))
+    if name in ("FindValue", "hasMember") and args and isinstance(args[0].value, Known):
+        inside = isinstance(data, dict) and args[0].value.value in data
+        if name == "hasMember":
+            return Known(inside)
+        return Known(data[args[0].value.value]) if inside else NONE
+    if name in ("IsDefined", "IsScalar", "IsSequence", "IsMap", "IsNull", "valid"):
+        kinds: dict[str, bool] = {
+            "IsDefined": data is not None,
+            "valid": data is not None,
+            "IsNull": data is None,
+            "IsMap": isinstance(data, dict),
+            "IsSequence": isinstance(data, list),
+            "IsScalar": isinstance(data, (str, int, float)),
+        }
+        return Known(kinds[name])
+    if name == "getType":
+        for kind, said in ((bool, "TypeBoolean"), (int, "TypeInt"), (float, "TypeDouble"), (str, "TypeString"), (list, "TypeArray"), (dict, "TypeStruct")):
+            if isinstance(data, kind):
+                return Library(f"XmlRpc::XmlRpcValue::{said}")
+    return None
+
+
+def _sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
+    cells: Any = receiver.content.value
+    known = isinstance(cells, tuple)
+    inner = receiver.type[1][0] if receiver.type is not None and receiver.type[1] else None
+    if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
+        if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < 1000:
+            value = operators.converted(args[0].value, inner)
+            run.state.write(receiver.content, (*cells, Cell(value, inner)))  # type: ignore[arg-type]
+        elif known and name == "emplace_back" and inner is not None:
+            value = classes.create(run, frame, inner, args, Location(frame.source.path))
+            run.state.write(receiver.content, (*cells, Cell(value, inner)))  # type: ignore[arg-type]
+        else:
+            run.state.write(receiver.content, run.opaque("the list is built in a way that is not followed", frame))
+        return NONE
+    if name == "clear":
+        run.state.write(receiver.content, ())
+        return NONE
+    if name in ("resize", "assign"):
+        if args and isinstance(args[0].value, Known) and isinstance(args[0].value.value, int) and name == "resize":
+            wanted = args[0].value.value
+            if known and 0 <= wanted <= 1000:
+                made = [
+                    Cell(classes.create(run, frame, inner or ("", (), ""), (), Location(frame.source.path)), inner)
+                    for _ in range(wanted - len(cells))
+                ]
+                run.state.write(receiver.content, (*cells[:wanted], *made))
+                return NONE
+        run.state.write(receiver.content, run.opaque("a list of unknown length", frame))
+        return NONE
+    if name in ("size", "empty", "length"):
+        if known:
+            return Known(not cells) if name == "empty" else Known(len(cells))
+        return run.opaque("the length of a list that is not known", frame, None, ("int", (), ""))
+    if name in ("front", "back", "at"):
+        if known and cells and name != "at":
+            return cells[0 if name == "front" else -1].value  # type: ignore[no-any-return]
+        if name == "at" and args:
+            cell = operators.element(run, frame, receiver, args[0].value)
+            if cell is not None:
+                return cell.value
+        return run.opaque("an element that is not known", frame, None, inner)
+    if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
+        if receiver.end is None:
+            receiver.end = Object("[end]")
+        if name.endswith("end") or (known and not cells):
+            return receiver.end
+        return Object("[iterator]")
+    return None
+
+
+def _mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
+    pairs: Any = receiver.content.value
+    if name in ("size", "empty", "count") and isinstance(pairs, dict):
+        if name == "count":
+            key = args[0].value if args else NONE
+            return Known(int(key.value in pairs)) if isinstance(key, Known) else run.opaque("a key is not known", frame)
+        return Known(not pairs) if name == "empty" else Known(len(pairs))
+    if name in ("insert", "emplace", "erase", "clear", "swap"):
+        run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
+        return NONE
+    if name == "at" and args:
+        cell = operators.element(run, frame, receiver, args[0].value)
+        return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
+    return None
+
+
+def _object(run: Run, receiver: Object, name: str, args: tuple[Argument, ...]) -> Value | None:
+    if receiver.name in STREAMS:
+        text = receiver.fields["[text]"]
+        if name == "str":
+            if args:
+                run.state.write(text, args[0].value)
+            return text.value
+        if name in ("clear", "flush"):
+            return NONE
+    if receiver.name in FILES and name == "open" and args:
+        run.state.write(receiver.fields["[path]"], args[0].value)
+        return NONE
+    if receiver.name == "YAML::Parser" and name == "GetNextDocument" and args and args[0].cell is not None:
+        run.state.write(args[0].cell, _yaml_stream(run, receiver.fields["[stream]"].value))
+        return TRUE
+    return None
+
+
+def _yaml_file(run: Run, path: Value) -> Value:
+    if isinstance(path, Known) and isinstance(path.value, str):
+        found = run.context.read_yaml(path.value)
+        if found is not None:
+            return found
+        return Opaque(f"the YAML file {path.value or '(no name)'} is not in the workspace")
+    return Opaque("the name of the YAML file is not known")
+
+
+def _yaml_stream(run: Run, stream: Value) -> Value:
+    if isinstance(stream, Object):
+        if "[path]" in stream.fields:
+            return _yaml_file(run, stream.fields["[path]"].value)
+        if "[text]" in stream.fields:
+            stream = stream.fields["[text]"].value
+    if isinstance(stream, Known) and isinstance(stream.value, str):
+        found = run.context.read_yaml(f"\n{stream.value}")
+        if found is not None:
+            return found
+    return Opaque("the YAML text is not known")

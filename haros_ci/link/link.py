@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From facts to the architecture: every configuration that is asked for, or that the launch files suggest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from haros_ci.link.entries import Programs, executables, nodelets
+from haros_ci.link.index import Source, build_index
+from haros_ci.link.parameters import ParameterServer, yaml_reader
+from haros_ci.link.relevance import Relevance
+from haros_ci.link.roslaunch import entry_files, evaluate
+from haros_ci.link.roslaunch_files import files_of
+from haros_ci.link.system import Types, alone, instantiate
+from haros_ci.model.api import Row
+from haros_ci.model.architecture import Architecture, Configuration, Node
+from haros_ci.model.build import Build
+from haros_ci.model.launch import LaunchFile
+from haros_ci.model.workspace import Problem, Workspace
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wanted:
+    """A configuration that a project file or the command line names. *launch* are root-relative paths."""
+
+    name: str
+    launch: tuple[str, ...]
+    arguments: Mapping[str, str] = field(default_factory=dict)
+    user_data: Any = None
+
+
+def link(
+    workspace: Workspace,
+    sources: Iterable[Source],
+    load: Callable[[str], LaunchFile | None],
+    builds: Mapping[str, Build],
+    rows: Mapping[str, Iterable[Row]],
+    *,
+    wanted: tuple[Wanted, ...] | None = None,
+    environment: Mapping[str, str] | None = None,
+    known: bool = True,
+) -> Architecture:
+    """The architecture of *workspace*.
+
+    *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
+    *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
+    is one alone. *known* adds what is known of nodes that are not of the workspace.
+    """
+    types = types_of(workspace, sources, builds, rows)
+    problems: dict[Problem, None] = {}
+    configurations: list[Configuration] = []
+    if wanted is None:
+        chosen = tuple(Wanted(name=path_name(workspace, path), launch=(path,)) for path in entry_files(workspace, load))
+    else:
+        chosen = wanted
+    started: set[tuple[str, str]] = set()
+    for item in chosen:
+        launched = evaluate(item.launch, workspace, load, item.arguments, environment or {})
+        problems.update(dict.fromkeys(launched.problems))
+        server = ParameterServer(launched.parameters)
+        nodes: list[Node] = []
+        for each in launched.nodes:
+            if each.is_test:
+                continue
+            node, said = instantiate(types, each, server)
+            problems.update(dict.fromkeys(said))
+            nodes.append(node)
+            started.add((each.package, each.type))
+        configurations.append(
+            Configuration(
+                name=item.name,
+                launch=tuple(path_name(workspace, path) for path in item.launch),
+                nodes=tuple(nodes),
+                parameters=launched.parameters,
+                arguments=tuple((name, str(value)) for name, value in launched.arguments),
+                user_data=item.user_data,
+            )
+        )
+    if wanted is None:
+        for package, name in sorted(types.executables):
+            if (package, name) not in started:
+                node, said = alone(types, package, name)
+                if node.endpoints:
+                    problems.update(dict.fromkeys(said))
+                    configurations.append(Configuration(name=f"{package}/{name}", nodes=(node,)))
+    for build in builds.values():
+        problems.update(dict.fromkeys(build.problems))
+    return Architecture(
+        configurations=tuple(configurations),
+        packages=workspace.packages,
+        problems=tuple(sorted(problems, key=lambda p: (p.path, p.line or 0, p.message))),
+    )
+
+
+def types_of(
+    workspace: Workspace, sources: Iterable[Source], builds: Mapping[str, Build], rows: Mapping[str, Iterable[Row]]
+) -> Types:
+    """The node types of a workspace, ready to be followed."""
+    by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
+    cpp = build_index(s for s in by_path.values() if s.program.language != "python")
+    python = build_index(s for s in by_path.values() if s.program.language == "python")
+    programs = Programs(cpp, python, by_path, builds)
+    tables: dict[str, dict[str, tuple[Row, ...]]] = {}
+    for language, items in rows.items():
+        table: dict[str, list[Row]] = {}
+        for row in items:
+            table.setdefault(row.call, []).append(row)
+        tables[language] = {name: tuple(found) for name, found in table.items()}
+    configs = {
+        f"{config.package}::{config.name}Config": config
+        for _, build in sorted(builds.items())
+        for config in build.configs
+    }
+    relevance = {
+        language: Relevance(
+            python if language == "python" else cpp, [row for found in table.values() for row in found]
+        )
+        for language, table in tables.items()
+    }
+    reader = yaml_reader(files_of(workspace))
+    return Types(programs, executables(programs), nodelets(programs), tables, relevance, configs, reader)
+
+
+def path_name(workspace: Workspace, path: str) -> str:
+    """``package/path`` as HAROS project files name launch files; the path itself outside any package."""
+    best = None
+    for package in workspace.packages:
+        inside = package.path == "." or path.startswith(f"{package.path}/")
+        if inside and (best is None or len(package.path) > len(best.path)):
+            best = package
+    if best is None:
+        return path
+    rest = path if best.path == "." else path[len(best.path) + 1 :]
+    return f"{best.name}/{rest}"

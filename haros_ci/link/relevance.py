@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What can make something of interest: code from which an API call is reachable. The rest is followed less closely."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from haros_ci.link.index import Index, Source
+from haros_ci.model.api import Row
+from haros_ci.model.architecture import KINDS
+from haros_ci.model.program import Class, Function
+
+#: Methods that build a list, whose turns are worth following one by one.
+COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplace", "extend"))
+
+
+#: Methods that leave what they are called on as it is.
+READING = frozenset("size length empty c_str str find at begin end count get front back data isValid ok now toSec".split())
+
+
+class Relevance:
+    """For each block of code, whether an API call may be reached from it. Names stand for all functions so called."""
+
+    def __init__(self, index: Index, rows: Iterable[Row]) -> None:
+        self._api = frozenset(_last(row.call) for row in rows if _makes(row))
+        self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
+        for table in (index.functions, index.classes):
+            for name, found in table.items():
+                self._by_name.setdefault(_last(name), []).extend(found)  # type: ignore[arg-type]
+        self._blocks: dict[int, tuple[Any, frozenset[str]]] = {}
+        self._known: dict[str, bool] = {}
+        self._changes: dict[int, tuple[Function, frozenset[str] | None]] = {}
+        self._targets: dict[int, tuple[Any, frozenset[str]]] = {}
+
+    def matters(self, block: Any, source: Source) -> bool:
+        """Whether *block* (of a function in *source*) may make something."""
+        return any(self._name_matters(name) for name in self.names(block, source))
+
+    def collects(self, block: Any, source: Source) -> bool:
+        """Whether *block* puts together a list or map."""
+        return not COLLECTING.isdisjoint(self.names(block, source))
+
+    def names(self, block: Any, source: Source) -> frozenset[str]:
+        """The last parts of all names that are called or constructed in *block*, lambdas included."""
+        known = self._blocks.get(id(block))
+        if known is None:
+            found: set[str] = set()
+            _walk(block, found, source, set())
+            known = self._blocks[id(block)] = (block, frozenset(found))
+        return known[1]
+
+    def changes(self, function: Function, source: Source) -> frozenset[str] | None:
+        """The names that a function that makes nothing, or anything that it calls, assigns to; None if it may make something."""
+        if id(function) in self._changes:
+            return self._changes[id(function)][1]
+        result: frozenset[str] | None = None
+        if function.body is not None and not self.matters((function.body, function.inits), source):
+            reached: set[str] = set()
+            assigned = set(self._assigned(function.body, source))
+            waiting = list(self.names(function.body, source))
+            while waiting:
+                name = waiting.pop()
+                if name in reached:
+                    continue
+                reached.add(name)
+                for where, item in self._by_name.get(name, ()):
+                    if isinstance(item, Function) and item.body is not None:
+                        assigned |= self._assigned(item.body, where)
+                        waiting.extend(self.names(item.body, where))
+            result = frozenset(assigned)
+        self._changes[id(function)] = (function, result)
+        return result
+
+    def _assigned(self, block: Any, source: Source) -> frozenset[str]:
+        known = self._targets.get(id(block))
+        if known is None:
+            found: set[str] = set()
+            _targets(block, found, source)
+            known = self._targets[id(block)] = (block, frozenset(found))
+        return known[1]
+
+    def _name_matters(self, name: str) -> bool:
+        known = self._known.get(name)
+        if known is not None:
+            return known
+        if name in self._api:
+            self._known[name] = True
+            return True
+        # All names that are reachable from this one, without recursion.
+        reached = {name}
+        waiting = [name]
+        result = False
+        while waiting and not result:
+            for source, item in self._by_name.get(waiting.pop(), ()):
+                for inner in self._of(source, item):
+                    if inner in self._api or self._known.get(inner):
+                        result = True
+                    elif inner not in reached and self._known.get(inner) is None:
+                        reached.add(inner)
+                        waiting.append(inner)
+        if result:
+            self._known[name] = True
+        else:
+            self._known.update(dict.fromkeys(reached, False))
+        return result
+
+    def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
+        if isinstance(item, Class):
+            return [_last(kind) for f in item.fields for kind in _type_names(f.type)] + [_last(b[0]) for b in item.bases]
+        names = self.names(item.body, source) if item.body is not None else frozenset[str]()
+        return names | self.names(item.inits, source) if item.inits else names
+
+
+def _makes(row: Row) -> bool:
+    return bool(row.calls or row.entry) or any(entry.kind in KINDS for entry in row.makes)
+
+
+def _walk(item: Any, found: set[str], source: Source, lambdas: set[int]) -> None:
+    waiting = [item]
+    while waiting:
+        node = waiting.pop()
+        if not isinstance(node, (tuple, list)) or not node:
+            continue
+        tag = node[0]
+        if tag == "call" and len(node) == 6:
+            callee = node[1]
+            if callee[0] in ("name", "field"):
+                found.add(_last(callee[-1]))
+        elif tag == "op" and len(node) == 3:
+            found.add(f"operator{node[1]}")
+        elif (tag == "new" and len(node) == 5) or (tag == "var" and len(node) == 6):
+            kind = node[1] if tag == "new" else node[2]
+            found.update(_last(name) for name in _type_names(kind))
+        elif tag in ("lambda", "def") and isinstance(node[-1], int) and node[-1] not in lambdas:
+            lambdas.add(node[-1])
+            if 0 <= node[-1] < len(source.program.functions):
+                waiting.append(source.program.functions[node[-1]].body)
+        elif tag in ("str", "num", "bool", "none", "?") and len(node) <= 2:
+            continue
+        waiting.extend(node)
+
+
+def _targets(item: Any, found: set[str], source: Source) -> None:
+    """The last names of all that is assigned to, read into or built up in a block."""
+    waiting = [item]
+    while waiting:
+        node = waiting.pop()
+        if not isinstance(node, (tuple, list)) or not node:
+            continue
+        target = None
+        if node[0] == "set" and len(node) == 4:
+            target = node[2]
+        elif node[0] == "op" and len(node) == 3 and node[1] in (">>", "<<") and len(node[2]) == 2:
+            target = node[2][1] if node[1] == ">>" else node[2][0]
+        elif node[0] == "call" and len(node) == 6 and node[1][0] == "field" and node[1][2] not in READING:
+            target = node[1][1]
+        while target is not None:
+            if target[0] in ("name", "field"):
+                found.add(_last(target[-1]))
+                break
+            target = target[1] if target[0] in ("index", "*", "&", "call") else target[2] if target[0] == "cast" else None
+        waiting.extend(node)
+
+
+def _type_names(kind: Any) -> Iterable[str]:
+    if isinstance(kind, (tuple, list)) and len(kind) == 3 and isinstance(kind[0], str):
+        yield kind[0]
+        for inner in kind[1]:
+            yield from _type_names(inner)
+
+
+def _last(name: str) -> str:
+    return name.rpartition("::")[2].rpartition(".")[2]

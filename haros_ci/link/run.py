@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One node followed from its entry: what stays the same, what it has made so far, and how far it may go."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function_
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+
+from haros_ci.link.index import Index, Source
+from haros_ci.link.relevance import Relevance
+from haros_ci.link.state import State
+from haros_ci.link.types import NO_TYPE, resolve_type
+from haros_ci.link.values import Callable, Cell, Object, Opaque, Value
+from haros_ci.model.api import Row
+from haros_ci.model.architecture import Condition
+from haros_ci.model.build import ConfigFile
+from haros_ci.model.location import Location
+from haros_ci.model.program import Class, Function, Type
+
+#: Statements and calls that one node may take; what is beyond is named in a notification.
+STEPS = 150_000
+#: Calls inside calls.
+DEPTH = 28
+#: Turns of a loop whose condition is known.
+TURNS = 64
+
+
+
+class OutOfSteps(Exception):
+    """The node is larger than the budget."""
+
+
+@dataclass(slots=True)
+class Frame:
+    """An activation of a function: its names, what its template parameters mean, what it has returned so far."""
+
+    source: Source
+    scope: str
+    function: Function | None = None
+    this: Object | None = None
+    scopes: list[dict[str, Cell]] = field(default_factory=lambda: [{}])
+    templates: Mapping[str, Type] = field(default_factory=dict)
+    outer: Frame | None = None
+    mark: int = 0
+    returned: list[Value] = field(default_factory=list)
+    exits: list[dict[Cell, Any]] = field(default_factory=list)
+    is_dead: bool = False
+
+    def find(self, name: str) -> Cell | None:
+        frame: Frame | None = self
+        while frame is not None:
+            for scope in reversed(frame.scopes):
+                if name in scope:
+                    return scope[name]
+            frame = frame.outer
+        return None
+
+    def declare(self, name: str, cell: Cell) -> Cell:
+        self.scopes[-1][name] = cell
+        return cell
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What a call made, before remapping: *name* is absolute, with ``?`` for unknown parts."""
+
+    kind: str
+    name: str
+    type: str | None
+    location: Location
+    conditions: tuple[Condition, ...]
+    queue_size: int | None = None
+    latched: bool | None = None
+    value: Any = None
+    implicit: bool = False
+    unknowns: tuple[tuple[str, str, Location | None], ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Root:
+    """A function that is called back later, under the conditions of its registration."""
+
+    function: Callable
+    conditions: tuple[Condition, ...]
+
+
+@dataclass(slots=True)
+class Context:
+    """What the node is given from outside: its names, its arguments, the parameter server, files of the workspace."""
+
+    name: str
+    namespace: str
+    arguments: tuple[str, ...] | None
+    #: The value of a parameter that the configuration sets (a Choice if under a condition), None if it does not.
+    parameter: Function_[[str], Value | None]
+    #: The data of a YAML file by the path as values have it; None if it is not in the workspace.
+    read_yaml: Function_[[str], Value | None]
+    #: The pointed-to remapping of an absolute name.
+    remap: Function_[[str], str] = lambda name: name
+    #: The process that a nodelet is loaded into; the node itself otherwise.
+    process_name: str = ""
+    process_namespace: str = "/"
+
+
+@dataclass(slots=True)
+class Run:
+    """The interpreter's state for one node."""
+
+    index: Index
+    rows: Mapping[str, tuple[Row, ...]]
+    context: Context
+    configs: Mapping[str, ConfigFile]
+    relevance: Relevance
+    files: frozenset[str] = frozenset()
+    state: State = field(default_factory=State)
+    conditions: list[Condition] = field(default_factory=list)
+    made: dict[Any, Made] = field(default_factory=dict)
+    roots: list[Root] = field(default_factory=list)
+    known_roots: set[Any] = field(default_factory=set)
+    globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
+    modules: dict[str, Frame] = field(default_factory=dict)
+    active: list[Function] = field(default_factory=list)
+    config_objects: dict[str, Object] = field(default_factory=dict)
+    names: list[tuple[Value, bool]] = field(default_factory=list)
+    quiet: int = 0
+    steps: int = 0
+    turns: int = 1
+    visited: set[int] = field(default_factory=set)
+
+    def step(self) -> None:
+        self.steps += 1
+        if self.steps > STEPS:
+            raise OutOfSteps
+
+    def make(self, made: Made) -> None:
+        """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
+        if self.quiet:
+            return
+        key = (made.kind, made.name, made.type, made.location, made.queue_size, made.latched, repr(made.value))
+        known = self.made.get(key)
+        if known is None or len(made.conditions) < len(known.conditions):
+            self.made[key] = made
+
+    @contextmanager
+    def under(self, statement: str, text: str, frame: Frame, line: int, column: int) -> Iterator[None]:
+        """What is made inside stands under this condition."""
+        self.conditions.append(Condition(statement, text, Location(frame.source.path, line, column)))
+        try:
+            yield
+        finally:
+            self.conditions.pop()
+
+    def type_in(self, kind: Type, frame: Frame) -> Type:
+        """*kind* as written in *frame*, resolved."""
+        if not kind[0]:
+            return NO_TYPE
+        return resolve_type(self.index, kind, frame.scope, frame.source, self.files, frame.templates)
+
+    def opaque(self, reason: str, frame: Frame, line: int | None = None, kind: Type | None = None) -> Opaque:
+        return Opaque(reason, Location(frame.source.path, line), kind)
+
+    def bases(self, source: Source, definition: Class, templates: Mapping[str, Type]) -> list[Type]:
+        """The resolved base types of a class of the workspace."""
+        scope = definition.name.rpartition(source.separator)[0]
+        return [resolve_type(self.index, base, scope, source, self.files, templates) for base in definition.bases]
+
+    def class_of(self, name: str, source: Source) -> tuple[Source, Class] | None:
+        """The workspace's class of that qualified name, as seen from *source*."""
+        found = self.index.near(self.index.classes, name, source, self.files)
+        with_body = [item for item in found if item[1].fields or item[1].bases]
+        return (with_body or found)[0] if found else None

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one mutable thing of link: what cells hold, with a log, so that branches are tried, undone and joined."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from haros_ci.link.values import Cell, join
+
+#: What cells held (or hold), by cell.
+Writes = dict[Cell, Any]
+
+
+class State:
+    """Writes to cells, each with what it replaced."""
+
+    def __init__(self) -> None:
+        self._log: list[tuple[Cell, Any]] = []
+
+    def write(self, cell: Cell, value: Any) -> None:
+        self._log.append((cell, cell.value))
+        cell.value = value
+
+    def mark(self) -> int:
+        """A point to come back to."""
+        return len(self._log)
+
+    def since(self, mark: int) -> Writes:
+        """The cells written since *mark*, with what they hold now."""
+        return {cell: cell.value for cell, _ in self._log[mark:]}
+
+    def undo(self, mark: int) -> Writes:
+        """Go back to *mark*; what was written since is returned."""
+        writes = self.since(mark)
+        while len(self._log) > mark:
+            cell, old = self._log.pop()
+            cell.value = old
+        return writes
+
+    def merge(self, branches: list[Writes]) -> None:
+        """Let each cell hold the join of what it holds after each branch; a branch that leaves it alone counts, too."""
+        if len(branches) == 1:
+            for cell, value in branches[0].items():
+                self.write(cell, value)
+            return
+        for cell in dict.fromkeys(cell for branch in branches for cell in branch):
+            value = branches[0].get(cell, cell.value)
+            for branch in branches[1:]:
+                value = joined(value, branch.get(cell, cell.value))
+            self.write(cell, value)
+
+
+def joined(one: Any, other: Any) -> Any:
+    """``join``, also for the contents of sequences and maps (element by element, where they have the same shape)."""
+    from haros_ci.link.values import Opaque
+
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        if len(one) == len(other) and all(a is b for a, b in zip(one, other, strict=True)):
+            return one
+        return Opaque("the list has other elements on other paths")
+    if isinstance(one, dict) and isinstance(other, dict):
+        if one.keys() == other.keys() and all(one[k] is other[k] for k in one):
+            return one
+        return Opaque("the map has other entries on other paths")
+    if isinstance(one, (tuple, dict)) or isinstance(other, (tuple, dict)):
+        return Opaque("its elements are not known on every path")
+    return join(one, other)

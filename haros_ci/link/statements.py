@@ -1,0 +1,330 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Statements, followed on all paths: branches are tried one by one and joined, loops are turned or widened."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from haros_ci.link import construct, expressions
+from haros_ci.link.run import TURNS, Frame, Run
+from haros_ci.link.state import Writes, joined
+from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Sequence, Value, opaque_of
+from haros_ci.model.location import Location
+from haros_ci.model.program import Block, Statement
+
+#: How a block ends: it falls through, or it leaves in one of these ways.
+NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
+
+
+def execute(run: Run, frame: Frame, block: Block) -> str:
+    """Follow the statements of *block* in a scope of their own; say how it ends."""
+    frame.scopes.append({})
+    try:
+        for statement in block:
+            run.step()
+            ended = STATEMENTS[statement[0]](run, frame, statement)
+            if ended != NEXT:
+                return ended
+        return NEXT
+    finally:
+        frame.scopes.pop()
+
+
+def truth(value: Value) -> bool | None:
+    """Whether a condition holds, None if that is not known."""
+    if isinstance(value, Known):
+        return bool(value.value)
+    if isinstance(value, (Object,)):
+        return True
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        return bool(value.content.value)
+    return None
+
+
+def _do(run: Run, frame: Frame, statement: Statement) -> str:
+    expressions.evaluate(run, frame, statement[1])
+    return NEXT
+
+
+def _variable(run: Run, frame: Frame, statement: Statement) -> str:
+    _, name, kind, init, line, column = statement
+    construct.declare(run, frame, name, kind, init, line, column)
+    return NEXT
+
+
+def _if(run: Run, frame: Frame, statement: Statement) -> str:
+    _, line, column, text, test, then, else_line, else_column, other = statement
+    holds = truth(expressions.evaluate(run, frame, test))
+    branches = []
+    mark = run.state.mark()
+    with run.under("if", text, frame, line, column):
+        ended = execute(run, frame, then)
+    branches.append((ended, run.state.undo(mark)))
+    if else_line:
+        with run.under("else", text, frame, else_line, else_column):
+            ended = execute(run, frame, other)
+        branches.append((ended, run.state.undo(mark)))
+    else:
+        branches.append((NEXT, {}))
+    return _merge(run, frame, branches, None if holds is None else [0 if holds else 1])
+
+
+def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
+    """Go on with the join of the branches that can be taken; one that cannot is gone through for what it makes only."""
+    chosen = branches if live is None else [branches[i] for i in live]
+    going = [writes for ended, writes in chosen if ended == NEXT]
+    if going:
+        run.state.merge(going)
+        return NEXT
+    rest = [writes for ended, writes in branches if ended == NEXT]
+    if rest:
+        frame.is_dead = True
+        run.state.merge(rest)
+        return NEXT
+    ends = {ended for ended, _ in chosen}
+    for ended in (CONTINUE, BREAK, RETURN, THROW):
+        if ended in ends:
+            if ended in (CONTINUE, BREAK):
+                run.state.merge([writes for how, writes in chosen if how in (CONTINUE, BREAK)])
+            return ended
+    return NEXT
+
+
+def _loop(run: Run, frame: Frame, statement: Statement) -> str:
+    _, keyword, line, column, text, first, test, body = statement
+    frame.scopes.append({})
+    try:
+        for item in first:
+            STATEMENTS[item[0]](run, frame, item)
+        with run.under(keyword, text, frame, line, column):
+            for turn in range(TURNS if _worthwhile(run, frame, body) else 0):
+                if turn or keyword != "do":
+                    holds = truth(expressions.evaluate(run, frame, test)) if test is not None else None
+                    if holds is None:
+                        break
+                    if not holds:
+                        if not turn:  # not taken as things are: what it would make counts all the same
+                            _dry(run, frame, body)
+                        return NEXT
+                run.turns *= 2
+                ended = execute(run, frame, body)
+                run.turns //= 2
+                if ended in (RETURN, THROW):
+                    return ended
+                if ended == BREAK:
+                    return NEXT
+            return _widened(run, frame, lambda: execute(run, frame, body), line, run.relevance.matters(body, frame.source))
+    finally:
+        frame.scopes.pop()
+
+
+def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
+    """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
+    if run.turns >= 8:
+        return False
+    return run.relevance.matters(body, frame.source) or run.relevance.collects(body, frame.source)
+
+
+def _dry(run: Run, frame: Frame, body: Block) -> None:
+    mark = run.state.mark()
+    execute(run, frame, body)
+    run.state.undo(mark)
+
+
+def _widened(run: Run, frame: Frame, body: Any, line: int, matters: bool) -> str:
+    """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
+
+    A body that makes nothing (*matters* is False) is followed once, to see what it changes.
+    """
+    run.quiet += 1
+    mark = run.state.mark()
+    try:
+        body()
+    finally:
+        run.quiet -= 1
+    for cell, value in run.state.undo(mark).items():
+        after = joined(cell.value, value)
+        if isinstance(after, (tuple, dict)) or after is cell.value:
+            continue
+        if isinstance(after, (Known, Object, Sequence, Mapped)) or opaque_of(after) is None:
+            continue
+        reason = "it changes in a loop"
+        run.state.write(cell, Opaque(reason, Location(frame.source.path, line), cell.type))
+    if not matters:
+        return NEXT
+    mark = run.state.mark()
+    ended = body()
+    writes = run.state.undo(mark)
+    run.state.merge([{}, writes] if ended in (NEXT, CONTINUE, BREAK) else [{}])
+    return NEXT
+
+
+def _each(run: Run, frame: Frame, statement: Statement) -> str:
+    _, line, column, text, name, kind, iterable, body = statement
+    items = expressions.elements(run, frame, iterable)
+    resolved = run.type_in(kind, frame)
+
+    def turn(value: Value | Cell) -> str:
+        frame.scopes.append({})
+        try:
+            if isinstance(value, Cell) and "&" in resolved[2]:
+                frame.declare(name, value)
+            else:
+                inner = value.value if isinstance(value, Cell) else value
+                frame.declare(name, Cell(inner, resolved if resolved[0] not in ("", "auto") else None))
+            return execute(run, frame, body)
+        finally:
+            frame.scopes.pop()
+
+    with run.under("for", text, frame, line, column):
+        if items is None:
+            kind_ = expressions.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
+            unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
+            return _widened(run, frame, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
+        if not items:
+            mark = run.state.mark()
+            turn(Opaque("an element of an empty list", Location(frame.source.path, line), resolved))
+            run.state.undo(mark)
+        if run.turns >= 8:
+            unknown = Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
+            return _widened(run, frame, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
+        for item in items[: TURNS * 4]:
+            run.turns *= 2
+            ended = turn(item)
+            run.turns //= 2
+            if ended in (RETURN, THROW):
+                return ended
+            if ended == BREAK:
+                break
+    return NEXT
+
+
+def _switch(run: Run, frame: Frame, statement: Statement) -> str:
+    _, line, column, text, test, cases = statement
+    value = expressions.evaluate(run, frame, test)
+    branches: list[tuple[str, Writes]] = []
+    live: list[int] = []
+    default = None
+    for index, (label, _) in enumerate(cases):
+        mark = run.state.mark()
+        ended = NEXT
+        with run.under("switch", text, frame, line, column):
+            for _, block in cases[index:]:
+                ended = execute(run, frame, block)
+                if ended != NEXT:
+                    break
+        branches.append((NEXT if ended == BREAK else ended, run.state.undo(mark)))
+        if label is None:
+            default = index
+        elif isinstance(value, Known):
+            wanted = expressions.evaluate(run, frame, label)
+            if isinstance(wanted, Known) and wanted.value == value.value:
+                live.append(index)
+    if default is None:
+        branches.append((NEXT, {}))
+        default = len(branches) - 1
+    if not branches:
+        return NEXT
+    known = isinstance(value, Known)
+    return _merge(run, frame, branches, (live or [default]) if known else None)
+
+
+def _try(run: Run, frame: Frame, statement: Statement) -> str:
+    _, block, handlers = statement
+    ended = execute(run, frame, block)
+    branches: list[tuple[str, Writes]] = [(ended, {})]
+    for line, column, text, name, kind, handler in handlers:
+        mark = run.state.mark()
+        frame.scopes.append({})
+        if name:
+            frame.declare(name, Cell(run.opaque("an exception", frame, line, run.type_in(kind, frame))))
+        with run.under("catch", text, frame, line, column):
+            how = execute(run, frame, handler)
+        frame.scopes.pop()
+        branches.append((how, run.state.undo(mark)))
+    if ended == NEXT:
+        return _merge(run, frame, branches, None)
+    return _merge(run, frame, [branches[0], *(b for b in branches[1:] if b[0] == NEXT)], None)
+
+
+def _preprocessor(run: Run, frame: Frame, statement: Statement) -> str:
+    branches: list[tuple[str, Writes]] = []
+    for line, column, text, block in statement[1]:
+        mark = run.state.mark()
+        declared: dict[str, Cell] = {}
+        with run.under("#if", text, frame, line, column):
+            frame.scopes.append(declared)
+            ended = NEXT
+            for item in block:
+                run.step()
+                ended = STATEMENTS[item[0]](run, frame, item)
+                if ended != NEXT:
+                    break
+            frame.scopes.pop()
+        for name, cell in declared.items():  # no scope of its own: what it declares is there afterwards
+            frame.scopes[-1].setdefault(name, cell)
+        branches.append((ended, run.state.undo(mark)))
+    if not any(text.startswith("#else") for _, _, text, _ in statement[1]):
+        branches.append((NEXT, {}))
+    for _, writes in branches:  # what one branch alone declares keeps its value
+        for cell in writes:
+            if cell in frame.scopes[-1].values():
+                for _, other in branches:
+                    other.setdefault(cell, writes[cell])
+    return _merge(run, frame, branches, None)
+
+
+def _return(run: Run, frame: Frame, statement: Statement) -> str:
+    value = expressions.evaluate(run, frame, statement[1]) if statement[1] is not None else Known(None)
+    if not frame.is_dead or not frame.exits:
+        frame.returned.append(value)
+        frame.exits.append(run.state.since(frame.mark))
+    return RETURN
+
+
+def _throw(run: Run, frame: Frame, statement: Statement) -> str:
+    if statement[1] is not None:
+        expressions.evaluate(run, frame, statement[1])
+    return THROW
+
+
+def _define(run: Run, frame: Frame, statement: Statement) -> str:
+    from haros_ci.link.values import Callable
+
+    function = frame.source.program.functions[statement[2]]
+    frame.declare(statement[1], Cell(Callable(frame.source, function, frame.this, frame=frame)))
+    return NEXT
+
+
+def _class(run: Run, frame: Frame, statement: Statement) -> str:
+    found = run.class_of(statement[1], frame.source)
+    if found is not None:
+        from haros_ci.link.values import ClassValue
+
+        frame.declare(statement[1].rpartition(frame.source.separator)[2], Cell(ClassValue(*found)))
+    return NEXT
+
+
+def _import(run: Run, frame: Frame, statement: Statement) -> str:
+    frame.declare(statement[1], Cell(expressions.imported(run, frame, statement[2])))
+    return NEXT
+
+
+STATEMENTS = {
+    "do": _do,
+    "var": _variable,
+    "if": _if,
+    "loop": _loop,
+    "each": _each,
+    "switch": _switch,
+    "try": _try,
+    "pre": _preprocessor,
+    "block": lambda run, frame, s: execute(run, frame, s[1]),
+    "return": _return,
+    "break": lambda run, frame, s: BREAK,
+    "continue": lambda run, frame, s: CONTINUE,
+    "throw": _throw,
+    "def": _define,
+    "class": _class,
+    "import": _import,
+}

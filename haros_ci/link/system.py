@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A configuration: what launch files start, each node followed with its names, parameters and remappings."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from haros_ci.link.entries import Programs
+from haros_ci.link.follow import Entry, follow
+from haros_ci.link.names import clean, pattern, resolve
+from haros_ci.link.parameters import ParameterServer
+from haros_ci.link.relevance import Relevance
+from haros_ci.link.run import Context, Made, Run
+from haros_ci.link.types import data_type
+from haros_ci.link.values import Known, Value
+from haros_ci.model.api import Row
+from haros_ci.model.architecture import KINDS, Condition, Endpoint, Node, Unknown
+from haros_ci.model.build import ConfigFile, PluginClass
+from haros_ci.model.launch import Started
+from haros_ci.model.location import Location
+from haros_ci.model.workspace import Problem
+
+#: What the arguments of the nodelet program can begin with.
+LOAD, STANDALONE, MANAGER = "load", "standalone", "manager"
+
+
+@dataclass(frozen=True, slots=True)
+class Types:
+    """The node types of the workspace, and all that following them needs."""
+
+    programs: Programs
+    executables: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]]
+    nodelets: Mapping[str, tuple[PluginClass, Entry, frozenset[str]]]
+    rows: Mapping[str, Mapping[str, tuple[Row, ...]]]
+    relevance: Mapping[str, Relevance]
+    configs: Mapping[str, ConfigFile]
+    read_yaml: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Instance:
+    """One node to be followed: its names, its command line and how it is wired."""
+
+    name: str
+    namespace: str
+    arguments: tuple[str, ...] | None
+    remaps: Mapping[str, str]
+    process: str
+
+
+def instantiate(types: Types, started: Started, server: ParameterServer) -> tuple[Node, tuple[Problem, ...]]:
+    """The node that a launch file starts, with all its endpoints."""
+    words = _words(started.arguments)
+    namespace = started.namespace if started.namespace.startswith("/") else f"/{started.namespace}"
+    remaps = {
+        resolve(source, namespace, started.name): resolve(target, namespace, started.name)
+        for source, target, _ in started.remaps
+    }
+    private: dict[str, Value] = {}
+    rest: list[str] = []
+    for word in words or ():
+        left, assigned, right = word.partition(":=")
+        if not assigned:
+            rest.append(word)
+        elif left.startswith("__"):
+            continue
+        elif left.startswith("_"):
+            private[f"{started.name}/{left[1:]}"] = Known(_scalar(right))
+        else:
+            remaps[resolve(left, namespace, started.name)] = resolve(right, namespace, started.name)
+    node = Node(
+        name=started.name,
+        kind="node",
+        package=started.package,
+        type=started.type,
+        arguments=started.arguments,
+        remaps=tuple(sorted(remaps.items())),
+        conditions=started.conditions,
+        location=started.location,
+        process=started.name,
+        source="launch",
+        unknowns=started.unknowns,
+    )
+    found = types.executables.get((started.package, started.type))
+    process = started.name
+    if found is None and (started.package, started.type) == ("nodelet", "nodelet") and rest:
+        node, found, process = _nodelet(types, node, rest, namespace)
+    if found is None:
+        return node, ()
+    instance = Instance(started.name, namespace, None if words is None else tuple(rest), remaps, process)
+    made, problems, _ = run_node(types, *found, instance, server, private)
+    return replace(node, endpoints=endpoints(made, remaps, server)), problems
+
+
+def _nodelet(types: Types, node: Node, words: list[str], namespace: str) -> tuple[Node, Any, str]:
+    verb = words[0]
+    if verb in (LOAD, STANDALONE) and len(words) > 1:
+        described = types.nodelets.get(words[1])
+        package, _, name = words[1].partition("/")
+        container = None
+        if verb == LOAD and len(words) > 2:
+            container = resolve(words[2], namespace, node.name)
+        process = container or node.name
+        node = replace(
+            node,
+            kind="nodelet",
+            package=package,
+            type=name,
+            container=container,
+            process=process,
+            class_name=described[0].type.strip() if described else None,
+        )
+        return node, (described[1], described[2]) if described else None, process
+    return node, None, node.name
+
+
+def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, ...]]:
+    """A node type started by itself, under the name that it gives itself (or its executable's)."""
+    entry, files = types.executables[package, name]
+    server = ParameterServer(())
+    chosen = f"/{name.partition('.')[0]}"
+    instance = Instance(chosen, "/", (), {}, chosen)
+    made, problems, names = run_node(types, entry, files, instance, server, {})
+    for value, _ in names[:1]:
+        text, why, _ = pattern(value)
+        if why is None and text and clean(text) != chosen:
+            chosen = clean(text)
+            instance = Instance(chosen, "/", (), {}, chosen)
+            made, problems, names = run_node(types, entry, files, instance, server, {})
+    location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
+    node = Node(name=chosen, kind="node", package=package, type=name, location=location, process=chosen)
+    return replace(node, endpoints=endpoints(made, {}, server)), problems
+
+
+def run_node(
+    types: Types,
+    entry: Entry,
+    files: frozenset[str],
+    instance: Instance,
+    server: ParameterServer,
+    private: Mapping[str, Value],
+) -> tuple[tuple[Made, ...], tuple[Problem, ...], list[tuple[Value, bool]]]:
+    """Follow one node; what it makes, what went wrong, the names that it gives itself."""
+
+    def parameter(name: str) -> Value | None:
+        return private.get(name) or server.get(name)
+
+    context = Context(
+        name=instance.name,
+        namespace=instance.namespace,
+        arguments=instance.arguments,
+        parameter=parameter,
+        read_yaml=types.read_yaml,
+        remap=lambda name: instance.remaps.get(name, name),
+        process_name=instance.process,
+        process_namespace=instance.process.rpartition("/")[0] or "/",
+    )
+    language = "python" if entry.source.program.language == "python" else "cpp"
+    run = Run(types.programs.index_of(entry), types.rows[language], context, types.configs, types.relevance[language], files)
+    problems: tuple[Problem, ...] = ()
+    if not follow(run, entry):
+        said = "the node is too large to be followed to its end; some of what it makes may be missing"
+        problems = (Problem(entry.source.path, said),)
+    return tuple(run.made.values()), problems, run.names
+
+
+def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: ParameterServer) -> tuple[Endpoint, ...]:
+    """Endpoints with their final names, by kind and place.
+
+    A getter whose variable has no type that can be told has the type of what the configuration sets.
+    """
+    order = {kind: number for number, kind in enumerate(KINDS)}
+    found = [
+        Endpoint(
+            kind=item.kind,
+            name=remaps.get(item.name, item.name),
+            original_name=item.name,
+            type=item.type,
+            location=item.location,
+            conditions=_distinct(item.conditions),
+            queue_size=item.queue_size,
+            latched=item.latched,
+            value=item.value,
+            implicit=item.implicit,
+            unknowns=tuple(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
+        )
+        for item in made
+    ]
+    found = [_typed(end, server) if end.kind == "getters" and end.type is None else end for end in found]
+    return tuple(
+        sorted(
+            found,
+            key=lambda e: (order[e.kind], e.location.sort_key if e.location else (), e.name, e.type or "", repr(e.value)),
+        )
+    )
+
+
+def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:
+    value = server.get(end.name)
+    kind = data_type(value.value) if isinstance(value, Known) else None
+    if kind is None:
+        return end
+    return replace(end, type=kind, unknowns=tuple(u for u in end.unknowns if u.field != "type"))
+
+
+def _distinct(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:
+    return tuple(dict.fromkeys(conditions))
+
+
+def _words(text: str) -> tuple[str, ...] | None:
+    if "?" in text:
+        return None if not text.startswith(("load ", "standalone ", "manager")) else tuple(text.split())
+    try:
+        return tuple(shlex.split(text))
+    except ValueError:
+        return tuple(text.split())
+
+
+def _scalar(text: str) -> Any:
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return {"true": True, "false": False}.get(text.lower(), text)

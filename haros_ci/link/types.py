@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Types as names: aliases resolved, smart pointers looked through, message, service and parameter types told apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from haros_ci.link.index import Index, Source
+from haros_ci.model.program import Type
+
+NO_TYPE: Type = ("", (), "")
+SMART_POINTERS = frozenset(
+    f"{space}::{name}"
+    for space in ("boost", "std")
+    for name in ("shared_ptr", "scoped_ptr", "unique_ptr", "auto_ptr", "weak_ptr", "intrusive_ptr", "optional")
+)
+SEQUENCES = frozenset(
+    ("std::vector", "std::list", "std::deque", "std::array", "std::set", "boost::ptr_vector", "boost::array")
+)
+MAPS = frozenset(("std::map", "std::unordered_map", "boost::unordered_map"))
+STRINGS = frozenset(("std::string", "string", "std::basic_string", "str", "boost::filesystem::path"))
+INTEGERS = frozenset(
+    "int long short char unsigned size_t std::size_t ssize_t uint signed byte".split()
+    + [f"{space}{sign}int{bits}_t" for space in ("", "std::", "boost::") for sign in ("", "u") for bits in (8, 16, 32, 64)]
+)
+REALS = frozenset(("double", "float", "long double"))
+WRAPPERS = frozenset(
+    ("ros::MessageEvent", "message_filters::MessageEvent", "std::reference_wrapper", "boost::reference_wrapper")
+)
+#: What publishes as another message (pcl_ros and tf give them ros::message_traits).
+SERIALISED = {"pcl/PointCloud": "sensor_msgs/PointCloud2", "tf/tfMessage": "tf2_msgs/TFMessage"}
+
+
+def resolve_type(
+    index: Index, kind: Type, scope: str, source: Source, files: frozenset[str], templates: Mapping[str, Type], depth: int = 0
+) -> Type:
+    """*kind* with its aliases and template parameters replaced, all names qualified as far as the workspace tells."""
+    name, arguments, marks = kind[0], kind[1], kind[2]
+    if not name or depth > 20:
+        return (name, (), marks)
+
+    def inner(item: Any) -> Any:
+        if isinstance(item, (tuple, list)) and len(item) == 3 and isinstance(item[0], str) and isinstance(item[2], str):
+            return resolve_type(index, item, scope, source, files, templates, depth + 1)
+        return item
+
+    resolved = tuple(inner(item) for item in arguments)
+    bound = templates.get(name)
+    if bound is not None:
+        return (bound[0], bound[1], bound[2] + marks)
+    head, colons, tail = name.partition("::")
+    if colons and head in templates:
+        bound = templates[head]
+        return resolve_type(
+            index, (f"{bound[0]}::{tail}", resolved or bound[1], marks), scope, source, files, {}, depth + 1
+        )
+    for candidate in index.scopes(name, scope, source):
+        if index.classes.get(candidate):
+            return (candidate, resolved, marks)
+        for where, alias in index.near(index.aliases, candidate, source, files)[:1]:
+            if alias.type[0] in (name, candidate):  # typedef struct X X
+                continue
+            bindings = dict(zip(alias.templates, resolved, strict=False))
+            around = candidate.rpartition("::")[0]
+            target = resolve_type(index, alias.type, around, where, files, bindings, depth + 1)
+            return (target[0], target[1], target[2] + marks)
+    if colons:
+        for candidate in index.scopes(head, scope, source):
+            for where, alias in index.near(index.aliases, candidate, source, files)[:1]:
+                around = candidate.rpartition("::")[0]
+                target = resolve_type(index, (alias.type[0], alias.type[1], ""), around, where, files, {}, depth + 1)
+                if target[0] not in (head, name):
+                    return resolve_type(
+                        index, (f"{target[0]}::{tail}", resolved or target[1], marks), scope, source, files, {}, depth + 1
+                    )
+    if not colons and source.program.language != "python":
+        return (_by_include(index, name, source), resolved, marks)
+    return (name, resolved, marks)
+
+
+def _by_include(index: Index, name: str, source: Source) -> str:
+    """An unqualified name under a using-directive: the header of that name says which namespace it is from."""
+    spaces = {namespace for _, namespace in source.program.scopes}
+    if not spaces:
+        return name
+    included = index.included.get(source.path, {})
+    for suffix in ("", "ConstPtr", "Ptr"):
+        found = included.get(name.removesuffix(suffix))
+        if found and found.partition("::")[0] in spaces:
+            return found + (suffix if name.endswith(suffix) else "")
+    if "std" in spaces and name in ("string", "vector", "map", "list", "shared_ptr", "unique_ptr"):
+        return f"std::{name}"
+    return name
+
+
+def pointee(kind: Type) -> Type:
+    """What a pointer or smart pointer points to; the type itself otherwise. Const, references and pointers are dropped."""
+    while kind[0] in SMART_POINTERS and kind[1]:
+        kind = kind[1][0]
+    return (kind[0], kind[1], "")
+
+
+def is_smart_pointer(kind: Type | None) -> bool:
+    return kind is not None and kind[0] in SMART_POINTERS
+
+
+def message_type(kind: Type | None) -> str | None:
+    """``pkg/T`` of a message, service or action type, pointers and events looked through; None if it is no such type.
+
+    Python's ``pkg.msg.T`` is the same; a service's ``::Request`` and ``::Response`` are the service.
+    """
+    if kind is None:
+        return None
+    kind = pointee(kind)
+    while kind[0] in WRAPPERS and kind[1]:
+        kind = pointee(kind[1][0])
+    name = kind[0]
+    if "." in name:
+        parts = name.split(".")
+        if len(parts) >= 3 and parts[-2].strip("_") in ("msg", "srv", "action"):
+            return f"{parts[-3]}/{parts[-1].removeprefix('_')}"
+        if len(parts) >= 4 and parts[-3] in ("msg", "srv", "action"):
+            return f"{parts[-4]}/{parts[-1]}"
+        return None
+    parts = [part for part in name.split("::") if part]
+    if parts and parts[-1] in ("Ptr", "ConstPtr", "SharedPtr", "ConstSharedPtr"):
+        parts.pop()
+    if len(parts) == 3 and parts[-1] in ("Request", "Response"):
+        parts.pop()
+    if len(parts) == 3 and parts[1] == "msg":
+        parts.pop(1)
+    if len(parts) != 2 or parts[0] in ("std", "boost", "ros", "ecl", "Eigen"):
+        return None
+    last = parts[1]
+    for suffix in ("ConstPtr", "Ptr"):
+        if last.endswith(suffix) and last != suffix:
+            last = last.removesuffix(suffix)
+            break
+    found = f"{parts[0]}/{last.removesuffix('_')}"
+    return SERIALISED.get(found, found)
+
+
+def parameter_type(kind: Type | None) -> str | None:
+    """The ROS 1 parameter type that a C++ or Python type stands for: bool, int, double, str or yaml; None if unknown."""
+    if kind is None or not kind[0]:
+        return None
+    name = kind[0].removeprefix("::")
+    if name == "bool":
+        return "bool"
+    if name in STRINGS or (name == "char" and "*" in kind[2]):
+        return "str"
+    if name in REALS:
+        return "double"
+    if name in INTEGERS or set(name.split()) <= INTEGERS:
+        return "int"
+    if name in SEQUENCES or name in MAPS or name == "XmlRpc::XmlRpcValue" or name in ("list", "dict"):
+        return "yaml"
+    return name if name in ("int", "double", "str", "yaml") else None
+
+
+def data_type(value: Any) -> str | None:
+    """The ROS 1 parameter type of plain data."""
+    for kind, name in ((bool, "bool"), (int, "int"), (float, "double"), (str, "str"), (list, "yaml"), (dict, "yaml")):
+        if isinstance(value, kind):
+            return name
+    return None

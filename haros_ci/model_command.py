@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``haros-ci model``: the architecture, in the format asked for, and how it differs from a declared one."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import click
+
+from haros_ci.architecture import architecture, chosen
+from haros_ci.baselines import read_input
+from haros_ci.commands import settings_from, store_for
+from haros_ci.errors import UserError
+from haros_ci.model.architecture import Architecture
+from haros_ci.output import write
+from haros_ci.workspace.discover import discover
+
+FORMATS = ("text", "json", "dot", "mermaid", "sqlite")
+
+
+def model(flags: Mapping[str, Any]) -> int:
+    """Extract, link, print; exit code 1 if ``--expect`` finds a difference, 2 for wrong usage, else 0."""
+    import gc
+
+    gc.disable()
+    started = time.perf_counter()
+    clock: list[tuple[float, str]] = []
+    settings = settings_from({**flags, "no_baseline": True})
+    workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
+    clock.append((time.perf_counter() - started, "discovered"))
+    store = store_for(settings)
+    arguments = dict(assignment(text, "--arg", ":=") for text in flags["arg"])
+    environment = dict(assignment(text, "--env", "=") for text in flags["env"])
+    wanted = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
+    if arguments and wanted is None:
+        raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
+    found = architecture(
+        workspace,
+        settings,
+        store,
+        wanted=wanted,
+        environment=environment,
+        known_nodes=not flags["no_known_nodes"],
+    )
+    clock.append((time.perf_counter() - started, "linked"))
+    trouble = store.flush()
+    if trouble:
+        click.echo(f"warning: {trouble}", err=True)
+    found = selected(found, flags["configuration"])
+    problems = (*workspace.problems, *workspace.faults, *found.problems)
+    found = replace(found, problems=tuple(dict.fromkeys(problems)))
+    path = Path(flags["output"]) if flags["output"] else None
+    content = rendered(found, flags["format"])
+    if isinstance(content, bytes):
+        if path is None:
+            raise UserError("SQLite is a binary file", help="name it: --output model.db")
+        path.write_bytes(content)
+    else:
+        write(content, path)
+    if flags["timings"]:
+        for seconds, what in clock:
+            click.echo(f"{seconds:8.3f} s  {what}", err=True)
+        click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
+    return expected(found, flags["expect"]) if flags["expect"] else 0
+
+
+def rendered(found: Architecture, format: str) -> str | bytes:
+    """*found* in one of ``FORMATS``."""
+    if format == "json":
+        from haros_ci.report.model_json import render
+    elif format == "dot":
+        from haros_ci.report.model_dot import render
+    elif format == "mermaid":
+        from haros_ci.report.model_mermaid import render
+    elif format == "sqlite":
+        from haros_ci.report.model_sqlite import render as render_bytes
+
+        return render_bytes(found)
+    else:
+        from haros_ci.report.model_text import render
+    return render(found)
+
+
+def selected(found: Architecture, names: tuple[str, ...]) -> Architecture:
+    """Only the configurations called *names*, all without any; UserError for one that is not there."""
+    if not names:
+        return found
+    known = [c.name for c in found.configurations]
+    for name in names:
+        if name not in known:
+            raise UserError(f"no configuration {name}", help=f"there are {', '.join(known) or 'none'}")
+    return replace(found, configurations=tuple(c for c in found.configurations if c.name in names))
+
+
+def assignment(text: str, option: str, sign: str) -> tuple[str, str]:
+    name, found, value = text.partition(sign)
+    if not found or not name:
+        raise UserError(f"{option} {text} sets nothing", help=f"write {option} name{sign}value")
+    return name, value
+
+
+def expected(found: Architecture, path: str) -> int:
+    """Compare with the architecture that the file declares, and say on stdout where they differ."""
+    import yaml
+
+    from haros_ci.link.expectation import compare, problems
+    from haros_ci.report.escape import terminal
+
+    try:
+        declared = yaml.safe_load(read_input(Path(path), path))
+    except (yaml.YAMLError, RecursionError) as err:
+        raise UserError(f"{path} cannot be read: {str(err).splitlines()[0]}", help="it is YAML, as in docs/model.md") from err
+    for problem in problems(declared, path, [c.name for c in found.configurations]):
+        click.echo(f"warning: {terminal(problem.path)}: {terminal(problem.message)}", err=True)
+    count = 0
+    for configuration in found.configurations:
+        for difference in compare(configuration, declared, found.packages):
+            at = f"{difference.location}: " if difference.location is not None else ""
+            click.echo(terminal(f"{at}{difference.level}: {difference.message} [{difference.rule}]"))
+            count += difference.level != "note"
+    return 1 if count else 0

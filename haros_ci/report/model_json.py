@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The architecture as JSON, schema version 1 (``model-schema.json``): keys are added, never renamed.
+
+Beside nodes, endpoints and parameters each configuration lists what the endpoints connect: topics, services, actions.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import groupby
+from math import isfinite
+from pathlib import PurePosixPath
+from typing import Any, TypeGuard
+
+from haros_ci.model.architecture import (
+    KINDS,
+    PROVENANCES,
+    Architecture,
+    Condition,
+    Configuration,
+    Endpoint,
+    Node,
+    Parameter,
+    Unknown,
+)
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package
+from haros_ci.report.escape import terminal
+
+SCHEMA_VERSION = 1
+UNKNOWN = "?"
+#: What endpoints connect: its kinds of ends, those that offer first, each with the key it is listed under.
+CHANNELS = {
+    "topics": (("publishers", "publishers"), ("subscribers", "subscribers")),
+    "services": (("servers", "servers"), ("clients", "clients")),
+    "actions": (("action_servers", "servers"), ("action_clients", "clients")),
+}
+_BROKEN_LEVELS = 6  # containers this deep stand on one line: an endpoint, a location
+_DEEPEST = 50
+_LARGEST = 10**300
+
+
+@dataclass(frozen=True, slots=True)
+class Channel:
+    """A topic, service or action of one configuration with its ends; *what* is a key of ``CHANNELS``."""
+
+    what: str
+    name: str
+    ends: tuple[tuple[Node, Endpoint], ...]
+
+    @property
+    def types(self) -> tuple[str, ...]:
+        """The known types of the ends, sorted; more than one is a mismatch."""
+        return tuple(sorted({end.type for _, end in self.ends if is_known(end.type)}))
+
+    @property
+    def conditional(self) -> bool:
+        """Whether every end is conditional, by itself or with its node (as in HAROS)."""
+        return all(node.conditions or end.conditions for node, end in self.ends)
+
+    @property
+    def implicit(self) -> bool:
+        return all(end.implicit for _, end in self.ends)
+
+    def nodes(self, kind: str) -> tuple[str, ...]:
+        """The names of the nodes with an end of *kind*, sorted."""
+        return tuple(sorted({node.name for node, end in self.ends if end.kind == kind}))
+
+
+def render(architecture: Architecture) -> str:
+    """The document; ASCII, one endpoint a line, with a final newline. It has the same bytes for the same architecture.
+
+    A location's package is the innermost one around its path, and its file is relative to that package. A value that
+    JSON cannot hold is text: ``nan``, a date; what is nested deeper than anyone writes is ``?``.
+    """
+    place = Places(architecture.packages)
+    document = {
+        "schema_version": SCHEMA_VERSION,
+        "configurations": [
+            _configuration(item, place) for item in sorted(architecture.configurations, key=lambda item: item.name)
+        ],
+        "packages": [_package(item) for item in sorted(architecture.packages, key=lambda item: (item.name, item.path))],
+        "problems": [
+            {"path": item.path, "line": item.line, "message": terminal(item.message)}
+            for item in sorted(architecture.problems, key=lambda item: (item.path, item.line or 0, item.message))
+        ],
+    }
+    return "".join(_laid_out(document, 0)).replace("##[", r"##\u005b") + "\n"  # else a command to a GitHub runner
+
+
+def channels(configuration: Configuration) -> tuple[Channel, ...]:
+    """What the endpoints of *configuration* connect, topics first, by name; two unknown names are never one channel."""
+    found = []
+    for what, kinds in CHANNELS.items():
+        wanted = {kind for kind, _ in kinds}
+        ends = [(node, end) for node in nodes_of(configuration) for end in endpoints_of(node) if end.kind in wanted]
+        ends.sort(key=lambda pair: pair[1].name)
+        for name, group in groupby(ends, key=lambda pair: pair[1].name):
+            together = tuple(group)
+            apart = [(end,) for end in together] if UNKNOWN in name else [together]
+            found += [Channel(what, name, ends_of_one) for ends_of_one in apart]
+    return tuple(found)
+
+
+def nodes_of(configuration: Configuration) -> tuple[Node, ...]:
+    """The nodes by name and place."""
+    return tuple(sorted(configuration.nodes, key=lambda node: (node.name, _place_key(node.location))))
+
+
+def endpoints_of(node: Node) -> tuple[Endpoint, ...]:
+    """The endpoints by kind, name and place; of an unknown kind are none."""
+    known = (end for end in node.endpoints if end.kind in KINDS)
+    return tuple(sorted(known, key=lambda end: (KINDS.index(end.kind), end.name, _place_key(end.location))))
+
+
+def parameters_of(configuration: Configuration) -> tuple[Parameter, ...]:
+    """The parameters set from outside by name and place."""
+    return tuple(sorted(configuration.parameters, key=lambda p: (p.name, _place_key(p.location), _place_key(p.origin))))
+
+
+def is_known(value: str | None) -> TypeGuard[str]:
+    """Whether a name or type is known in full."""
+    return value is not None and UNKNOWN not in value
+
+
+def plain(value: object, depth: int = 0) -> Any:
+    """*value* as JSON holds it; None stays None."""
+    if value is None or isinstance(value, (bool, str)):
+        return value
+    if isinstance(value, int):
+        return int(value) if abs(value) < _LARGEST else UNKNOWN
+    if isinstance(value, float):
+        return value if isfinite(value) else str(value)
+    if depth >= _DEEPEST:
+        return UNKNOWN
+    if isinstance(value, Mapping):
+        return {str(plain(key, depth + 1)): plain(item, depth + 1) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(item, depth + 1) for item in value]
+    return value.hex() if isinstance(value, bytes) else str(value)
+
+
+class Places:
+    """Where packages are, to say a location by its package."""
+
+    __slots__ = ("_packages",)
+
+    def __init__(self, packages: Iterable[Package]) -> None:
+        self._packages = {package.path: package.name for package in packages}
+
+    def split(self, path: str) -> tuple[str | None, str]:
+        """The innermost package around *path* and the path in it; None and *path* outside any."""
+        whole = PurePosixPath(path)
+        for folder in whole.parents:
+            name = self._packages.get(str(folder))
+            if name is not None:
+                return name, str(whole.relative_to(folder))
+        return None, path
+
+    def location(self, location: Location | None) -> dict[str, Any] | None:
+        if location is None:
+            return None
+        package, file = self.split(location.path)
+        line, column = location.line, location.column
+        return {"package": package, "file": file, "path": location.path, "line": line, "column": column}
+
+
+def _configuration(configuration: Configuration, place: Places) -> dict[str, Any]:
+    found = channels(configuration)
+    return {
+        "name": configuration.name,
+        "launch": list(configuration.launch),
+        "arguments": {name: str(plain(value)) for name, value in configuration.arguments},
+        "nodes": [_node(node, place) for node in nodes_of(configuration)],
+        "parameters": [_parameter(parameter, place) for parameter in parameters_of(configuration)],
+        **{what: [_channel(item, place) for item in found if item.what == what] for what in CHANNELS},
+        "user_data": plain(configuration.user_data),
+    }
+
+
+def _node(node: Node, place: Places) -> dict[str, Any]:
+    ends = endpoints_of(node)
+    return {
+        "name": node.name,
+        "kind": node.kind,
+        "package": node.package,
+        "type": node.type,
+        "class": node.class_name,
+        "container": node.container,
+        "process": node.process,
+        "args": node.arguments,
+        "remaps": dict(node.remaps),
+        "conditions": _conditions(node.conditions, place),
+        "location": place.location(node.location),
+        "source": node.source,
+        "unknowns": _unknowns(node.unknowns, place),
+        **{kind: [_endpoint(end, place) for end in ends if end.kind == kind] for kind in KINDS},
+    }
+
+
+def _endpoint(end: Endpoint, place: Places) -> dict[str, Any]:
+    return {
+        "name": end.name,
+        "original_name": end.original_name,
+        "type": end.type,
+        **_particulars(end),
+        "implicit": end.implicit,
+        "conditions": _conditions(end.conditions, place),
+        "location": place.location(end.location),
+        "source": end.source,
+        "unknowns": _unknowns(end.unknowns, place),
+    }
+
+
+def _particulars(end: Endpoint) -> dict[str, Any]:
+    match end.kind:
+        case "publishers":
+            return {"queue_size": _count(end.queue_size), "latched": end.latched, "qos": None}
+        case "subscribers":
+            return {"queue_size": _count(end.queue_size), "qos": None}
+        case "getters" | "setters":
+            return {"value": plain(end.value)}
+        case _:
+            return {}
+
+
+def _count(value: int | None) -> int | None:
+    return value if value is not None and abs(value) < _LARGEST else None
+
+
+def _parameter(parameter: Parameter, place: Places) -> dict[str, Any]:
+    return {
+        "name": parameter.name,
+        "type": parameter.type,
+        "value": plain(parameter.value),
+        "conditions": _conditions(parameter.conditions, place),
+        "location": place.location(parameter.location),
+        "origin": place.location(parameter.origin),
+        "source": parameter.source,
+        "unknowns": _unknowns(parameter.unknowns, place),
+    }
+
+
+def _channel(channel: Channel, place: Places) -> dict[str, Any]:
+    sources = {end.source for _, end in channel.ends}
+    return {
+        "name": channel.name,
+        "types": list(channel.types),
+        **{key: list(channel.nodes(kind)) for kind, key in CHANNELS[channel.what]},
+        "conditional": channel.conditional,
+        "implicit": channel.implicit,
+        "source": next((source for source in PROVENANCES if source in sources), "source"),
+        "unknowns": _unknowns(
+            (why for _, end in channel.ends for why in end.unknowns if why.field in ("name", "type")), place
+        ),
+    }
+
+
+def _conditions(conditions: Iterable[Condition], place: Places) -> list[dict[str, Any]]:
+    return [
+        {"statement": item.statement, "condition": item.condition, "location": place.location(item.location)}
+        for item in conditions
+    ]
+
+
+def _unknowns(unknowns: Iterable[Unknown], place: Places) -> list[dict[str, Any]]:
+    each = sorted(set(unknowns), key=lambda item: (item.field, _place_key(item.location), item.reason))
+    return [
+        {"field": item.field, "reason": terminal(item.reason), "location": place.location(item.location)}
+        for item in each
+    ]
+
+
+def _package(package: Package) -> dict[str, Any]:
+    return {
+        "name": package.name,
+        "path": package.path,
+        "version": package.version,
+        "format": package.format,
+        "build_type": package.build_type,
+        "ros": package.ros,
+        "is_metapackage": package.is_metapackage,
+    }
+
+
+def _place_key(location: Location | None) -> tuple[str, int, int, int, int]:
+    return location.sort_key if location else ("", 0, 0, 0, 0)
+
+
+def _laid_out(value: Any, level: int) -> Iterator[str]:
+    """JSON text with a line for each member of the upper levels, so that two models compare line by line."""
+    if level >= _BROKEN_LEVELS or not value or not isinstance(value, (dict, list)):
+        yield json.dumps(value, ensure_ascii=True, allow_nan=False)
+        return
+    opening, closing = "{}" if isinstance(value, dict) else "[]"
+    pairs = value.items() if isinstance(value, dict) else ((None, item) for item in value)
+    for number, (key, item) in enumerate(pairs):
+        head = "" if key is None else json.dumps(key) + ": "
+        yield f"{',' if number else opening}\n{' ' * (level + 1)}{head}"
+        yield from _laid_out(item, level + 1)
+    yield f"\n{' ' * level}{closing}"

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The architecture for a person at a terminal: what runs in each configuration, and how much of it is unknown."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from haros_ci.model.architecture import KINDS, Architecture, Configuration, Endpoint, Node
+from haros_ci.model.location import Location
+from haros_ci.report.escape import terminal
+from haros_ci.report.message import shorten
+from haros_ci.report.model_json import CHANNELS, channels, endpoints_of, is_known, nodes_of
+from haros_ci.report.summary import plural
+
+MAX_REASONS = 10
+MAX_PLACES = 3
+NOUNS = dict(
+    zip(
+        KINDS,
+        ("publisher", "subscriber", "server", "client", "action server", "action client", "getter", "setter"),
+        strict=True,
+    )
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Reason:
+    """Why names or types are unknown (*field*), how often, and where, first places first."""
+
+    field: str
+    text: str
+    count: int
+    places: tuple[Location, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Gaps:
+    """How much of the endpoints is unknown, implicit ones left out."""
+
+    endpoints: int
+    names: int
+    types: int
+    reasons: tuple[Reason, ...]
+
+
+def render(architecture: Architecture) -> str:
+    """A block for each configuration: its launch files, counts, nodes, and the rate of unknown names and types."""
+    blocks = [tuple(_block(item)) for item in sorted(architecture.configurations, key=lambda item: item.name)]
+    if not blocks:
+        return "No configurations: there is no launch file and no node in the workspace.\n"
+    return "\n".join("".join(f"{line}\n" for line in block) for block in blocks)
+
+
+def gaps(configuration: Configuration) -> Gaps:
+    """What is unknown among the endpoints of *configuration*; a name is if any part of it is."""
+    ends = [end for node in nodes_of(configuration) for end in endpoints_of(node) if not end.implicit]
+    causes: dict[tuple[str, str], list[Location | None]] = {}
+    for end in ends:
+        for field, text, place in _causes(end):
+            causes.setdefault((field, text), []).append(place)
+    reasons = [
+        Reason(field, text, len(found), tuple(sorted({p for p in found if p is not None}, key=lambda p: p.sort_key)))
+        for (field, text), found in causes.items()
+    ]
+    return Gaps(
+        endpoints=len(ends),
+        names=sum(not is_known(end.name) for end in ends),
+        types=sum(not is_known(end.type) for end in ends),
+        reasons=tuple(sorted(reasons, key=lambda reason: (-reason.count, reason.field, reason.text))),
+    )
+
+
+def _causes(end: Endpoint) -> Iterator[tuple[str, str, Location | None]]:
+    """Field, reason and place of an unknown name and of an unknown type."""
+    for field, value in (("name", end.name), ("type", end.type)):
+        if not is_known(value):
+            said = [why for why in end.unknowns if why.field == field]
+            for why in said:
+                exact = why.location if why.location and why.location.line else None
+                yield field, why.reason, exact or end.location or why.location
+            if not said:
+                yield field, "no reason given", end.location
+
+
+def _block(configuration: Configuration) -> Iterator[str]:
+    nodes = nodes_of(configuration)
+    shown = Counter(item.what for item in channels(configuration) if not item.implicit)
+    counts = [plural(len(nodes), "node"), *(plural(shown[what], what[:-1]) for what in CHANNELS)]
+    counts.append(f"{plural(len(configuration.parameters), 'parameter')} set")
+    yield f"configuration {terminal(configuration.name)}: {', '.join(counts)}"
+    for path in configuration.launch:
+        yield f"  launch {terminal(path)}"
+    for name, value in configuration.arguments:
+        yield f"    arg {terminal(name)}:={terminal(str(value))}"
+    for node in nodes:
+        yield f"  node {_node(node)}"
+    yield from _unknown(gaps(configuration))
+
+
+def _node(node: Node) -> str:
+    ends = Counter(end.kind for end in node.endpoints if not end.implicit)
+    has = [plural(ends[kind], NOUNS[kind]) for kind in KINDS if ends[kind]]
+    kind = "" if node.kind == "node" else f" ({terminal(node.kind)})"
+    condition = " [conditional]" if node.conditions else ""
+    what = f"{terminal(node.name)} {terminal(f'{node.package}/{node.type}')}{kind}{condition}"
+    return f"{what}: {', '.join(has) or 'no endpoints'}"
+
+
+def _unknown(found: Gaps) -> Iterator[str]:
+    if not found.endpoints:
+        return
+    yield (
+        f"  unknown names: {_rate(found.names, found.endpoints)}; unknown types: {_rate(found.types, found.endpoints)}"
+    )
+    for reason in found.reasons[:MAX_REASONS]:
+        places = ", ".join(terminal(str(place)) for place in reason.places[:MAX_PLACES])
+        more = f" and {len(reason.places) - MAX_PLACES:,} more" if len(reason.places) > MAX_PLACES else ""
+        text = shorten(terminal(reason.text), 200)
+        yield f"    {plural(reason.count, reason.field)}: {text}{f' ({places}{more})' if places else ''}"
+    if len(found.reasons) > MAX_REASONS:
+        yield f"    and {len(found.reasons) - MAX_REASONS:,} more reasons"
+
+
+def _rate(part: int, whole: int) -> str:
+    return f"{part:,} of {whole:,} ({part / whole:.1%})"
