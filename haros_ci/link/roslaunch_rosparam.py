@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``<rosparam>`` (wiki roslaunch/XML/rosparam): YAML unfolded into parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.link.roslaunch_names import MARK, Text, join, join_in, literal, quoted
+from haros_ci.link.roslaunch_state import Scope, State, location, unset
+from haros_ci.link.roslaunch_types import type_of
+from haros_ci.link.roslaunch_yaml import Opaque, YamlError, YamlValue, parts, plain, read_yaml
+from haros_ci.model.architecture import Condition, Parameter
+from haros_ci.model.launch import LaunchElement
+from haros_ci.model.location import Location
+
+ATTRIBUTES = ("command", "ns", "file", "param", "subst_value")
+_INT32 = range(-(2**31), 2**31)
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """One parameter of an unfolded map."""
+
+    name: Text
+    value: YamlValue
+
+
+def rosparam(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
+    """Load what *tag* says into the namespace of *scope*.
+
+    ``delete`` and ``dump`` happen before parameters are set, so they change none. A name with ``~`` stays as it is, as
+    in ``roslaunch --dump-params``: it is private to roslaunch itself.
+    """
+    state.check_attributes(scope, tag, ATTRIBUTES)
+    command, ns, file, param = (state.attribute(scope, tag, name) for name in ("command", "ns", "file", "param"))
+    substitute = state.truth(scope, tag, "subst_value")
+    name = _target(ns, param)
+    verb = "load" if command is None or command.raw == "" else command.raw
+    if command is not None and not command.known:
+        state.wrong(scope, tag, f"<rosparam> has an unknown command: {command.reasons[0]}. The tag is left out")
+    elif verb == "delete" and file is not None:
+        state.wrong(scope, tag, "<rosparam command='delete'> takes no 'file'; remove it")
+    elif verb == "dump" and file is None:
+        state.wrong(scope, tag, "<rosparam command='dump'> needs a 'file'; add it")
+    elif verb == "load":
+        source = _file(state, scope, tag, file) if file is not None else _body(tag)
+        if source is not None:
+            _load(state, scope, tag, conditions, source, name, substitute)
+    elif verb not in ("delete", "dump"):
+        state.wrong(scope, tag, f"<rosparam command={quoted(verb)}>: write load, dump or delete. The tag is left out")
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    text: str
+    path: str | None
+    line: Callable[[int], int]
+
+
+def _target(ns: Text | None, param: Text | None) -> Text:
+    """``ns`` and ``param`` as one name; either may be global or private, which then counts alone."""
+    outer, inner = ns or literal(""), param or literal("")
+    joined = join(outer.raw, inner.raw) if inner.raw else outer.raw
+    if joined.count(MARK) == len(inner.reasons):
+        return Text(joined, inner.reasons)
+    return Text(joined, outer.reasons + inner.reasons)
+
+
+def _file(state: State, scope: Scope, tag: LaunchElement, file: Text) -> _Source | None:
+    place = state.files.place(file)
+    if place.path is None:
+        state.wrong(scope, tag, f"<rosparam> loads {quoted(file.shown)}: {place.reason}; what it sets is unknown")
+        return None
+    if not state.files.has(place.path):
+        state.wrong(scope, tag, f"<rosparam> loads {quoted(file.shown)}: {place.path} is no text file of the workspace")
+        return None
+    state.read.add(place.path)
+    return _Source(state.files.workspace.text(place.path), place.path, lambda line: line)
+
+
+def _body(tag: LaunchElement) -> _Source:
+    starts = [0]
+    for line in tag.text.split("\n"):
+        starts.append(starts[-1] + len(line) + 1)
+
+    def line_of(line: int) -> int:
+        offset = starts[min(line, len(starts)) - 1]
+        before = [pair for pair in tag.text_lines if pair[0] <= offset] or [(0, tag.line)]
+        return before[-1][1] + tag.text.count("\n", before[-1][0], offset)
+
+    return _Source(tag.text, None, line_of)
+
+
+def _load(
+    state: State,
+    scope: Scope,
+    tag: LaunchElement,
+    conditions: tuple[Condition, ...],
+    source: _Source,
+    name: Text,
+    substitute: bool | None,
+) -> None:
+    path = source.path or scope.path
+    document = _document(state, scope, tag, source, substitute)
+    if document is None:
+        return
+    state.spend(document.size)
+    if document.data is None:
+        return
+    if not name.raw and not isinstance(document.data, dict):
+        state.wrong(scope, tag, "<rosparam> sets a single value and needs a 'param'; add it")
+        return
+    full = join_in(scope.namespace, name) if name.raw else scope.namespace
+    place = location(scope, tag)
+    private = False
+    for leaf in _unfold(state, path, source, full, document):
+        private = private or leaf.name.raw.startswith("~")
+        origin = Location(path, source.line(leaf.value.line))
+        state.add_parameter(leaf.name, leaf_parameter(state, leaf.value, conditions, place, origin))
+    if private:
+        state.wrong(
+            scope,
+            tag,
+            "<rosparam> sets names that begin with '~': they are private to roslaunch itself and no node sees them; use"
+            " <param>, or a <rosparam> inside the <node> with names that do not begin with '~'",
+        )
+
+
+def _document(
+    state: State, scope: Scope, tag: LaunchElement, source: _Source, substitute: bool | None
+) -> YamlValue | None:
+    """The YAML of *source*; None, with a problem, if roslaunch cannot load it."""
+    if substitute is None:
+        state.wrong(scope, tag, "<rosparam>: whether 'subst_value' holds is unknown. The tag is left out")
+        return None
+    cached = source.path is not None and not substitute
+    if cached and source.path in state.documents:
+        return state.documents[source.path or ""]
+    state.spend(len(source.text) // 20)
+    text = state.substituted(scope, tag, source.text) if substitute else literal(source.text)
+    document = None
+    try:
+        document = read_yaml(text)
+    except YamlError as err:
+        state.problem(source.path or scope.path, source.line(err.line), f"YAML of <rosparam>: {err}")
+    if cached:
+        state.documents[source.path or ""] = document
+    return document
+
+
+def _unfold(state: State, path: str, source: _Source, name: Text, value: YamlValue) -> Iterator[Leaf]:
+    """The leaves of *value* under *name*; maps without entries set nothing."""
+    if not isinstance(value.data, dict):
+        if value.data is None:
+            line = source.line(value.line)
+            state.problem(path, line, f"{quoted(name.shown)} has no value (null): roslaunch cannot set it; give it one")
+        else:
+            yield Leaf(name, value)
+        return
+    for key, item in value.data.items():
+        part = key_text(key)
+        if part is None:
+            line = source.line(item.line)
+            state.problem(path, line, f"YAML of <rosparam>: key {key_shown(key)} is no text; quote it. It is left out")
+            continue
+        yield from _unfold(state, path, source, join_in(name, part), item)
+
+
+def key_text(key: object) -> Text | None:
+    """A key of a map as a part of a name; None if it is no text."""
+    if isinstance(key, Opaque) and key.unknown is not None:
+        return key.unknown
+    return literal(key) if isinstance(key, str) else None
+
+
+def key_shown(key: object) -> str:
+    return quoted(key.shown or "?" if isinstance(key, Opaque) else str(key))
+
+
+def leaf_parameter(
+    state: State, value: YamlValue, conditions: tuple[Condition, ...], place: Location, origin: Location | None
+) -> Parameter:
+    """The parameter that *value*, no map, makes; its name is still empty."""
+    at = origin or place
+    inside = parts(value)
+    if any(part is None for part in inside):
+        state.problem(
+            at.path, at.line, "a list holds an item without a value (null): roslaunch cannot set it; give it one"
+        )
+    if any(isinstance(part, int) and part not in _INT32 for part in inside):
+        state.problem(at.path, at.line, "an integer of more than 32 bits: roslaunch cannot set it; make it smaller")
+    opaque = next((part for part in inside if isinstance(part, Opaque)), None)
+    if opaque is None:
+        data: Any = plain(value.data)
+        kind = type_of(data)
+        return Parameter(name="", type=kind, value=data, conditions=conditions, location=place, origin=origin)
+    whole = value.data is opaque
+    kind = opaque.type if whole else "yaml"
+    unknowns = unset("value", opaque.reason, at)
+    if kind is None:
+        unknowns += unset("type", opaque.reason, at)
+    shown = opaque.shown if whole and kind == "str" else None
+    return Parameter(
+        name="", type=kind, value=shown, conditions=conditions, location=place, origin=origin, unknowns=unknowns
+    )
