@@ -14,7 +14,9 @@ from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import SEQUENCES, STRINGS, parameter_type, pointee
 from haros_ci.link.values import (
+    FALSE,
     NONE,
+    TRUE,
     Callable,
     Cell,
     Choice,
@@ -101,8 +103,11 @@ def call(
         if found is not None:
             return found
         return run.opaque("a parameter that is not set", frame, location.line)
-    kind: Type = ("bool", (), "")
-    return run.opaque(f"what {name} returns", frame, location.line, kind if row.sets else None)
+    if any(entry.kind == "getters" and entry.each is None for entry in row.makes) and "value" not in row.makes[0].values:
+        return FALSE if parameter is None else run.opaque("it is set", frame, location.line) if isinstance(
+            parameter, Opaque
+        ) else TRUE
+    return run.opaque(f"what {name} returns", frame, location.line)
 
 
 def construct(
@@ -405,7 +410,10 @@ def _parent(applied: Applied, selector: str) -> Value:
 
 
 def _search(applied: Applied, selector: str) -> Value:
-    """searchParam: the nearest namespace upwards that has the parameter's first part (wiki.ros.org/Parameter Server)."""
+    """searchParam: the nearest namespace upwards that has the parameter (wiki.ros.org/Parameter Server).
+
+    Where nothing sets it, the first that is looked at: there it would be found before all others.
+    """
     context = applied.run.context
     value = select_value(applied, selector)
     name, why, where = pattern(value) if isinstance(value, (Known, Text, Opaque, Choice)) else ("?", "it is not known", None)
@@ -420,12 +428,12 @@ def _search(applied: Applied, selector: str) -> Value:
     prefix, why, where = pattern(space)
     while why is None:
         full = clean(f"{prefix}/{name}")
-        if context.parameter(full) is not None:
+        if applied.run.parameter(full) is not None:
             return Known(full)
         if prefix in ("", "/"):
-            break
+            return Known(clean(f"{pattern(space)[0]}/{name}"))
         prefix = prefix.rpartition("/")[0]
-    return applied.run.opaque(f"{name} is searched for, and nothing sets it", applied.frame, applied.location.line)
+    return Opaque(why, where)
 
 
 def _members(applied: Applied, value: Value, names: list[str]) -> Any:
@@ -474,7 +482,7 @@ def parameter_value(applied: Applied, name: str, default: Value | None) -> Value
     """What reading parameter *name* gives: what the configuration sets, else the default; None if there is neither."""
     if "?" in name:
         return default if default is None else join(default, Opaque("the parameter's name is not known"))
-    found = applied.run.context.parameter(clean(name))
+    found = applied.run.parameter(clean(name))
     if found is None:
         return default
     return found

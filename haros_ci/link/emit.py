@@ -57,6 +57,8 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
             unknowns=tuple(unknowns),
         )
     )
+    if entry.kind == "setters" and entry.each is None and default is not None:
+        _set(applied, run.context.remap(name), default)
     if entry.kind != "getters":
         return None
     from haros_ci.link.api_rows import parameter_value
@@ -65,6 +67,17 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
     if entry.each is not None:
         _remember(applied, entry, found)
     return found
+
+
+def _set(applied: Applied, name: str, value: Value) -> None:
+    """The node finds afterwards what it has set; a name that is not known may be any."""
+    run = applied.run
+    own: Any = run.server.value
+    if isinstance(own, Opaque):
+        return
+    if "?" not in name:
+        known, data = data_of(value)
+        run.state.write(run.server, {**own, name: Known(data) if known else value})  # type: ignore[arg-type]
 
 
 def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
@@ -120,7 +133,7 @@ def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | N
         if result is None and default is not None:
             known, data = data_of(default)
             result = data_type(data) if known else None
-        if result is None:
+        if result is None and ("type" in entry.values or "value" in entry.values):
             unknowns.append(("type", "the type of the variable is not known", applied.location))
         return result
     if isinstance(found, TypeValue):

@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.link.follow import Entry
 from haros_ci.link.index import Index, Source
 from haros_ci.model.build import Build, PluginClass, Target
+from haros_ci.model.program import Class
 
 #: The base class that a plug-in needs to be a nodelet.
 NODELET = "nodelet::Nodelet"
@@ -51,26 +52,39 @@ def executables(programs: Programs) -> dict[tuple[str, str], tuple[Entry, frozen
     return found
 
 
+def plugins(programs: Programs) -> dict[str, tuple[Source, Class]]:
+    """All classes that plug-in descriptions name, by look-up name and by type: where they are defined."""
+    found: dict[str, tuple[Source, Class]] = {}
+    for described, source, definition, _ in _described(programs):
+        found.setdefault(described.name, (source, definition))
+        found.setdefault(described.type.strip(), (source, definition))
+    return found
+
+
 def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozenset[str]]]:
     """All nodelet classes by look-up name: the description, where each begins, and its library's files."""
     found: dict[str, tuple[PluginClass, Entry, frozenset[str]]] = {}
+    for described, source, definition, files in _described(programs):
+        if described.base.replace(" ", "") == NODELET:
+            entry = Entry(source, definition=definition)
+            found.setdefault(described.name, (described, entry, files))
+            found.setdefault(described.type.strip().replace("::", "/"), (described, entry, files))
+    return found
+
+
+def _described(programs: Programs) -> Iterator[tuple[PluginClass, Source, Class, frozenset[str]]]:
+    """Each described class with its definition and the files of its library."""
     for _, build in sorted(programs.builds.items()):
         for plugin in build.plugins:
-            if plugin.base.replace(" ", "") != NODELET:
-                continue
             library = posixpath.basename(plugin.library).removeprefix("lib")
             targets = [t for t in build.targets if t.kind == "library" and library in (t.output, t.name)]
             files = files_of(programs, targets[0]) if targets else frozenset[str]()
-            candidates = [
-                item for item in programs.cpp.classes.get(plugin.type.strip(), ()) if item[1].bases or item[1].fields
-            ]
-            candidates.sort(key=lambda item: (item[0].path not in files, item[0].package != plugin.package, item[0].path))
+            candidates = sorted(
+                (item for item in programs.cpp.classes.get(plugin.type.strip(), ()) if item[1].bases or item[1].fields),
+                key=lambda item: (item[0].path not in files, item[0].package != plugin.package, item[0].path),
+            )
             if candidates:
-                source, definition = candidates[0]
-                entry = Entry(source, definition=definition)
-                found.setdefault(plugin.name, (plugin, entry, files))
-                found.setdefault(plugin.type.strip().replace("::", "/"), (plugin, entry, files))
-    return found
+                yield plugin, *candidates[0], files
 
 
 def files_of(programs: Programs, target: Target) -> frozenset[str]:

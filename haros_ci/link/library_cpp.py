@@ -173,7 +173,7 @@ def method(
     if isinstance(receiver, Mapped):
         return _mapped(run, frame, receiver, name, args)
     if isinstance(receiver, Object):
-        return _object(run, receiver, name, args)
+        return _object(run, frame, receiver, name, args, Location(frame.source.path))
     return None
 
 
@@ -300,7 +300,19 @@ def _mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Arg
     return None
 
 
-def _object(run: Run, receiver: Object, name: str, args: tuple[Argument, ...]) -> Value | None:
+LOADERS = frozenset(("createInstance", "createUnmanagedInstance", "createUniqueInstance", "createClassInstance"))
+
+
+def _object(
+    run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...], location: Location
+) -> Value | None:
+    if receiver.name == "pluginlib::ClassLoader" and name in LOADERS and args:
+        return _plugin(run, frame, receiver, args[0].value, location)
+    if receiver.name == "pluginlib::ClassLoader" and name == "getName" and args:
+        named = args[0].value
+        if isinstance(named, Known) and isinstance(named.value, str):
+            return Known(named.value.replace("::", "/").rpartition("/")[2])
+        return run.opaque("the plug-in's name is not known", frame, location.line)
     if receiver.name in STREAMS:
         text = receiver.fields["[text]"]
         if name == "str":
@@ -316,6 +328,17 @@ def _object(run: Run, receiver: Object, name: str, args: tuple[Argument, ...]) -
         run.state.write(args[0].cell, _yaml_stream(run, receiver.fields["[stream]"].value))
         return TRUE
     return None
+
+
+def _plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
+    """An instance of the class that pluginlib loads by that name, where it is of the workspace (wiki.ros.org/pluginlib)."""
+    base = loader.arguments[0] if loader.arguments else None
+    if not isinstance(name, Known) or not isinstance(name.value, str):
+        return run.opaque("the plug-in's name is not known", frame, location.line, base)
+    found = run.context.plugins.get(name.value)
+    if found is None:
+        return run.opaque(f"the plug-in {name.value} is not in the workspace", frame, location.line, base)
+    return classes.instance(run, frame, found, (), (), location)
 
 
 def _yaml_file(run: Run, path: Value) -> Value:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.link.entries import Programs, executables, nodelets
+from haros_ci.link.entries import Programs, executables, nodelets, plugins
 from haros_ci.link.index import Source, build_index
 from haros_ci.link.parameters import ParameterServer, yaml_reader
 from haros_ci.link.relevance import Relevance
@@ -120,7 +120,9 @@ def types_of(
         for language, table in tables.items()
     }
     reader = yaml_reader(files_of(workspace))
-    return Types(programs, executables(programs), nodelets(programs), tables, relevance, configs, reader)
+    return Types(
+        programs, executables(programs), nodelets(programs), tables, plugins(programs), relevance, configs, reader
+    )
 
 
 def path_name(workspace: Workspace, path: str) -> str:

@@ -207,10 +207,11 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: Any, left: Value) -> V
         if text is not None and symbol == "<<":
             run.state.write(text, concatenate((text.value, right)))
             return left
-    data = left
+        if text is not None and cell is not None:
+            return _token(run, frame, left, text, cell)
     if symbol == ">>" and cell is not None:
-        if isinstance(data, Known) and not isinstance(data.value, int):
-            run.state.write(cell, converted(data, cell.type))
+        if isinstance(left, Known) and not isinstance(left.value, int):
+            run.state.write(cell, converted(left, cell.type))
         else:
             run.state.write(cell, run.opaque("it is read from a stream", frame, None, cell.type))
         return left
@@ -218,6 +219,20 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: Any, left: Value) -> V
         if 0 <= right.value < 64:
             return Known(left.value << right.value if symbol == "<<" else left.value >> right.value)
     return left
+
+
+def _token(run: Run, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Value:
+    """The next word of a string stream; false (as the stream then is) where there is none."""
+    if isinstance(text.value, Known) and cell.type is not None and cell.type[0] in STRINGS:
+        head, *rest = str(text.value.value).split(None, 1) or [""]
+        run.state.write(text, Known(rest[0] if rest else ""))
+        if not head:
+            return FALSE
+        run.state.write(cell, Known(head))
+        return stream
+    run.state.write(text, run.opaque("it is read bit by bit", frame))
+    run.state.write(cell, run.opaque("it is read from a stream", frame, None, cell.type))
+    return run.opaque("whether a stream has more", frame)
 
 
 def assignment(run: Run, frame: Frame, expression: Expression) -> Value:

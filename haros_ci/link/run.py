@@ -94,6 +94,8 @@ class Context:
     name: str
     namespace: str
     arguments: tuple[str, ...] | None
+    #: The classes that pluginlib can load, by look-up name: where they are defined.
+    plugins: Mapping[str, tuple[Source, Class]]
     #: The value of a parameter that the configuration sets (a Choice if under a condition), None if it does not.
     parameter: Function_[[str], Value | None]
     #: The data of a YAML file by the path as values have it; None if it is not in the workspace.
@@ -123,6 +125,8 @@ class Run:
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
     modules: dict[str, Frame] = field(default_factory=dict)
     active: list[Function] = field(default_factory=list)
+    #: What the node itself sets on the parameter server, by full name.
+    server: Cell = field(default_factory=lambda: Cell({}))  # type: ignore[arg-type]
     config_objects: dict[str, Object] = field(default_factory=dict)
     names: list[tuple[Value, bool]] = field(default_factory=list)
     quiet: int = 0
@@ -152,6 +156,14 @@ class Run:
             yield
         finally:
             self.conditions.pop()
+
+    def parameter(self, name: str) -> Value | None:
+        """The value of a parameter as the node finds it: what it has set itself, else what the configuration sets."""
+        own: Any = self.server.value
+        if isinstance(own, Opaque):
+            return own
+        found: Value | None = own.get(name)
+        return found if found is not None else self.context.parameter(name)
 
     def type_in(self, kind: Type, frame: Frame) -> Type:
         """*kind* as written in *frame*, resolved."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link.values import Cell, join
+from haros_ci.link.values import Cell, Opaque, join
 
 #: What cells held (or hold), by cell.
 Writes = dict[Cell, Any]
@@ -52,8 +52,6 @@ class State:
 
 def joined(one: Any, other: Any) -> Any:
     """``join``, also for the contents of sequences and maps (element by element, where they have the same shape)."""
-    from haros_ci.link.values import Opaque
-
     if isinstance(one, tuple) and isinstance(other, tuple):
         if len(one) == len(other) and all(a is b for a, b in zip(one, other, strict=True)):
             return one
@@ -61,6 +59,9 @@ def joined(one: Any, other: Any) -> Any:
     if isinstance(one, dict) and isinstance(other, dict):
         if one.keys() == other.keys() and all(one[k] is other[k] for k in one):
             return one
+        if not any(isinstance(value, Cell) for value in (*one.values(), *other.values())):
+            missing = Opaque("it is set on some paths only")
+            return {k: join(one.get(k, missing), other.get(k, missing)) for k in {**one, **other}}
         return Opaque("the map has other entries on other paths")
     if isinstance(one, (tuple, dict)) or isinstance(other, (tuple, dict)):
         return Opaque("its elements are not known on every path")

@@ -10,6 +10,7 @@ from typing import Any
 
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
+from haros_ci.link.index import Source
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
@@ -21,6 +22,7 @@ from haros_ci.model.architecture import KINDS, Condition, Endpoint, Node, Unknow
 from haros_ci.model.build import ConfigFile, PluginClass
 from haros_ci.model.launch import Started
 from haros_ci.model.location import Location
+from haros_ci.model.program import Class
 from haros_ci.model.workspace import Problem
 
 #: What the arguments of the nodelet program can begin with.
@@ -35,6 +37,7 @@ class Types:
     executables: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]]
     nodelets: Mapping[str, tuple[PluginClass, Entry, frozenset[str]]]
     rows: Mapping[str, Mapping[str, tuple[Row, ...]]]
+    plugins: Mapping[str, tuple[Source, Class]]
     relevance: Mapping[str, Relevance]
     configs: Mapping[str, ConfigFile]
     read_yaml: Any
@@ -152,6 +155,7 @@ def run_node(
         name=instance.name,
         namespace=instance.namespace,
         arguments=instance.arguments,
+        plugins=types.plugins,
         parameter=parameter,
         read_yaml=types.read_yaml,
         remap=lambda name: instance.remaps.get(name, name),

@@ -67,15 +67,22 @@ def gaps(configuration: Configuration) -> Gaps:
     return Gaps(
         endpoints=len(ends),
         names=sum(not is_known(end.name) for end in ends),
-        types=sum(not is_known(end.type) for end in ends),
+        types=sum(_type_is_unknown(end) for end in ends),
         reasons=tuple(sorted(reasons, key=lambda reason: (-reason.count, reason.field, reason.text))),
     )
 
 
+def _type_is_unknown(end: Endpoint) -> bool:
+    """Whether the type is missing where the call has one: asking whether a parameter is there has none."""
+    if end.type is None and end.kind in ("getters", "setters"):
+        return any(why.field == "type" for why in end.unknowns)
+    return not is_known(end.type)
+
+
 def _causes(end: Endpoint) -> Iterator[tuple[str, str, Location | None]]:
     """Field, reason and place of an unknown name and of an unknown type."""
-    for field, value in (("name", end.name), ("type", end.type)):
-        if not is_known(value):
+    for field, unknown in (("name", not is_known(end.name)), ("type", _type_is_unknown(end))):
+        if unknown:
             said = [why for why in end.unknowns if why.field == field]
             for why in said:
                 exact = why.location if why.location and why.location.line else None

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The small language of the data on known nodes: names with holes, conditions, lists (docs/known-nodes.md)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+#: What a hole can ask for, with the form of what stands after the colon; see docs/known-nodes.md.
+HOLES = {
+    "param": r"[~/]?[A-Za-z][A-Za-z0-9_/]*",
+    "search": r"[A-Za-z][A-Za-z0-9_/]*",
+    "arg": r"\d{1,3}",
+    "option": r"-[A-Za-z0-9_-]+",
+    "beside": r"[~/]?[A-Za-z][A-Za-z0-9_/]*",
+    "unknown": r"[^{}|]+",
+    "item": r"(?:[A-Za-z][A-Za-z0-9_]*)?",
+}
+_SUBJECT = re.compile(r"(?:(arg|option):)?([~/]?[A-Za-z0-9_/-]+)(?:\|([^|=]*?))?(?: == (.+))?")
+_LIST = re.compile(r"args:(\d{1,3})|([~/]?[A-Za-z][A-Za-z0-9_/]*)(#?)")
+_DEEPEST = 4
+_LONGEST = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class Hole:
+    """``{kind:about|default}``: what only the running system tells."""
+
+    kind: str
+    about: str
+    default: Template | None = None
+
+
+#: Literal text and holes.
+Template = tuple[str | Hole, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Test:
+    """``subject|default == wanted``: of a parameter (*kind* param), an argument or an option; without *wanted*: is it on."""
+
+    kind: str
+    about: str
+    default: str | None
+    wanted: str | None
+    written: str
+
+
+@dataclass(frozen=True, slots=True)
+class Each:
+    """``args:1``, ``~list`` or ``~name#`` (``~name0``, ``~name1``, ... up to the first that is not set)."""
+
+    kind: str
+    about: str
+
+
+def template(text: str, depth: int = 0) -> Template:
+    """*text* in its parts. Raises ValueError, saying what is wrong with it."""
+    if len(text) > _LONGEST or depth > _DEEPEST:
+        raise ValueError("it is too long, or has too many braces in each other")
+    parts: list[str | Hole] = []
+    at = 0
+    while at < len(text):
+        start = text.find("{", at)
+        literal = text[at : start if start >= 0 else len(text)]
+        if "}" in literal:
+            raise ValueError("there is a '}' without its '{'")
+        if literal:
+            parts.append(literal)
+        if start < 0:
+            break
+        end = _closing(text, start)
+        parts.append(_hole(text[start + 1 : end], depth))
+        at = end + 1
+    return tuple(parts)
+
+
+def test(text: str) -> Test:
+    """A condition: ``~publish_tf|true``, ``~mode|sync == async``, ``arg:0 == manager``, ``option:-urdf``."""
+    found = _SUBJECT.fullmatch(text.strip())
+    kind = (found[1] or "param") if found else ""
+    if found is None or not re.fullmatch(HOLES[kind], found[2]):
+        raise ValueError("a condition is written as ~parameter, ~parameter|default, arg:0 == word or option:-name")
+    return Test(kind, found[2], found[3], found[4], text.strip())
+
+
+def each(text: str) -> Each:
+    """A list: ``~parameter``, ``~parameter#`` or ``args:1``."""
+    found = _LIST.fullmatch(text.strip())
+    if found is None:
+        raise ValueError("a list is written as ~parameter, ~parameter# or args:1")
+    if found[1]:
+        return Each("args", found[1])
+    return Each("numbered" if found[3] else "param", found[2])
+
+
+def literal(text: str) -> object:
+    """A default as text: true, false, numbers, else the text."""
+    if text in ("true", "false"):
+        return text == "true"
+    if re.fullmatch(r"-?\d{1,9}", text):
+        return int(text)
+    return text
+
+
+def _closing(text: str, start: int) -> int:
+    depth = 0
+    for at in range(start, len(text)):
+        depth += {"{": 1, "}": -1}.get(text[at], 0)
+        if depth == 0:
+            return at
+    raise ValueError("there is a '{' without its '}'")
+
+
+def _hole(inside: str, depth: int) -> Hole:
+    head, bar, rest = inside.partition("|")
+    word, _, about = head.partition(":")
+    if word.startswith("item") and word[4:5] in ("", "."):
+        word, about = "item", word[5:]
+    if word not in HOLES or not re.fullmatch(HOLES[word], about):
+        raise ValueError(f"{{{inside[:60]}}} is none of {', '.join('{' + kind + '}' for kind in HOLES)}")
+    return Hole(word, about, template(rest, depth + 1) if bar else None)
