@@ -18,6 +18,7 @@ from haros_ci.link.values import (
     ClassValue,
     Known,
     Library,
+    Mapped,
     Object,
     Opaque,
     Pointer,
@@ -228,6 +229,9 @@ def library_call(
     found = api_rows.call(run, frame, name, function.this, args, targs, location, kinds)
     if found is not None:
         return found
+    modelled = library.construct(run, frame, (name, kinds, ""), args)
+    if modelled is not None:
+        return modelled
     if callee[0] == "name" and "::" not in name and frame.source.separator == "::":
         resolved = run.type_in((callee[1], tuple(targs), ""), frame)
         if resolved[0] != name or is_smart_pointer(resolved) or resolved[0] in STRINGS:
@@ -307,7 +311,7 @@ def _is_inert(
         return False
     for argument in args:
         value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
-        if isinstance(value, (Sequence, Callable, ClassValue, Choice)) or (
+        if isinstance(value, (Sequence, Mapped, Callable, ClassValue, Choice)) or (
             isinstance(value, Known) and isinstance(value.value, (str, list, dict)) and argument.cell is not None
         ):
             return False

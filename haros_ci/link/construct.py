@@ -195,6 +195,10 @@ def create(
         return _vector(run, frame, kind, arguments)
     if name in MAPS:
         return Mapped(Cell({}))  # type: ignore[arg-type]
+    if calls.is_scalar(kind):
+        if arguments:
+            return operators.converted(arguments[0].value, kind)
+        return Opaque("it is not set before", location, kind)
     owner = run.class_of(name, frame.source)
     if owner is None:
         return calls.library_object(run, frame, kind, arguments, location)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.link.names import pattern, resolve
 from haros_ci.link.run import Made
 from haros_ci.link.types import data_type, message_type, parameter_type
-from haros_ci.link.values import Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
+from haros_ci.link.values import NONE, Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location
@@ -57,8 +57,8 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
             unknowns=tuple(unknowns),
         )
     )
-    if entry.kind == "setters" and entry.each is None and default is not None:
-        _set(applied, run.context.remap(name), default)
+    if entry.kind == "setters" and entry.each is None:
+        _set(applied, run.context.remap(name), default if default is not None else NONE)
     if entry.kind != "getters":
         return None
     from haros_ci.link.api_rows import parameter_value
@@ -70,7 +70,7 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
 
 
 def _set(applied: Applied, name: str, value: Value) -> None:
-    """The node finds afterwards what it has set; a name that is not known may be any."""
+    """The node finds afterwards what it has set, ``NONE`` for deleted; a name that is not known is passed over."""
     run = applied.run
     own: Any = run.server.value
     if isinstance(own, Opaque):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link import calls, construct, library_python, operators
+from haros_ci.link import calls, construct, library_cpp, library_python, operators
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import SEQUENCES, is_smart_pointer, pointee
@@ -91,7 +91,7 @@ def _named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
     if this is None and frame.outer is not None:
         this = frame.outer.this
     if this is not None and "::" not in name:
-        cell = member(run, this, name, frame)
+        cell = member(run, this, name, frame) or library_cpp.protected(run, this, name)
         if cell is not None:
             return cell
     for candidate in run.index.scopes(name, frame.scope, frame.source):

@@ -33,6 +33,7 @@ from haros_ci.model.program import Type
 if TYPE_CHECKING:
     from haros_ci.link.calls import Argument
 
+XMLRPC = "XmlRpc::XmlRpcValue"
 STREAMS = frozenset(
     ("std::stringstream", "std::ostringstream", "std::istringstream", "stringstream", "ostringstream", "istringstream")
 )
@@ -61,8 +62,14 @@ def construct(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) ->
         return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})
     if name == "YAML::Parser":
         return Object(name, fields={"[stream]": Cell(args[0].value if args else NONE)})
-    if name in ("YAML::Node", "XmlRpc::XmlRpcValue"):
-        return args[0].value if args else NONE
+    if name in ("YAML::Node", XMLRPC):
+        return operators.converted(args[0].value, kind) if args else NONE
+    if name == f"{XMLRPC}::ValueStruct":
+        held = args[0].value.content.value if args and isinstance(args[0].value, Mapped) else {}
+        copied = {key: Cell(cell.value, cell.type) for key, cell in held.items()} if isinstance(held, dict) else held
+        return Mapped(Cell(copied))  # type: ignore[arg-type]
+    if name == f"{XMLRPC}::ValueArray":
+        return classes.create(run, frame, ("std::vector", ((XMLRPC, (), ""),), ""), args, Location(frame.source.path))
     if name in ("std::pair",) and len(args) == 2:
         return Object(name, fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
     if name in ("ros::Duration", "ros::WallDuration", "ros::Rate", "ros::Time") and len(args) == 1:
@@ -110,6 +117,14 @@ def function(
     if name in ("sprintf", "snprintf", "std::sprintf") and args and args[0].cell is not None:
         run.state.write(args[0].cell, run.opaque("it is formatted by sprintf", frame, None, ("std::string", (), "")))
         return NONE
+    return None
+
+
+def protected(run: Run, this: Object, name: str) -> Cell | None:
+    """A data member that a library's class gives to the workspace's classes derived from it."""
+    if name == "_value" and this.definition is not None and XMLRPC in classes.library_bases(run, *this.definition):
+        cell = this.fields[name] = Cell(Object("[any]"))
+        return cell
     return None
 
 

@@ -345,6 +345,9 @@ def converted(value: Value, kind: Type | None) -> Value:
     """*value* as a variable of type *kind* holds it: an Opaque learns its type, numbers follow C++'s conversions."""
     if kind is None or kind[0] in ("", "auto"):
         return value
+    if kind[0] == "XmlRpc::XmlRpcValue" and not isinstance(value, Opaque):
+        known, data = data_of(value)
+        return Known(data) if known else value
     if isinstance(value, Opaque):
         return value if value.type is not None and _is_class(value.type) else Opaque(value.reason, value.location, kind)
     if isinstance(value, Known):

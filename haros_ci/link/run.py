@@ -13,7 +13,7 @@ from haros_ci.link.index import Index, Source
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.state import State
 from haros_ci.link.types import NO_TYPE, resolve_type
-from haros_ci.link.values import Callable, Cell, Object, Opaque, Value
+from haros_ci.link.values import NONE, Callable, Cell, Object, Opaque, Value
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Condition
 from haros_ci.model.build import ConfigFile
@@ -158,12 +158,17 @@ class Run:
             self.conditions.pop()
 
     def parameter(self, name: str) -> Value | None:
-        """The value of a parameter as the node finds it: what it has set itself, else what the configuration sets."""
+        """The value of a parameter as the node finds it: what it has set itself, else what the configuration sets.
+
+        None if there is none, which is so, too, where the node has deleted it (kept as ``NONE``).
+        """
         own: Any = self.server.value
         if isinstance(own, Opaque):
             return own
-        found: Value | None = own.get(name)
-        return found if found is not None else self.context.parameter(name)
+        if name in own:
+            found: Value = own[name]
+            return None if found == NONE else found
+        return self.context.parameter(name)
 
     def type_in(self, kind: Type, frame: Frame) -> Type:
         """*kind* as written in *frame*, resolved."""

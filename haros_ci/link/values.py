@@ -230,4 +230,8 @@ def data_of(value: Value) -> tuple[bool, Any]:
     if isinstance(value, Mapped) and isinstance(value.content.value, dict):
         pairs = {key: data_of(cell.value) for key, cell in value.content.value.items()}
         return all(known for known, _ in pairs.values()), {key: item for key, (_, item) in pairs.items()}
+    if isinstance(value, Object) and "_value" in value.fields:  # an XmlRpcValue that holds one of several things
+        inner = value.fields["_value"].value
+        if isinstance(inner, Object) and len(inner.fields) == 1:
+            return data_of(next(iter(inner.fields.values())).value)
     return False, None

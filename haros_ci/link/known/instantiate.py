@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -13,6 +14,7 @@ from haros_ci.link.names import UNKNOWN, clean, resolve
 from haros_ci.link.values import Choice, Known, Mapped, Opaque, Sequence, Text, data_of, opaque_of
 from haros_ci.model.architecture import Endpoint, Unknown
 
+_NAME = re.compile(r"~|[~/]?[A-Za-z0-9_?][A-Za-z0-9_?/]*")
 _MOST = 1000
 _NUMBERED = 100
 _NO_ITEM = object()
@@ -105,6 +107,10 @@ def _end(known: KnownEndpoint, start: _Start, unknowns: list[Unknown]) -> Endpoi
     text, said = _filled(known.name, start)
     if not text:
         return None
+    if text.startswith("~/"):
+        text = text[1:]
+    if not _NAME.fullmatch(text):
+        said, text = [*said, Unknown("name", f"{text[:60]!r} is no ROS name")], UNKNOWN
     unknowns = list(dict.fromkeys([*unknowns, *said]))
     full = resolve(text, start.namespace, start.name)
     final = full if UNKNOWN in full else clean(start.remap(full))
@@ -171,12 +177,9 @@ def _items(each: Each | None, start: _Start) -> Iterator[tuple[object, Unknown |
 
 
 def _holds(test: Test, start: _Start) -> bool | Unknown:
-    value: object | None
-    if test.kind == "param":
-        value = start.value(test.about)
-    else:
-        found = _word(test.kind, test.about, start)
-        value = found if found is not None else None
+    if test.kind == "unknown":
+        return Unknown("conditions", test.about)
+    value = start.value(test.about) if test.kind == "param" else _word(test.kind, test.about, start)
     if isinstance(value, Unknown):
         return Unknown("conditions", f"it depends on {test.about}: {value.reason}", value.location)
     default = literal(test.default) if test.default is not None else None
@@ -195,9 +198,10 @@ def _word(kind: str, about: str, start: _Start) -> str | Unknown | None:
     if kind == "arg":
         return words[int(about)] if int(about) < len(words) else why
     for n, word in enumerate(words):
-        if word.startswith(f"{about}="):
-            return word[len(about) + 1 :]
-        if word == about:
+        option, equals, value = word.partition("=")
+        if option.startswith("-") and option.lstrip("-") == about.lstrip("-"):
+            if equals:
+                return value
             return words[n + 1] if n + 1 < len(words) else why or about
     return why
 
@@ -230,9 +234,9 @@ def _hole(hole: Hole, start: _Start) -> str | Unknown | None:
         return _word(hole.kind, hole.about, start)
     if hole.kind == "search":
         return _searched(hole.about, start)
-    if hole.kind == "beside":
-        full = start.remap(resolve(hole.about, start.namespace, start.name))
-        return clean(full.rpartition("/")[0]) if full.count("/") > 1 else ""
+    if hole.kind in ("beside", "resolved"):
+        full = clean(start.remap(resolve(hole.about, start.namespace, start.name)))
+        return full if hole.kind == "resolved" else full.rpartition("/")[0]
     if hole.kind == "item":
         value = start.item
         if hole.about:

@@ -13,6 +13,7 @@ HOLES = {
     "arg": r"\d{1,3}",
     "option": r"-[A-Za-z0-9_-]+",
     "beside": r"[~/]?[A-Za-z][A-Za-z0-9_/]*",
+    "resolved": r"[~/]?[A-Za-z][A-Za-z0-9_/]*",
     "unknown": r"[^{}|]+",
     "item": r"(?:[A-Za-z][A-Za-z0-9_]*)?",
 }
@@ -37,13 +38,15 @@ Template = tuple[str | Hole, ...]
 
 @dataclass(frozen=True, slots=True)
 class Test:
-    """``subject|default == wanted``: of a parameter (*kind* param), an argument or an option; without *wanted*: is it on."""
+    """``about|default == wanted``, of a parameter (*kind* param), an arg or an option; without *wanted*: is it on?
+
+    Of the *kind* unknown nothing can be told, *about* being the reason.
+    """
 
     kind: str
     about: str
     default: str | None
     wanted: str | None
-    written: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,12 +79,15 @@ def template(text: str, depth: int = 0) -> Template:
 
 
 def test(text: str) -> Test:
-    """A condition: ``~publish_tf|true``, ``~mode|sync == async``, ``arg:0 == manager``, ``option:-urdf``."""
+    """A condition: ``~publish_tf|true``, ``~mode|sync == async``, ``arg:0 == manager``, ``option:-urdf``, ``unknown:why``."""
+    head, _, reason = text.strip().partition(":")
+    if head == "unknown" and re.fullmatch(HOLES[head], reason):
+        return Test(head, reason, None, None)
     found = _SUBJECT.fullmatch(text.strip())
     kind = (found[1] or "param") if found else ""
     if found is None or not re.fullmatch(HOLES[kind], found[2]):
-        raise ValueError("a condition is written as ~parameter, ~parameter|default, arg:0 == word or option:-name")
-    return Test(kind, found[2], found[3], found[4], text.strip())
+        raise ValueError("a condition is written as ~parameter, ~parameter|default, ~parameter == word, arg:0 == word or option:-name")
+    return Test(kind, found[2], found[3], found[4])
 
 
 def each(text: str) -> Each:
