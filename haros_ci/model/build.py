@@ -12,10 +12,13 @@ from haros_ci.model.workspace import Problem
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
-    """An executable or library of CMake. *name* is the target's, *output* the file's name without prefix and suffix.
+    """An executable or library of CMake: *name* is the target's, *prefix* + *output* + *suffix* that of the file.
 
-    *kind*: executable, library (static, shared, module), object, interface, alias. *sources* are paths relative to the workspace root,
-    *links* other targets or library names as evaluated. *is_conditional* if a construct that could not be decided stands around it.
+    *kind*: executable, library (static, shared, module), object, interface, alias, imported. *sources* are relative to
+    the workspace root, those in *conditional_sources* there in some builds only. *links* are other targets or names of
+    libraries as evaluated; what only a build knows stays as ``${catkin_LIBRARIES}``. *is_conditional* if a construct
+    that could not be decided stands around it, *is_test* if it is made for tests. *component* is the class that an
+    executable of rclcpp_components_register_node runs.
     """
 
     name: str
@@ -27,22 +30,47 @@ class Target:
     links: tuple[str, ...] = ()
     is_installed: bool = False
     is_conditional: bool = False
+    is_test: bool = False
+    conditional_sources: tuple[str, ...] = ()
+    prefix: str = ""
+    suffix: str = ""
+    component: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Installed:
-    """What ``install(...)``, ``catkin_install_python`` or setup.py puts in place: root-relative *path*, *kind* program, file or directory."""
+    """What CMake or setup.py installs: root-relative *path*, *kind* program, file or directory.
+
+    *destination*, below the install prefix (``lib/pkg``, ``share/pkg/launch``), is the directory that a file is put
+    into under *name*, or that a directory becomes.
+    """
 
     path: str
     kind: str
     package: str
     destination: str
     location: Location
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EntryPoint:
+    """A console script of setup.py, ``name = module:function``; *path* is the module's file, "" if it is not here."""
+
+    name: str
+    module: str
+    function: str
+    path: str
+    package: str
+    location: Location
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PluginClass:
-    """A ``<class>`` of a plug-in description: look-up *name*, C++ *type*, *base*, *library* (path as written)."""
+    """A ``<class>`` of a plug-in description: look-up *name*, C++ *type*, *base*, *library* (path as written).
+
+    A component that CMake registers has the base ``rclcpp_components::NodeFactory`` and the target's name as library.
+    """
 
     name: str
     type: str
@@ -54,7 +82,10 @@ class PluginClass:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConfigParameter:
-    """One ``gen.add(...)`` of a dynamic_reconfigure .cfg. *type* is bool, int, double or str; groups are dotted into *group*."""
+    """One ``gen.add(...)`` of a .cfg. *type* is bool, int, double or str; groups are dotted into *group*.
+
+    Values that were not given, or cannot be read off the text, are None.
+    """
 
     name: str
     type: str
@@ -88,17 +119,25 @@ class InterfaceField:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interface:
-    """A msg, srv or action definition; *sections* has 1, 2 or 3 parts. *name* is ``pkg/T``."""
+    """A msg, srv or action definition; *sections* has 1, 2 or 3 parts. *name* is ``pkg/T``.
+
+    *is_generated* is False where the package's CMake generates interfaces, but not this one.
+    """
 
     name: str
     kind: str
     path: str
     sections: tuple[tuple[InterfaceField, ...], ...] = ()
+    is_generated: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Build:
-    """All of one package."""
+    """All of one package.
+
+    *scripts* are Python files that are installed as programs or begin with a shebang. *python_roots* are pairs of an
+    import root (``""`` for all, or a top-level name) and the root-relative directory that it stands for.
+    """
 
     package: str
     targets: tuple[Target, ...] = ()
@@ -106,6 +145,7 @@ class Build:
     plugins: tuple[PluginClass, ...] = ()
     configs: tuple[ConfigFile, ...] = ()
     interfaces: tuple[Interface, ...] = ()
+    entry_points: tuple[EntryPoint, ...] = ()
     scripts: tuple[str, ...] = ()
     python_roots: tuple[tuple[str, str], ...] = ()
     problems: tuple[Problem, ...] = ()

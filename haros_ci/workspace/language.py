@@ -19,6 +19,7 @@ SUFFIXES = {
     **dict.fromkeys(("py", "pyw"), "python"),
     "launch": "launch",
     "cmake": "cmake",
+    "cfg": "setup",
     **dict.fromkeys(("yaml", "yml"), "yaml"),
     **dict.fromkeys(("msg", "srv", "action"), "interface"),
     **dict.fromkeys(("xml", "urdf", "xacro", "srdf", "sdf"), "xml"),

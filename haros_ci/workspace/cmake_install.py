@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""CMake's commands that install and declare: programs, directories, interfaces, configurations, Python packages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+from haros_ci.workspace.cmake_keywords import under
+from haros_ci.workspace.cmake_state import Call, State
+from haros_ci.workspace.cmake_words import bare, inside, is_certain, place, readable
+
+_ARTEFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PUBLIC_HEADER", "PRIVATE_HEADER")
+_TARGET_FLAGS = (*_ARTEFACTS, "RESOURCE", "OPTIONAL", "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP")
+_SINGLE = ("DESTINATION", "EXPORT", "COMPONENT", "NAMELINK_COMPONENT", "RENAME", "TYPE", "PATTERN", "REGEX", "FILE_SET")
+_LISTS = ("PERMISSIONS", "CONFIGURATIONS", "INCLUDES", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS")
+_FLAGS = ("OPTIONAL", "FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "MESSAGE_NEVER", "EXCLUDE", "EXCLUDE_FROM_ALL")
+_WHAT = {"PROGRAMS": "program", "FILES": "file", "DIRECTORY": "directory"}
+#: Where install(... TYPE t) puts things, by the GNU conventions.
+_TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
+
+
+def _install(state: State, call: Call) -> None:
+    if not call.words:
+        return
+    what, rest = call.words[0], call.words[1:]
+    if what == "TARGETS":
+        _install_targets(state, under(rest, _TARGET_FLAGS, _SINGLE, _LISTS)[""])
+    elif what in _WHAT:
+        install_files(state, call, _WHAT[what], rest)
+
+
+def _install_targets(state: State, names: list[str]) -> None:
+    """Mark targets; one that is found by another name only (unknown) is left alone."""
+    for name in names:
+        made = state.targets.get(bare(name))
+        if made is not None:
+            made.is_installed = True
+
+
+def install_files(state: State, call: Call, kind: str, words: list[str]) -> None:
+    """What install(FILES | PROGRAMS | DIRECTORY) names. A directory that ends in a slash becomes its destination."""
+    given = under(words, _FLAGS, _SINGLE, _LISTS)
+    destination = readable(next(iter(given.get("DESTINATION", [])), ""))
+    destination = destination or _TYPES.get(next(iter(given.get("TYPE", [])), ""), "")
+    renamed = next(iter(given.get("RENAME", [])), "")
+    paths = given[""] if "PATTERN" not in given and "REGEX" not in given else _before_patterns(words)
+    for word in paths:
+        element = bare(word)
+        if not is_certain(element) or "$<" in element:
+            continue
+        path = inside(place(element, state.source_directory()))
+        if path is None:
+            continue
+        base = path.rpartition("/")[2]
+        if kind == "directory":
+            final = destination if element.endswith("/") else f"{destination}/{base}".lstrip("/")
+            state.installed.setdefault((path, kind, final, ""), call.location)
+        else:
+            state.installed.setdefault((path, kind, destination, readable(renamed) or base), call.location)
+
+
+def _before_patterns(words: list[str]) -> list[str]:
+    """The files of an install() with PATTERN: what follows such a keyword belongs to it."""
+    stop = min((i for i, word in enumerate(words) if word in (*_SINGLE, *_LISTS, *_FLAGS)), default=len(words))
+    return words[:stop]
+
+
+def _install_python(state: State, call: Call) -> None:
+    """catkin_install_python(PROGRAMS ... DESTINATION d)."""
+    words = call.words[1:] if call.words[:1] in (["PROGRAMS"], ["FILES"]) else call.words
+    install_files(state, call, "program", words)
+
+
+def _simple_install(state: State, call: Call) -> None:
+    """cs_install: what cs_add_* made, and the targets named (catkin_simple)."""
+    for made in state.targets.values():
+        if "SIMPLE" in made.properties or made.name in call.words:
+            made.is_installed = True
+
+
+def _simple_scripts(state: State, call: Call) -> None:
+    """cs_install_scripts(programs...)."""
+    install_files(state, call, "program", [*call.words, "DESTINATION", f"lib/{state.package.name}"])
+
+
+def _auto_package(state: State, call: Call) -> None:
+    """ament_auto_package: installs what ament_auto_add_* made, and INSTALL_TO_SHARE directories."""
+    given = under(call.words, ("INSTALL_TO_PATH", "NO_INSTALL"), (), ("INSTALL_TO_SHARE", "CONFIG_EXTRAS"))
+    for made in state.targets.values():
+        if "AUTO" in made.properties:
+            made.is_installed = True
+    share = f"share/{state.package.name}"
+    for word in given.get("INSTALL_TO_SHARE", []):
+        path = inside(place(bare(word), state.source_directory())) if is_certain(bare(word)) else None
+        if path is not None:
+            final = f"{share}/{path.rpartition('/')[2]}"
+            state.installed.setdefault((path, "directory", final, ""), call.location)
+
+
+#: The directory, and ending, that these commands take definitions from.
+_MESSAGE_KINDS = {
+    "add_message_files": "msg",
+    "add_service_files": "srv",
+    "add_action_files": "action",
+    "rosbuild_genmsg": "msg",
+    "rosbuild_gensrv": "srv",
+}
+
+
+def _interface_files(state: State, call: Call) -> None:
+    """add_message_files and its like: FILES in DIRECTORY, by default all in ``msg``, ``srv``, ``action``."""
+    suffix = _MESSAGE_KINDS[call.name]
+    given = under(call.words, ("NOINSTALL",), ("DIRECTORY", "BASE_DIR"), ("FILES",))
+    directory = next(iter(given.get("DIRECTORY", [])), suffix)
+    state.declares_interfaces = True
+    if not is_certain(directory):
+        return
+    names = given.get("FILES")
+    inner = inside(place(directory, state.source_directory()))
+    if names is None and inner is not None:
+        for path in state.tree.glob(f"{inner}/*.{suffix}", recurse=False, directories=False):
+            state.interfaces.setdefault(path, call.location)
+    for name in names or ():
+        _declare(state, call, f"{directory}/{bare(name)}")
+
+
+def _declare(state: State, call: Call, word: str) -> None:
+    path = inside(place(word, state.source_directory())) if is_certain(word) else None
+    if path is None:
+        state.problem(call.location, f"the interface {readable(word)} is only known in a build; it is missing")
+    elif state.tree.is_file(path):
+        state.interfaces.setdefault(path, call.location)
+    else:
+        state.missing(call, f"the interface {readable(word)} is not among the files")
+
+
+def _generate_interfaces(state: State, call: Call) -> None:
+    """rosidl_generate_interfaces(target "msg/A.msg" ...); ``dir:file`` is a path, too."""
+    flags = ("SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK", "ADD_LINTER_TESTS")
+    given = under(call.words[1:], flags, ("LIBRARY_NAME",), ("DEPENDENCIES",))
+    state.declares_interfaces = True
+    for word in given[""]:
+        _declare(state, call, bare(word).replace(":", "/"))
+
+
+def _configs(state: State, call: Call) -> None:
+    """generate_dynamic_reconfigure_options(cfg...)."""
+    for word in call.words:
+        element = bare(word)
+        path = inside(place(element, state.source_directory())) if is_certain(element) else None
+        if path is not None:
+            state.configs.setdefault(path, call.location)
+
+
+def _python_package(state: State, call: Call) -> None:
+    """ament_python_install_package(name [PACKAGE_DIR dir])."""
+    if call.words and is_certain(call.words[0]):
+        single = ("PACKAGE_DIR", "VERSION", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION")
+        given = under(call.words[1:], (), single, ())
+        directory = next(iter(given.get("PACKAGE_DIR", [])), call.words[0])
+        path = inside(place(directory, state.source_directory())) if is_certain(directory) else None
+        if path is not None:
+            state.python_packages[call.words[0]] = path
+
+
+def _plugin_file(state: State, call: Call) -> None:
+    """pluginlib_export_plugin_description_file(package file)."""
+    if len(call.words) > 1 and is_certain(bare(call.words[1])):
+        path = inside(place(bare(call.words[1]), state.source_directory()))
+        if path is not None:
+            state.plugin_files.setdefault(path, call.location)
+
+
+INSTALL_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
+    {
+        "install": _install,
+        "catkin_install_python": _install_python,
+        "ament_auto_package": _auto_package,
+        "cs_install": _simple_install,
+        "cs_install_scripts": _simple_scripts,
+        **dict.fromkeys(_MESSAGE_KINDS, _interface_files),
+        "rosidl_generate_interfaces": _generate_interfaces,
+        "generate_dynamic_reconfigure_options": _configs,
+        "ament_python_install_package": _python_package,
+        "pluginlib_export_plugin_description_file": _plugin_file,
+    }
+)

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``math(EXPR)``: 64-bit integer expressions of C."""
+
+from __future__ import annotations
+
+import re
+
+MAX_TOKENS = 200
+MAX_NESTING = 30
+
+_TOKEN = re.compile(r"\s*(0[xX][0-9a-fA-F]{1,16}|\d{1,19}|<<|>>|[-+*/%|&^~()])")
+_LEVELS = (("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))
+
+
+def evaluate_math(text: str) -> int | None:
+    """The value of an expression; None if it is malformed, too long, or divides by zero."""
+    tokens: list[str] = []
+    position = 0
+    text = text.rstrip()
+    while position < len(text):
+        match = _TOKEN.match(text, position)
+        if match is None or len(tokens) >= MAX_TOKENS:
+            return None
+        tokens.append(match[1])
+        position = match.end()
+    tokens.reverse()
+    try:
+        value = _binary(tokens, 0, 0)
+    except (ValueError, ZeroDivisionError, IndexError):
+        return None
+    return None if tokens else value
+
+
+def _binary(tokens: list[str], level: int, depth: int) -> int:
+    if level == len(_LEVELS):
+        return _unary(tokens, depth)
+    value = _binary(tokens, level + 1, depth)
+    while tokens and tokens[-1] in _LEVELS[level]:
+        operator = tokens.pop()
+        value = _apply(operator, value, _binary(tokens, level + 1, depth))
+    return value
+
+
+def _unary(tokens: list[str], depth: int) -> int:
+    token = tokens.pop()
+    if token in "+-~(":
+        if depth >= MAX_NESTING:
+            raise ValueError
+        if token == "(":
+            value = _binary(tokens, 0, depth + 1)
+            if tokens.pop() != ")":
+                raise ValueError
+            return value
+        value = _unary(tokens, depth + 1)
+        return {"+": value, "-": -value, "~": ~value}[token]
+    return int(token, 0) if token[:2].lower() == "0x" else int(token)
+
+
+def _apply(operator: str, left: int, right: int) -> int:
+    if operator in ("/", "%"):  # towards zero, as C divides
+        quotient = abs(left) // abs(right) * (1 if (left < 0) == (right < 0) else -1)
+        return quotient if operator == "/" else left - quotient * right
+    if operator in ("<<", ">>"):
+        if not 0 <= right < 64:
+            raise ValueError
+        return _wrapped(left << right) if operator == "<<" else left >> right
+    values = {"|": left | right, "^": left ^ right, "&": left & right}
+    values |= {"+": left + right, "-": left - right, "*": left * right}
+    return _wrapped(values[operator])
+
+
+def _wrapped(value: int) -> int:
+    return (value + (1 << 63)) % (1 << 64) - (1 << 63)

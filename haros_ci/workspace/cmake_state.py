@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is known while the CMake of a package is followed: variables by scope, targets, doubts, and how much is left."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package
+from haros_ci.model.workspace import Problem
+from haros_ci.workspace.cmake_parse import Argument, Command
+from haros_ci.workspace.cmake_words import UNKNOWN, absolute, cleaned, is_certain, readable, split_list, unknown
+from haros_ci.workspace.tree import Tree
+
+#: What evaluation may cost in all: about one for each command and for each hundred characters it handles.
+MAX_STEPS = 100_000
+MAX_VALUE = 100_000
+MAX_CALLS = 40
+MAX_PROBLEMS = 100
+MAX_MESSAGE = 500
+
+_PIECE = re.compile(r"\$(?:ENV|CACHE)?\{|\}|\\(?:.|$)|[^$\\}]+|\$", re.DOTALL)
+_ESCAPED = {"\\n": "\n", "\\t": "\t", "\\r": "\r", "\\;": "\\;", "\\\n": ""}
+_MISSING = "\ue000\ue000"
+
+
+class Exhausted(Exception):
+    """The budget is used up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """A construct that cannot be decided; *text* is its condition.
+
+    *leaving* is the return, break or continue in it that makes what follows doubtful, too.
+    """
+
+    path: str
+    line: int
+    text: str
+    leaving: str = ""
+
+
+@dataclass(slots=True)
+class Made:
+    """A target as far as it is known. Sources and links map to whether they are certain."""
+
+    name: str
+    kind: str
+    location: Location
+    sources: dict[str, bool] = field(default_factory=dict)
+    links: dict[str, bool] = field(default_factory=dict)
+    properties: dict[str, str] = field(default_factory=dict)
+    is_installed: bool = False
+    is_conditional: bool = False
+    is_test: bool = False
+
+
+@dataclass(slots=True)
+class Call:
+    """A command with its arguments evaluated; ``quoted`` tells which were in quotes or brackets."""
+
+    name: str
+    words: list[str]
+    quoted: list[bool]
+    location: Location
+    command: Command
+
+
+Entry = tuple[dict[str, str | None], str, str | None]
+
+
+class State:
+    """Everything that commands read and change."""
+
+    def __init__(self, tree: Tree, package: Package) -> None:
+        self.tree = tree
+        self.package = package
+        self.steps = MAX_STEPS
+        self.cache: dict[str, str | None] = {}
+        self.scopes: list[dict[str, str | None]] = [{}]
+        self.environment: dict[str, str] = {}
+        self.unknown_prefixes: set[str] = set()
+        self.functions: dict[str, tuple[Command, str]] = {}
+        self.targets: dict[str, Made] = {}
+        self.installed: dict[tuple[str, str, str, str], Location] = {}
+        self.plugin_files: dict[str, Location] = {}
+        self.noted: set[str] = set()
+        self.components: list[tuple[str, str, Location]] = []
+        self.interfaces: dict[str, Location] = {}
+        self.configs: dict[str, Location] = {}
+        self.python_packages: dict[str, str] = {}
+        self.testing = 0
+        self.declares_interfaces = False
+        self.file = ""
+        self.site: Location | None = None
+        self.calls = 0
+        self.depth = 0
+        self.doubts: list[Doubt] = []
+        self.hidden: dict[Doubt, dict[str, None]] = {}
+        self.problems: dict[Problem, None] = {}
+        self.journal: list[Entry] | None = None
+        self.seen_files: set[str] = set()
+        self.guarded: set[str] = set()
+        self.pending: list[tuple[str, str, str]] = []
+        self.lent: set[str] = set()
+
+    def spend(self, cost: int = 1) -> None:
+        self.steps -= cost
+        if self.steps < 0:
+            raise Exhausted
+
+    def get(self, name: str) -> str | None:
+        """A variable's value, None if it is not set; what an outer package would set is unknown."""
+        for scope in reversed(self.scopes):
+            if name in scope:
+                value = scope[name]
+                if value is not None:
+                    return value
+                break
+        value = self.cache.get(name)
+        if value is None and self.unknown_prefixes and self.is_foreign(name):
+            return unknown(name)
+        return value
+
+    def seen_from(self, scope: dict[str, str | None], name: str) -> str | None:
+        """The value that *scope*, one of the open ones or the cache, has for a variable or inherits."""
+        if scope is self.cache:
+            return scope.get(name)
+        depth = next((number for number, each in enumerate(self.scopes) if each is scope), -1)
+        for each in reversed(self.scopes[: depth + 1]):
+            if name in each:
+                return each[name]
+        return scope.get(name, self.cache.get(name))
+
+    def is_foreign(self, name: str) -> bool:
+        """Whether the variable is named after a package that was looked for."""
+        at = name.find("_")
+        while at > 0:
+            if name[:at] in self.unknown_prefixes:
+                return True
+            at = name.find("_", at + 1)
+        return False
+
+    def put(self, name: str, value: str | None, scope: dict[str, str | None] | None = None) -> None:
+        """Set a variable, or unset it with None."""
+        if value is not None:
+            self.spend(len(value) // 200)
+            if len(value) > MAX_VALUE:
+                raise Exhausted
+        target = self.scopes[-1] if scope is None else scope
+        if self.journal is not None:
+            self.journal.append((target, name, target.get(name, _MISSING)))
+        target[name] = value
+
+    def roll_back(self, journal: list[Entry]) -> dict[tuple[int, str], Entry]:
+        """Undo what *journal* tells; what the variables were before that, by scope and name."""
+        after = {(id(scope), name): (scope, name, scope.get(name, _MISSING)) for scope, name, _ in journal}
+        for scope, name, old in reversed(journal):
+            if old == _MISSING:
+                scope.pop(name, None)
+            else:
+                scope[name] = old
+        return after
+
+    def where(self, command: Command) -> Location:
+        """Where the user wrote it: the outermost call of a function, or the command itself."""
+        return self.site or Location(self.file, command.line, command.column)
+
+    def source_directory(self) -> str:
+        return self.get("CMAKE_CURRENT_SOURCE_DIR") or absolute(self.package.path)
+
+    def problem(self, location: Location, message: str) -> None:
+        if len(self.problems) < MAX_PROBLEMS:
+            self.problems[Problem(location.path, message[:MAX_MESSAGE], location.line)] = None
+
+    def missing(self, call: Call, message: str) -> None:
+        """A problem with what a command names, unless it may not be run at all."""
+        if not self.doubts:
+            self.problem(call.location, readable(message))
+
+    def record(self, what: str) -> None:
+        """Note *what* with the undecided construct around it, if there is one."""
+        for doubt in self.doubts[-1:]:
+            self.hidden.setdefault(doubt, {})[what] = None
+
+    def evaluate(self, text: str) -> str:
+        """*text* with references replaced, inner ones first, and escapes resolved (cmake-language(7))."""
+        parts: list[str] = []
+        stack: list[tuple[str, int, list[str]]] = []
+        for match in _PIECE.finditer(text):
+            piece = match[0]
+            if piece[0] == "$" and piece[-1] == "{":
+                stack.append((piece, match.start(), parts))
+                parts = []
+            elif piece == "}" and stack:
+                opening, start, outer = stack.pop()
+                is_whole = (not start or text[start - 1] == ";") and text[match.end() : match.end() + 1] in ("", ";")
+                outer.append(self._refer(opening, "".join(parts), is_whole))
+                parts = outer
+            elif piece[0] == "\\":
+                parts.append(_ESCAPED.get(piece, piece[1:]))
+            else:
+                parts.append(piece)
+        while stack:
+            opening, _, outer = stack.pop()
+            parts = [*outer, opening, *parts]
+        value = "".join(parts)
+        self.spend(len(value) // 100)
+        if len(value) > MAX_VALUE:
+            raise Exhausted
+        return value
+
+    def _refer(self, opening: str, name: str, is_whole: bool) -> str:
+        """The value of one reference. A doubtful one cannot be part of another word: there it is unknown."""
+        if not is_certain(name):
+            return unknown(name.replace(UNKNOWN, "$") if len(name) < 200 else "...")
+        if opening == "$ENV{":
+            return self.environment.get(name, unknown(f"ENV:{name}"))
+        value = self.cache.get(name) if opening == "$CACHE{" else self.get(name)
+        if value is None:
+            return ""
+        self.spend(len(value) // 100)
+        return value if is_whole or is_certain(value) else unknown(name)
+
+    def expand(self, command: Command, arguments: tuple[Argument, ...], macro: dict[str, str] | None) -> Call:
+        """The arguments of *command* as words: unquoted ones are split at semicolons and vanish if empty."""
+        words: list[str] = []
+        quoted: list[bool] = []
+        for argument in arguments:
+            text = argument.text
+            if argument.is_plain:
+                words.append(cleaned(text))
+                quoted.append(argument.is_quoted)
+                continue
+            text = cleaned(text)
+            if macro is not None and not argument.is_literal:
+                text = substitute(text, macro)
+            if argument.is_quoted:
+                words.append(text if argument.is_literal else self.evaluate(text))
+                quoted.append(True)
+            else:
+                elements = [element for element in split_list(self.evaluate(text)) if element]
+                words += elements
+                quoted += [False] * len(elements)
+        self.spend(1 + len(words) // 10)
+        return Call(command.name, words, quoted, self.where(command), command)
+
+
+_MACRO_REFERENCE = re.compile(r"\$\{(\w+)\}")
+
+
+def substitute(text: str, macro: dict[str, str]) -> str:
+    """*text* with a macro's parameters replaced, as text, before anything else is evaluated."""
+    return _MACRO_REFERENCE.sub(lambda match: macro.get(match[1], match[0]), text)
+
+
+def condition_text(command: Command) -> str:
+    """The arguments of a command as written, on one line."""
+    words = [f'"{a.text}"' if a.is_quoted else a.text for a in command.arguments]
+    return readable(" ".join(words).replace("\n", " "))[:120]

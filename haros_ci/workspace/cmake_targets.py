@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: Apache-2.0
+"""CMake's commands that make executables and libraries, of CMake itself and of ROS's build tools."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+from haros_ci.model.location import Location
+from haros_ci.workspace.cmake_genex import resolved
+from haros_ci.workspace.cmake_keywords import under
+from haros_ci.workspace.cmake_state import Call, Made, State
+from haros_ci.workspace.cmake_words import MAYBE, UNKNOWN, bare, inside, is_certain, place, readable
+
+_CODE = (".c", ".cc", ".cpp", ".cxx", ".c++", ".cu", ".m", ".mm")
+_KINDS = {"STATIC": "library", "SHARED": "library", "MODULE": "library", "UNKNOWN": "library"}
+_KINDS |= {"OBJECT": "object", "INTERFACE": "interface"}
+_SKIPPED = frozenset(("EXCLUDE_FROM_ALL", "WIN32", "MACOSX_BUNDLE", "GLOBAL", "MANUAL_FINALIZATION"))
+_SKIPPED |= {"NO_TARGET_LINK_LIBRARIES", "SKIP_LINKING_MAIN_LIBRARIES", "SKIP_TEST", "NO_EXTRAS", "THIN_LTO", "SYSTEM"}
+#: Keywords of test and CUDA commands behind which there are no sources any more.
+_SINGLE = ("TIMEOUT", "WORKING_DIRECTORY", "RUNNER", "COMMAND")
+_LISTS = ("OPTIONS", "ENV", "APPEND_ENV", "APPEND_LIBRARY_DIRS", "DEPENDENCIES", "ARGS")
+
+
+def _name(state: State, call: Call, what: str) -> str:
+    """The target's name, "" with a problem if it depends on what is not known."""
+    if not call.words:
+        return ""
+    name = call.words[0]
+    if is_certain(name):
+        return name
+    written = call.command.arguments[0].text
+    message = f"the name of this {what}, {written}, is only known in a build; it is missing"
+    state.problem(call.location, message)
+    return ""
+
+
+def _make(state: State, call: Call, kind: str, name: str, *, is_test: bool = False) -> Made:
+    """The target of that name, new or, where branches make it twice, the one there is."""
+    is_test = is_test or state.testing > 0
+    if not is_test:
+        state.record(f"{kind} {name}")
+    made = state.targets.get(name)
+    if made is None:
+        made = Made(name, kind, call.location, is_conditional=bool(state.doubts), is_test=is_test)
+        if call.name.startswith("cs_"):
+            made.properties["SIMPLE"] = "1"
+        state.targets[name] = made
+    else:
+        made.sources = dict.fromkeys(made.sources, False)
+    return made
+
+
+def add_sources(state: State, made: Made, words: list[str], location: Location, *, is_certainly: bool = True) -> None:
+    """Add what *words* name, relative to the directory being read; a problem for what is not in the workspace."""
+    for word in resolved(words):
+        element = bare(word)
+        certain = is_certainly and element == word
+        if element.startswith("$<"):
+            made.links.setdefault(element[2:-1], certain)
+            continue
+        if UNKNOWN in element or MAYBE in element:
+            message = f"{made.name}: {readable(element)} is only known in a build; it is not among the sources"
+            state.problem(location, message)
+            continue
+        path = inside(place(element, state.source_directory()))
+        if path is not None and not state.tree.is_file(path) and "." not in path.rpartition("/")[2]:
+            path = next((path + suffix for suffix in _CODE if path + suffix in state.tree.files), path)
+        if path is not None and state.tree.is_file(path):
+            made.sources[path] = made.sources.get(path, False) or certain
+        elif element.endswith(_CODE) and not state.doubts and not made.is_test:
+            message = f"{made.name}: {readable(element)} is not in the workspace (generated?); its code is not seen"
+            state.problem(location, message)
+
+
+def _sources(state: State, call: Call, made: Made, words: list[str]) -> None:
+    is_new = not made.sources and made.location == call.location
+    kept = [word for word in words if bare(word) not in _SKIPPED]
+    add_sources(state, made, kept, call.location, is_certainly=is_new or not state.doubts)
+
+
+def _executable(state: State, call: Call) -> None:
+    name = _name(state, call, "executable")
+    if not name:
+        return
+    rest = [bare(word) for word in call.words[1:2]]
+    if rest in (["ALIAS"], ["IMPORTED"]):
+        _other(state, call, name, rest[0])
+        return
+    made = _make(state, call, "executable", name)
+    _sources(state, call, made, under(call.words[1:], (), _SINGLE, _LISTS)[""])
+
+
+def _library(state: State, call: Call) -> None:
+    name = _name(state, call, "library")
+    if not name:
+        return
+    kind = "library"
+    rest = call.words[1:]
+    while rest and bare(rest[0]) in _KINDS:
+        kind = _KINDS[bare(rest[0])]
+        rest = rest[1:]
+    if rest and bare(rest[0]) in ("ALIAS", "IMPORTED"):
+        _other(state, call, name, bare(rest[0]))
+        return
+    made = _make(state, call, kind, name)
+    _sources(state, call, made, under(rest, (), _SINGLE, _LISTS)[""])
+
+
+def _other(state: State, call: Call, name: str, kind: str) -> None:
+    made = _make(state, call, kind.lower(), name)
+    if kind == "ALIAS" and len(call.words) > 2:
+        made.links[bare(call.words[2])] = is_certain(call.words[2])
+
+
+def _auto(kind: str) -> Callable[[State, Call], None]:
+    """ament_auto_add_executable and ament_auto_add_library: DIRECTORY stands for the source files in it."""
+
+    def run(state: State, call: Call) -> None:
+        name = _name(state, call, kind)
+        if not name:
+            return
+        rest = [word for word in call.words[1:] if bare(word) not in _KINDS]
+        given = under(rest, _SKIPPED, (), ("DIRECTORY",))
+        words = list(given[""])
+        for directory in given.get("DIRECTORY", []):
+            inner = inside(place(bare(directory), state.source_directory()))
+            for suffix in ("c", "cc", "cpp", "cxx"):
+                paths = state.tree.glob(f"{inner}/*.{suffix}", recurse=False, directories=False) if inner else []
+                words += [f"{bare(directory)}/{path.rpartition('/')[2]}" for path in paths]
+        made = _make(state, call, kind, name)
+        made.properties["AUTO"] = "1"
+        _sources(state, call, made, words)
+
+    return run
+
+
+def _test(skipped: int) -> Callable[[State, Call], None]:
+    """Commands that make a test's executable; *skipped* words stand between its name and the sources."""
+
+    def run(state: State, call: Call) -> None:
+        name = _name(state, call, "test")
+        if name:
+            made = _make(state, call, "executable", name, is_test=True)
+            _sources(state, call, made, under(call.words[1 + skipped :], (), _SINGLE, _LISTS)[""])
+
+    return run
+
+
+_SCOPES = ("PRIVATE", "PUBLIC", "INTERFACE", "LINK_PRIVATE", "LINK_PUBLIC", "LINK_INTERFACE_LIBRARIES")
+
+
+def _target_sources(state: State, call: Call) -> None:
+    made = state.targets.get(call.words[0]) if call.words else None
+    if made is None:
+        return
+    given = under(call.words[1:], _SCOPES, ("FILE_SET", "TYPE"), ("BASE_DIRS", "FILES"))
+    if not made.is_conditional and not made.is_test:
+        state.record(f"sources of {made.name}")
+    add_sources(state, made, given[""], call.location, is_certainly=not state.doubts or made.is_conditional)
+
+
+def _link(state: State, call: Call) -> None:
+    """target_link_libraries: names as evaluated; references that only a build resolves stay as ``${NAME}``."""
+    made = state.targets.get(call.words[0]) if call.words else None
+    if made is None:
+        return
+    for word in resolved(call.words[1:]):
+        element = bare(word)
+        if element in _SCOPES or element in ("debug", "optimized", "general") or element in ("", UNKNOWN):
+            continue
+        name = element[2:-1] if element.startswith("$<") else readable(element)
+        certain = element == word and not state.doubts
+        made.links[name] = made.links.get(name, False) or certain
+
+
+def _properties(state: State, call: Call) -> None:
+    """set_target_properties(targets PROPERTIES name value ...)."""
+    if "PROPERTIES" not in call.words:
+        return
+    at = call.words.index("PROPERTIES")
+    pairs = call.words[at + 1 :]
+    for name in call.words[:at]:
+        made = state.targets.get(name)
+        if made is not None:
+            for key, value in zip(pairs[::2], pairs[1::2], strict=False):
+                _property(state, call, made, key, value)
+
+
+def _property(state: State, call: Call, made: Made, key: str, value: str) -> None:
+    """Note what the file's name is made of; if that is not known, the target's name stays, with a problem."""
+    if key not in ("OUTPUT_NAME", "PREFIX", "SUFFIX", "LIBRARY_OUTPUT_NAME", "RUNTIME_OUTPUT_NAME"):
+        return
+    if key.endswith("_OUTPUT_NAME") and key.startswith("LIBRARY" if made.kind == "executable" else "RUNTIME"):
+        return
+    if not is_certain(value) or (state.doubts and not made.is_conditional):
+        message = f"{made.name}: its {key} is only known in a build; the file is taken to be named after the target"
+        state.problem(call.location, message)
+        return
+    made.properties["OUTPUT_NAME" if key.endswith("OUTPUT_NAME") else key] = value
+
+
+def _set_property(state: State, call: Call) -> None:
+    """set_property(TARGET names PROPERTY key value)."""
+    words = call.words
+    if words[:1] != ["TARGET"] or "PROPERTY" not in words[:-2]:
+        return
+    at = words.index("PROPERTY")
+    for name in words[1:at]:
+        made = state.targets.get(name)
+        if made is not None:
+            _property(state, call, made, words[at + 1], words[at + 2])
+
+
+def _components(state: State, call: Call) -> None:
+    """rclcpp_components_register_node(lib PLUGIN class EXECUTABLE name) and ..._nodes(lib class...)."""
+    if not call.words or not all(map(is_certain, call.words)):
+        return
+    library = call.words[0]
+    single = ("PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX")
+    given = under(call.words[1:], (), single, ())
+    for name in [*given.get("PLUGIN", []), *(given[""] if call.name.endswith("nodes") else [])]:
+        state.components.append((name, library, call.location))
+    for name in given.get("EXECUTABLE", []):
+        made = _make(state, call, "executable", name)
+        made.links[library] = True
+        made.properties["COMPONENT"] = next(iter(given.get("PLUGIN", [])), "")
+        made.is_installed = True
+
+
+TARGET_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
+    {
+        **dict.fromkeys(("add_executable", "cuda_add_executable", "hip_add_executable"), _executable),
+        **dict.fromkeys(("rosbuild_add_executable", "cs_add_executable"), _executable),
+        **dict.fromkeys(("qt_add_executable", "qt6_add_executable"), _executable),
+        **dict.fromkeys(("add_library", "cuda_add_library", "qt_add_library", "qt6_add_library"), _library),
+        **dict.fromkeys(("rosbuild_add_library", "cs_add_library", "hip_add_library"), _library),
+        **dict.fromkeys(("pybind11_add_module", "python_add_library", "qt_add_plugin"), _library),
+        "ament_auto_add_executable": _auto("executable"),
+        "ament_auto_add_library": _auto("library"),
+        **dict.fromkeys(("catkin_add_gtest", "catkin_add_gmock", "rosbuild_add_gtest", "cs_add_gtest"), _test(0)),
+        **dict.fromkeys(("catkin_add_executable_with_gtest", "catkin_add_executable_with_gmock"), _test(0)),
+        **dict.fromkeys(("ament_add_gtest", "ament_add_gmock", "ament_auto_add_gtest"), _test(0)),
+        **dict.fromkeys(("ament_add_gtest_executable", "ament_add_gmock_executable"), _test(0)),
+        **dict.fromkeys(("ament_add_ros_isolated_gtest", "ament_add_ros_isolated_gmock"), _test(0)),
+        "ament_add_google_benchmark": _test(0),
+        **dict.fromkeys(("add_rostest_gtest", "add_rostest_gmock"), _test(1)),
+        "target_sources": _target_sources,
+        "target_link_libraries": _link,
+        "set_target_properties": _properties,
+        "set_property": _set_property,
+        **dict.fromkeys(("rclcpp_components_register_node", "rclcpp_components_register_nodes"), _components),
+    }
+)

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""msg, srv and action definitions of ROS 1 (wiki ``msg``) and ROS 2 (Interfaces)."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from haros_ci.model.build import Interface, InterfaceField
+from haros_ci.model.workspace import Problem
+
+MAX_FIELDS = 5_000
+
+_PRIMITIVE = frozenset(("bool", "byte", "char", "float32", "float64", "string", "wstring", "time", "duration"))
+_PRIMITIVE |= {f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)}
+_TYPE = re.compile(r"(?P<base>(?:[A-Za-z]\w*/){0,2}[A-Za-z]\w*)(?P<bound><=\d+)?(?P<array>\[(?:<=)?\d*\])?\Z", re.ASCII)
+_LINE = re.compile(r"(?P<type>(?:[^\s=]|<=)+)\s+(?P<name>[A-Za-z]\w*)(?P<rest>.*)\Z", re.ASCII | re.DOTALL)
+_SECTIONS = {"msg": 1, "srv": 2, "action": 3}
+_INTEGER = re.compile(r"[+-]?(?:0[xX][0-9a-fA-F]+|\d+)\Z", re.ASCII)
+
+
+def read_interface(path: str, text: str, package: str, *, is_generated: bool = True) -> tuple[Interface, list[Problem]]:
+    """The definition at *path*; a line that is none is a problem and left out.
+
+    ``pkg/msg/T`` becomes ``pkg/T``, a type of the package itself ``package/T``, ``Header`` ``std_msgs/Header``.
+    """
+    stem, _, kind = path.rpartition("/")[2].rpartition(".")
+    sections: list[list[InterfaceField]] = [[]]
+    problems: list[Problem] = []
+    count = 0
+    for number, line in enumerate(re.split("\r\n|\n|\r", text), start=1):
+        bare = line.strip()
+        if not bare or bare[0] == "#" or bare[0] == "@":  # @verbatim and its like annotate .idl
+            continue
+        if bare.startswith("---"):
+            if len(sections) >= _SECTIONS.get(kind, 1):
+                problems.append(Problem(path, f"one '---' too many for a .{kind}; what follows is ignored", number))
+                break
+            sections.append([])
+            continue
+        count += 1
+        if count > MAX_FIELDS:
+            problems.append(Problem(path, f"more than {MAX_FIELDS} fields; the rest is ignored", number))
+            break
+        read = _field(bare, package, number)
+        if read is None:
+            problems.append(Problem(path, f"not a field or constant: {bare[:60]!r}", number))
+        else:
+            sections[-1].append(read)
+    missing = _SECTIONS.get(kind, 1) - len(sections)
+    sections += [[] for _ in range(missing)]
+    made = Interface(
+        name=f"{package}/{stem}",
+        kind=kind,
+        path=path,
+        sections=tuple(map(tuple, sections)),
+        is_generated=is_generated,
+    )
+    return made, problems
+
+
+def _field(line: str, package: str, number: int) -> InterfaceField | None:
+    match = _LINE.match(line)
+    if match is None:
+        return None
+    kind = _complete(match["type"], package)
+    if kind is None:
+        return None
+    name, rest = match["name"], match["rest"]
+    stripped = rest.lstrip()
+    if stripped[:1] == "=":
+        value = stripped[1:].strip()
+        if kind.startswith(("string", "wstring")):
+            # ROS 1 takes the rest of the line, "#" included; ROS 2 wants quotes.
+            return InterfaceField(name=name, type=kind, line=number, default=_text(value), is_constant=True)
+        constant = _value(kind, value.partition("#")[0].strip())
+        if constant is None:
+            return None
+        return InterfaceField(name=name, type=kind, line=number, default=constant, is_constant=True)
+    if not stripped or stripped[0] == "#":
+        return InterfaceField(name=name, type=kind, line=number)
+    if rest[:1].isspace():
+        default = _default(kind, stripped)
+        return None if default is None else InterfaceField(name=name, type=kind, line=number, default=default)
+    return None
+
+
+def _complete(written: str, package: str) -> str | None:
+    """The type with its package; None if it is no type."""
+    match = _TYPE.match(written)
+    if match is None:
+        return None
+    base, bound, array = match["base"], match["bound"] or "", match["array"] or ""
+    if base in _PRIMITIVE:
+        return f"{base}{bound}{array}" if not bound or base in ("string", "wstring") else None
+    if bound:
+        return None
+    parts = base.split("/")
+    if len(parts) == 1:
+        return f"std_msgs/Header{array}" if base == "Header" else f"{package}/{base}{array}"
+    if len(parts) == 3 and parts[1] not in ("msg", "srv", "action"):
+        return None
+    return f"{parts[0]}/{parts[-1]}{array}"
+
+
+def _default(kind: str, text: str) -> Any:
+    """A ROS 2 default: a value, or values in brackets as a tuple; None if it is none."""
+    if kind.endswith("]"):
+        match = re.match(r"\[(.*)\]\s*(?:#.*)?\Z", text, re.DOTALL)
+        if match is None:
+            return None
+        base = re.sub(r"\[[^\]]*\]\Z", "", kind)
+        if not match[1].strip():
+            return ()
+        words = re.findall(r'\s*("(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|[^,]*)\s*(?:,|\Z)', match[1])
+        words = words[:-1] if words and not words[-1] else words
+        values = tuple(_text(w) if base.startswith(("string", "wstring")) else _value(base, w.strip()) for w in words)
+        return None if None in values else values
+    if kind.startswith(("string", "wstring")):
+        match = re.match(r'("(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\')\s*(?:#.*)?\Z', text, re.DOTALL)
+        return _text(match[1]) if match else None
+    return _value(kind, text.partition("#")[0].strip())
+
+
+def _text(value: str) -> str:
+    """*value* without the quotes around it."""
+    if len(value) > 1 and value[0] == value[-1] and value[0] in "\"'":
+        return re.sub(r"\\(.)", r"\1", value[1:-1])
+    return value
+
+
+def _value(kind: str, text: str) -> bool | int | float | None:
+    """The number or truth value that *text* is for a primitive type; None if it is none."""
+    if len(text) > 60:
+        return None
+    if kind == "bool":
+        return {"true": True, "1": True, "false": False, "0": False}.get(text.lower())
+    if kind in ("float32", "float64"):
+        try:
+            return float(text)
+        except ValueError:
+            return None
+    if kind not in _PRIMITIVE or kind in ("time", "duration") or not _INTEGER.match(text):
+        return None
+    return int(text, 16) if "x" in text.lower() else int(text)

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: Apache-2.0
+"""setup.py with setuptools or catkin_pkg's generate_distutils_setup: what it installs, read, never run."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+import re
+from collections import deque
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.model.build import EntryPoint, Installed
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package
+from haros_ci.model.workspace import Problem
+from haros_ci.workspace.python_values import MISSING, dotted, parse_python, value_of
+from haros_ci.workspace.tree import Tree
+
+MAX_GLOBS = 100
+_CALLS = ("setup", "setuptools.setup", "distutils.core.setup", "generate_distutils_setup", "dict")
+_ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\])?\s*\Z")
+
+
+@dataclass(frozen=True, slots=True)
+class Setup:
+    """What setup.py says. *roots* as in ``Build.python_roots``."""
+
+    roots: tuple[tuple[str, str], ...] = ()
+    installed: tuple[Installed, ...] = ()
+    entry_points: tuple[EntryPoint, ...] = ()
+    problems: tuple[Problem, ...] = ()
+
+
+def read_setup(tree: Tree, package: Package) -> Setup:
+    """The setup.py of *package*. What is computed there is a problem if it hides scripts, else left out."""
+    base = "" if package.path == "." else f"{package.path}/"
+    path = f"{base}setup.py"
+    module = parse_python(tree.workspace.text(path))
+    if isinstance(module, str):
+        return Setup(problems=(Problem(path, f"not Python that can be read ({module}); what it installs is missing"),))
+    try:
+        return _Reader(tree, package, path, module).setup()
+    except RecursionError:
+        return Setup(problems=(Problem(path, "nested too deeply to follow; what it installs is missing"),))
+
+
+class _Reader:
+    def __init__(self, tree: Tree, package: Package, path: str, module: ast.Module) -> None:
+        self.tree = tree
+        self.package = package
+        self.path = path
+        self.names: dict[str, Any] = {}
+        self.given: dict[str, ast.expr] = {}
+        self.problems: list[Problem] = []
+        self.globs = 0
+        statements = deque(module.body)
+        while statements:
+            node = statements.popleft()
+            if isinstance(node, ast.If) or (isinstance(node, ast.FunctionDef) and node.name == "main"):
+                statements.extendleft(reversed(node.body))
+            elif isinstance(node, ast.Assign):
+                self.assign(node)
+            elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+                self.keywords(node.value)
+
+    def assign(self, node: ast.Assign) -> None:
+        target = node.targets[0]
+        if isinstance(node.value, ast.Call) and dotted(node.value.func).rpartition(".")[2] in _CALLS:
+            self.keywords(node.value)
+        elif isinstance(target, ast.Subscript) and isinstance(target.slice, ast.Constant):
+            if isinstance(target.slice.value, str):
+                self.given[target.slice.value] = node.value
+        elif name := dotted(target):
+            if isinstance(node.value, ast.Dict):
+                for key, value in zip(node.value.keys, node.value.values, strict=True):
+                    if isinstance(key, ast.Constant) and key.value in ("scripts", "package_dir", "entry_points"):
+                        self.given[str(key.value)] = value
+            self.names[name] = self.value(node.value)
+
+    def keywords(self, call: ast.Call) -> None:
+        if dotted(call.func).rpartition(".")[2] in _CALLS:
+            for keyword in call.keywords:
+                if keyword.arg is not None:
+                    self.given[keyword.arg] = keyword.value
+
+    def value(self, node: ast.expr) -> Any:
+        """As value_of, with os.path.join() of strings."""
+        if isinstance(node, ast.Call) and dotted(node.func) in ("os.path.join", "path.join", "join"):
+            parts = [self.value(argument) for argument in node.args]
+            return posixpath.join(*parts) if parts and all(isinstance(part, str) for part in parts) else MISSING
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+            left, right = self.value(node.left), self.value(node.right)
+            return left + right if isinstance(left, str) and isinstance(right, str) else value_of(node, self.names)
+        return value_of(node, self.names)
+
+    def problem(self, node: ast.expr, what: str) -> None:
+        message = f"{what} is computed when setup.py runs; what it names is missing here"
+        self.problems.append(Problem(self.path, message, node.lineno))
+
+    def inner(self, word: str) -> str | None:
+        """The root-relative path of one relative to setup.py; None if it leads elsewhere."""
+        path = posixpath.normpath(posixpath.join(self.package.path, word))
+        return None if path.startswith(("/", "../")) or path == ".." else path
+
+    def setup(self) -> Setup:
+        roots = self.roots()
+        return Setup(roots, (*self.scripts(), *self.data_files()), self.entry_points(roots), tuple(self.problems))
+
+    def roots(self) -> tuple[tuple[str, str], ...]:
+        node = self.given.get("package_dir")
+        value = {} if node is None else self.value(node)
+        if not isinstance(value, dict):
+            if node is not None:
+                self.problem(node, "package_dir")
+            return ()
+        pairs = [(k, self.inner(v)) for k, v in value.items() if isinstance(k, str) and isinstance(v, str)]
+        found = {name: path for name, path in pairs if path is not None}
+        if "" not in found and not found:
+            found[""] = self.package.path
+        return tuple(sorted(found.items()))
+
+    def scripts(self) -> list[Installed]:
+        node = self.given.get("scripts")
+        if node is None:
+            return []
+        found = [path for word in self.files(node, "scripts") if (path := self.inner(word)) is not None]
+        directory = f"lib/{self.package.name}" if self.package.ros == 2 else "bin"
+        return [self.put(path, "program", directory, node) for path in found]
+
+    def data_files(self) -> list[Installed]:
+        """``data_files=[(directory, [file, glob(...)])]``."""
+        node = self.given.get("data_files")
+        if not isinstance(node, (ast.List, ast.Tuple)):
+            return []
+        found: list[Installed] = []
+        for pair in node.elts:
+            if not isinstance(pair, (ast.Tuple, ast.List)) or len(pair.elts) != 2:
+                continue
+            destination = self.value(pair.elts[0])
+            if not isinstance(destination, str):
+                self.problem(pair, "a destination in data_files")
+                continue
+            paths = [self.inner(word) for word in self.files(pair.elts[1], "a list in data_files")]
+            kind = "program" if destination.strip("/") == f"lib/{self.package.name}" else "file"
+            found += [self.put(path, kind, destination.strip("/"), pair) for path in paths if path is not None]
+        return found
+
+    def put(self, path: str, kind: str, destination: str, node: ast.expr) -> Installed:
+        where = Location(self.path, node.lineno, node.col_offset + 1)
+        base = path.rpartition("/")[2]
+        return Installed(
+            path=path, kind=kind, package=self.package.name, destination=destination, location=where, name=base
+        )
+
+    def files(self, node: ast.expr, what: str, depth: int = 0) -> list[str]:
+        """The paths, relative to setup.py, that a list, glob() or a sum of such names."""
+        if isinstance(node, (ast.List, ast.Tuple)) and depth < 5:
+            return [path for item in node.elts for path in self.files(item, what, depth + 1)]
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add) and depth < 5 and self.value(node) is MISSING:
+            return [*self.files(node.left, what, depth + 1), *self.files(node.right, what, depth + 1)]
+        if isinstance(node, ast.Call) and dotted(node.func) in ("glob", "glob.glob", "glob.iglob") and node.args:
+            pattern = self.value(node.args[0])
+            inner = self.inner(pattern) if isinstance(pattern, str) else None
+            self.globs += 1
+            if inner is not None and self.globs <= MAX_GLOBS:
+                found = self.tree.glob(inner, recurse=False, directories=False)
+                return [posixpath.relpath(path, self.package.path) for path in found]
+        value = self.value(node)
+        if isinstance(value, str):
+            return [value]
+        if isinstance(value, list) and all(isinstance(item, str) for item in value):
+            return value
+        self.problem(node, what)
+        return []
+
+    def entry_points(self, roots: tuple[tuple[str, str], ...]) -> tuple[EntryPoint, ...]:
+        node = self.given.get("entry_points")
+        if node is None:
+            return ()
+        scripts: ast.expr | None = node
+        if isinstance(node, ast.Dict):
+            wanted = [v for k, v in zip(node.keys, node.values, strict=True) if _is(k, "console_scripts")]
+            scripts = wanted[0] if wanted else None
+            if scripts is None:
+                return ()
+        value = self.value(scripts) if scripts is not None else MISSING
+        if isinstance(value, dict):
+            value = value.get("console_scripts", [])
+        if isinstance(value, str):
+            value = _of_ini(value)
+        if not isinstance(value, list):
+            self.problem(node, "entry_points")
+            return ()
+        found = []
+        lines = _lines(scripts)
+        for number, item in enumerate(value):
+            match = _ENTRY.match(item) if isinstance(item, str) and len(item) < 500 else None
+            if match is not None:
+                line, column = lines[number] if number < len(lines) else (node.lineno, node.col_offset + 1)
+                where = Location(self.path, line, column)
+                path = self.module(match[2], roots)
+                name, module, function = match.groups()
+                package = self.package.name
+                entry = EntryPoint(
+                    name=name, module=module, function=function, path=path, package=package, location=where
+                )
+                found.append(entry)
+        return tuple(found)
+
+    def module(self, name: str, roots: tuple[tuple[str, str], ...]) -> str:
+        """The file of a module, by the longest root that fits; "" if it is not there."""
+        for root, directory in sorted(roots, key=lambda pair: -len(pair[0])):
+            if root and name != root and not name.startswith(f"{root}."):
+                continue
+            rest = (name[len(root) :].lstrip(".") if root else name).replace(".", "/")
+            stem = posixpath.normpath(posixpath.join(directory, rest))
+            for path in (f"{stem}.py", f"{stem}/__init__.py"):
+                if path in self.tree.files:
+                    return path
+        return ""
+
+
+def _is(node: ast.expr | None, text: str) -> bool:
+    return isinstance(node, ast.Constant) and node.value == text
+
+
+def _lines(node: ast.expr | None) -> list[tuple[int, int]]:
+    items = node.elts if isinstance(node, (ast.List, ast.Tuple)) else []
+    return [(item.lineno, item.col_offset + 1) for item in items]
+
+
+def _of_ini(text: str) -> list[str]:
+    """The console scripts of entry points given as text."""
+    section = ""
+    found = []
+    for line in text.splitlines():
+        bare = line.strip()
+        if bare.startswith("["):
+            section = bare.strip("[] ")
+        elif bare and section in ("", "console_scripts"):
+            found.append(bare)
+    return found

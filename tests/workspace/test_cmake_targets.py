@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import pytest
+from in_memory import built, messages, only
+
+ALL = ("a.cpp", "b.cpp", "s/c.cpp", "s/d.cc", "a.h", "k.cu")
+
+
+@pytest.mark.parametrize(
+    ("cmake", "kind", "sources"),
+    [
+        ("add_executable(t a.cpp b.cpp)", "executable", ["a.cpp", "b.cpp"]),
+        ("add_executable(t WIN32 EXCLUDE_FROM_ALL a.cpp a.cpp)", "executable", ["a.cpp"]),
+        ("add_executable(t ./s/../a.cpp)", "executable", ["a.cpp"]),
+        ("add_executable(t a)", "executable", ["a.cpp"]),
+        ("add_executable(t IMPORTED)", "imported", []),
+        ("add_executable(x::t ALIAS u)", "alias", []),
+        ("add_library(t a.cpp)", "library", ["a.cpp"]),
+        ("add_library(t STATIC a.cpp)", "library", ["a.cpp"]),
+        ("add_library(t SHARED EXCLUDE_FROM_ALL a.cpp a.h)", "library", ["a.cpp", "a.h"]),
+        ("add_library(t MODULE a.cpp)", "library", ["a.cpp"]),
+        ("add_library(t OBJECT a.cpp)", "object", ["a.cpp"]),
+        ("add_library(t INTERFACE)", "interface", []),
+        ("add_library(t UNKNOWN IMPORTED GLOBAL)", "imported", []),
+        ("add_library(t)\ntarget_sources(t PRIVATE a.cpp PUBLIC s/c.cpp)", "library", ["a.cpp", "s/c.cpp"]),
+        ("add_library(t $<$<BOOL:ON>:a.cpp> $<$<BOOL:OFF>:b.cpp>)", "library", ["a.cpp"]),
+        (
+            "add_library(t $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/a.cpp> $<INSTALL_INTERFACE:b.cpp>)",
+            "library",
+            ["a.cpp"],
+        ),
+        ("add_library(t $<$<NOT:$<BOOL:0>>:a.cpp>)", "library", ["a.cpp"]),
+        ("add_library(t $<$<PLATFORM_ID:Linux>:a.cpp>)", "library", ["a.cpp"]),
+        ("cuda_add_executable(t k.cu OPTIONS -O2)", "executable", ["k.cu"]),
+        ("cuda_add_library(t SHARED k.cu)", "library", ["k.cu"]),
+        ("rosbuild_add_executable(t a.cpp)", "executable", ["a.cpp"]),
+        ("rosbuild_add_library(t a.cpp)", "library", ["a.cpp"]),
+        ("cs_add_executable(t a.cpp)", "executable", ["a.cpp"]),
+        ("cs_add_library(t a.cpp)", "library", ["a.cpp"]),
+        ("qt_add_executable(t MANUAL_FINALIZATION a.cpp)", "executable", ["a.cpp"]),
+        ("ament_auto_add_executable(t a.cpp)", "executable", ["a.cpp"]),
+        ("ament_auto_add_library(t SHARED DIRECTORY s)", "library", ["s/d.cc", "s/c.cpp"]),
+        ("pybind11_add_module(t MODULE a.cpp)", "library", ["a.cpp"]),
+    ],
+)
+def test_kinds_and_sources(cmake: str, kind: str, sources: list[str]) -> None:
+    build = built(cmake, *ALL)
+    target = only(build)
+    assert (target.kind, list(target.sources)) == (kind, [f"arm/{path}" for path in sources])
+    assert target.name in ("t", "x::t") and target.location.line == 1 and not target.is_test
+    assert messages(build) == []
+
+
+@pytest.mark.parametrize(
+    "cmake",
+    [
+        "catkin_add_gtest(t a.cpp TIMEOUT 60)",
+        "catkin_add_gmock(t a.cpp WORKING_DIRECTORY x)",
+        "add_rostest_gtest(t test/t.test a.cpp)",
+        "ament_add_gtest(t a.cpp TIMEOUT 60 ENV A=b)",
+        "ament_add_gtest_executable(t a.cpp)",
+        "ament_add_gmock(t a.cpp SKIP_TEST)",
+        "ament_auto_add_gtest(t a.cpp)",
+        "rosbuild_add_gtest(t a.cpp)",
+        "if(CATKIN_ENABLE_TESTING)\nadd_executable(t a.cpp)\nendif()",
+        "if(BUILD_TESTING)\nfind_package(x REQUIRED)\nadd_executable(t a.cpp)\nendif()",
+    ],
+)
+def test_tests(cmake: str) -> None:
+    target = only(built(cmake, "a.cpp"))
+    assert (target.kind, target.sources, target.is_test) == ("executable", ("arm/a.cpp",), True)
+
+
+def test_what_stands_behind_testing_is_no_test() -> None:
+    build = built("if(BUILD_TESTING)\nfind_package(x)\nelse()\nendif()\nadd_executable(t a.cpp)", "a.cpp")
+    assert not only(build).is_test
+    assert not only(built("if(NOT BUILD_TESTING)\nelse()\nadd_executable(t a.cpp)\nendif()", "a.cpp")).is_test
+
+
+def test_links() -> None:
+    text = (
+        "find_package(catkin REQUIRED)\nadd_library(t a.cpp)\nadd_library(o OBJECT b.cpp)\n"
+        "target_link_libraries(t PRIVATE debug x optimized x PUBLIC ${catkin_LIBRARIES} ${NOT_SET} rclcpp::rclcpp\n"
+        " $<BUILD_INTERFACE:core> $<INSTALL_INTERFACE:gone> $<$<CONFIG:Debug>:dbg> $<TARGET_OBJECTS:o>)\n"
+        "target_link_libraries(t y -lm)"
+    )
+    target = built(text, "a.cpp", "b.cpp").targets[0]
+    assert target.links == ("x", "${catkin_LIBRARIES}", "rclcpp::rclcpp", "core", "dbg", "o", "y", "-lm")
+
+
+def test_objects_as_sources_are_links() -> None:
+    target = built("add_executable(t a.cpp $<TARGET_OBJECTS:o>)", "a.cpp").targets[0]
+    assert (target.sources, target.links) == (("arm/a.cpp",), ("o",))
+
+
+def test_an_alias_links_to_what_it_stands_for() -> None:
+    assert only(built("add_library(x::t ALIAS t)")).links == ("t",)
+
+
+@pytest.mark.parametrize(
+    ("cmake", "file"),
+    [
+        ("add_library(t a.cpp)", ("lib", "t", ".so")),
+        ("add_executable(t a.cpp)", ("", "t", "")),
+        ("add_executable(t a.cpp)\nset_target_properties(t PROPERTIES OUTPUT_NAME u)", ("", "u", "")),
+        ('add_library(t a.cpp)\nset_target_properties(t PROPERTIES X y PREFIX "" SUFFIX .x)', ("", "t", ".x")),
+        ("add_library(t a.cpp)\nset_property(TARGET t PROPERTY OUTPUT_NAME u)", ("lib", "u", ".so")),
+        ("add_library(t a.cpp)\nset_target_properties(t PROPERTIES RUNTIME_OUTPUT_NAME u)", ("lib", "t", ".so")),
+        ("add_library(t a.cpp)\nset_target_properties(u PROPERTIES OUTPUT_NAME u)", ("lib", "t", ".so")),
+        ("add_library(t a.cpp)\nset_target_properties(t PROPERTIES OUTPUT_NAME)", ("lib", "t", ".so")),
+    ],
+)
+def test_file_names(cmake: str, file: tuple[str, str, str]) -> None:
+    target = only(built(cmake, "a.cpp"))
+    assert (target.prefix, target.output, target.suffix) == file
+
+
+def test_a_file_name_that_depends_is_a_problem() -> None:
+    text = "find_package(X)\nadd_library(t a.cpp)\nset_target_properties(t PROPERTIES OUTPUT_NAME t${X_VERSION})"
+    build = built(text, "a.cpp")
+    assert only(build).output == "t"
+    message = "t: its OUTPUT_NAME is only known in a build; the file is taken to be named after the target"
+    assert messages(build) == [(3, message)]
+
+
+def test_sources_under_a_condition_of_the_configuration() -> None:
+    target = only(built("add_library(t a.cpp $<$<CONFIG:Debug>:b.cpp>)", "a.cpp", "b.cpp"))
+    assert (target.sources, target.conditional_sources) == (("arm/a.cpp", "arm/b.cpp"), ("arm/b.cpp",))
+
+
+def test_sources_added_under_a_condition() -> None:
+    text = "find_package(X)\nadd_library(t a.cpp)\nif(X_FOUND)\ntarget_sources(t PRIVATE b.cpp)\nendif()"
+    build = built(text, "a.cpp", "b.cpp")
+    assert only(build).conditional_sources == ("arm/b.cpp",)
+    assert messages(build) == [(3, "whether (X_FOUND) holds is only known in a build; taken as possible: sources of t")]
+
+
+def test_components() -> None:
+    text = (
+        "add_library(c SHARED a.cpp)\nrclcpp_components_register_node(c PLUGIN arm::Talker EXECUTABLE talker)\n"
+        "rclcpp_components_register_nodes(c arm::A arm::B)"
+    )
+    build = built(text, "a.cpp")
+    executable = build.targets[1]
+    assert (executable.name, executable.kind, executable.links) == ("talker", "executable", ("c",))
+    assert (executable.component, executable.is_installed, executable.sources) == ("arm::Talker", True, ())
+    assert [(p.name, p.type, p.base, p.library, p.location.line) for p in build.plugins] == [
+        ("arm::Talker", "arm::Talker", "rclcpp_components::NodeFactory", "c", 2),
+        ("arm::A", "arm::A", "rclcpp_components::NodeFactory", "c", 3),
+        ("arm::B", "arm::B", "rclcpp_components::NodeFactory", "c", 3),
+    ]
