@@ -73,6 +73,8 @@ def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
     return tuple(result)
 
 
+#: Steps that may go into one function that makes nothing; after that its results are not known.
+SPENT = 3_000
 LVALUES = frozenset(("name", "field", "index", "*"))
 TYPED = frozenset(("str", "num", "bool", "op", "cast"))
 
@@ -294,10 +296,17 @@ def invoke(
     if len(run.active) >= DEPTH or run.active.count(definition) > 1:
         return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
     given = _with_bound(function.bound, args)
-    if _is_inert(run, function, definition, returns, given):
+    makes_nothing = run.relevance.changes(definition, function.source) is not None
+    if makes_nothing and (
+        run.spent.get(id(definition), 0) > SPENT or _is_inert(run, function, definition, returns, given)
+    ):
         return _skipped(run, inner, function, definition, returns, given)
     bind(run, frame, inner, definition, given, ())
-    return operators.converted(follow_body(run, inner, definition), returns)
+    before = run.steps
+    value = operators.converted(follow_body(run, inner, definition), returns)
+    if makes_nothing:
+        run.spent[id(definition)] = run.spent.get(id(definition), 0) + run.steps - before
+    return value
 
 
 def _is_inert(
@@ -356,18 +365,24 @@ def _skipped(
     for this in objects:
         if isinstance(this, Object):
             for name in changed & this.fields.keys():
-                cell = this.fields[name]
-                if isinstance(cell.value, Known):
-                    run.state.write(cell, run.opaque(reason, inner, definition.line, cell.type))
+                _forget(run, this.fields[name], run.opaque(reason, inner, definition.line, this.fields[name].type))
     for parameter, argument in zip(definition.parameters, args, strict=False):
         marks = parameter.type[2]
         if parameter.name in changed and "c" not in marks and ("&" in marks or "*" in marks):
             target = argument.value.cell if isinstance(argument.value, Pointer) else argument.cell
-            if target is not None and isinstance(target.value, Known):
-                run.state.write(target, run.opaque(reason, inner, definition.line, target.type))
+            if target is not None:
+                _forget(run, target, run.opaque(reason, inner, definition.line, target.type))
     if returns[0] == "void":
         return NONE
     return run.opaque(f"what {definition.name} returns is computed", inner, definition.line, returns if returns[0] else None)
+
+
+def _forget(run: Run, cell: Cell, unknown: Opaque) -> None:
+    value = cell.value
+    if isinstance(value, (Sequence, Mapped)):
+        run.state.write(value.content, unknown)
+    elif isinstance(value, (Known, Choice)) or type(value).__name__ == "Text":
+        run.state.write(cell, unknown)
 
 
 def _with_bound(bound: tuple[Value | None, ...], args: tuple[Argument, ...]) -> tuple[Argument, ...]:
@@ -431,7 +446,6 @@ def follow_body(run: Run, inner: Frame, function: Function) -> Value:
     from haros_ci.link import statements
 
     run.active.append(function)
-    run.visited.add(id(function))
     mark = inner.mark
     try:
         ended = statements.execute(run, inner, function.body or ())

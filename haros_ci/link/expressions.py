@@ -94,18 +94,27 @@ def _named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
         cell = member(run, this, name, frame) or library_cpp.protected(run, this, name)
         if cell is not None:
             return cell
+    key = ("variable", name, frame.scope, frame.source.path)
+    if key not in run.found:
+        run.found[key] = _variable(run, frame, name)
+    found = run.found[key]
+    return global_cell(run, *found) if found is not None else None
+
+
+def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type] | None:
+    """The namespace-scope variable or static member that *name* means: its file, qualified name, initialiser, type."""
     for candidate in run.index.scopes(name, frame.scope, frame.source):
         found = run.index.near(run.index.variables, candidate, frame.source, run.files)
         if found:
             where, variable = found[0]
-            return global_cell(run, where, variable.name, variable.init, variable.type)
+            return where, variable.name, variable.init, variable.type
         head, colons, last = candidate.rpartition("::")
         if colons:
             owner = run.class_of(head, frame.source)
             if owner is not None:
                 static = construct.field_of(run, owner[0], owner[1], last, {})
                 if static is not None and static[1].is_static:
-                    return global_cell(run, static[0], candidate, static[1].init, static[2])
+                    return static[0], candidate, static[1].init, static[2]
     return None
 
 
@@ -134,13 +143,22 @@ def _name(run: Run, frame: Frame, expression: Expression) -> Value:
         return cell.value
     if frame.source.program.language == "python":
         return _python_name(run, frame, name)
+    key = ("name", name, frame.scope, frame.source.path)
+    if key not in run.found or frame.templates:
+        run.found[key] = _global_name(run, frame, name)
+    value: Value = run.found[key]
+    if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
+        return Callable(value.source, value.function, frame.this, templates=frame.templates)
+    return value
+
+
+def _global_name(run: Run, frame: Frame, name: str) -> Value:
+    """What a name that is no variable means in C++: a function, macro, class, or a library's name."""
     index = run.index
     for candidate in index.scopes(name, frame.scope, frame.source):
         functions = index.near(index.functions, candidate, frame.source, run.files)
         if functions:
-            where, function = construct.with_body(run, functions)
-            this = frame.this if function.owner and not function.is_static else None
-            return Callable(where, function, this, templates=frame.templates if this else {})
+            return Callable(*construct.with_body(run, functions))
     macros = index.near(index.macros, name, frame.source, run.files)
     if macros:
         return operators.macro(macros[0][1])

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from haros_ci.model.program import Alias, Class, Field, Function, Program
 
@@ -43,6 +43,8 @@ class Index:
     modules: dict[str, list[Source]] = field(default_factory=lambda: defaultdict(list))
     #: Methods by the last two parts of their name, for those defined under a using-directive.
     by_tail: dict[str, list[tuple[Source, Function]]] = field(default_factory=lambda: defaultdict(list))
+    #: What look-ups have found, by the files of the node type that asked.
+    caches: dict[frozenset[str], dict[Any, Any]] = field(default_factory=dict)
     #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.
     included: dict[str, dict[str, str]] = field(default_factory=dict)
 

@@ -19,11 +19,17 @@ COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplac
 READING = frozenset("size length empty c_str str find at begin end count get front back data isValid ok now toSec".split())
 
 
+#: Methods of containers, texts and pointers: called on an object, they are taken for these.
+CONTAINERS = READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
+
+
 class Relevance:
     """For each block of code, whether an API call may be reached from it. Names stand for all functions so called."""
 
     def __init__(self, index: Index, rows: Iterable[Row]) -> None:
-        self._api = frozenset(_last(row.call) for row in rows if _makes(row))
+        made = [row.call for row in rows if _makes(row)]
+        plain = {_last(name) for name in made} - COLLECTING
+        self._api = plain | {f".{name}" for name in plain - CONTAINERS}
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):
             for name, found in table.items():
@@ -64,7 +70,7 @@ class Relevance:
                 if name in reached:
                     continue
                 reached.add(name)
-                for where, item in self._by_name.get(name, ()):
+                for where, item in self._named(name):
                     if isinstance(item, Function) and item.body is not None:
                         assigned |= self._assigned(item.body, where)
                         waiting.extend(self.names(item.body, where))
@@ -92,7 +98,7 @@ class Relevance:
         waiting = [name]
         result = False
         while waiting and not result:
-            for source, item in self._by_name.get(waiting.pop(), ()):
+            for source, item in self._named(waiting.pop()):
                 for inner in self._of(source, item):
                     if inner in self._api or self._known.get(inner):
                         result = True
@@ -104,6 +110,12 @@ class Relevance:
         else:
             self._known.update(dict.fromkeys(reached, False))
         return result
+
+    def _named(self, name: str) -> list[tuple[Source, Function | Class]]:
+        """What a name may mean; a method of containers and pointers (``.clear``) means theirs."""
+        if name.startswith("."):
+            return [] if name[1:] in CONTAINERS else self._by_name.get(name[1:], [])
+        return self._by_name.get(name, [])
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
         if isinstance(item, Class):
@@ -125,8 +137,10 @@ def _walk(item: Any, found: set[str], source: Source, lambdas: set[int]) -> None
         tag = node[0]
         if tag == "call" and len(node) == 6:
             callee = node[1]
-            if callee[0] in ("name", "field"):
-                found.add(_last(callee[-1]))
+            if callee[0] == "name":
+                found.add(_last(callee[1]))
+            elif callee[0] == "field":
+                found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2]}")
         elif tag == "op" and len(node) == 3:
             found.add(f"operator{node[1]}")
         elif (tag == "new" and len(node) == 5) or (tag == "var" and len(node) == 6):

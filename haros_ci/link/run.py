@@ -132,7 +132,13 @@ class Run:
     quiet: int = 0
     steps: int = 0
     turns: int = 1
-    visited: set[int] = field(default_factory=set)
+    #: Steps spent in functions that make nothing, by function.
+    spent: dict[int, int] = field(default_factory=dict)
+    #: Look-ups that depend on the name, the scope and the file only.
+    found: dict[Any, Any] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.found = self.index.caches.setdefault(self.files, {})
 
     def step(self) -> None:
         self.steps += 1
@@ -174,7 +180,14 @@ class Run:
         """*kind* as written in *frame*, resolved."""
         if not kind[0]:
             return NO_TYPE
-        return resolve_type(self.index, kind, frame.scope, frame.source, self.files, frame.templates)
+        if frame.templates or kind[1]:
+            return resolve_type(self.index, kind, frame.scope, frame.source, self.files, frame.templates)
+        key = (kind[0], kind[2], frame.scope, frame.source.path)
+        found: Type | None = self.found.get(key)
+        if found is None:
+            found = resolve_type(self.index, kind, frame.scope, frame.source, self.files, {})
+            self.found[key] = found
+        return found
 
     def opaque(self, reason: str, frame: Frame, line: int | None = None, kind: Type | None = None) -> Opaque:
         return Opaque(reason, Location(frame.source.path, line), kind)
