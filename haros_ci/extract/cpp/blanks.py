@@ -19,12 +19,14 @@ _CLASS_HEAD = re.compile(
     r"""
     \b(?:class|struct|union)\s{1,20}
     ((?: [A-Z][A-Z0-9_]*(?:\([^()]{0,200}\))? | \w{1,80}_(?:EXPORT|PUBLIC|LOCAL|DECL|API) )\s{1,20})
-    (?= [A-Za-z_]\w{0,200}\s{0,20} (?: :(?!:) | \{ | final\b ) )
+    (?= (?!final\b)[A-Za-z_]\w{0,200}\s{0,20} (?: :(?!:) | \{ | final\b ) )
     """,
     re.VERBOSE,
 )
+_ATTRIBUTE = re.compile(r"\[\[[\w\s:,]{0,100}(?:\([^()\[\]]{0,200}\)\s{0,9})?\]\]")
 _EXPORT = re.compile(
-    r"^[ \t]*#[^\n]*|\b[A-Z][A-Z0-9_]{0,80}_(?:API|EXPORT|PUBLIC|LOCAL|DECL|IMPORT|DEPRECATED)\b(?=\s{1,40}[A-Za-z_~:\[])",
+    r"^[ \t]*#[^\n]*"
+    r"|\b[A-Z][A-Z0-9_]{0,80}_(?:API|EXPORT|PUBLIC|LOCAL|DECL|IMPORT|DEPRECATED)\b(?=\s{1,40}[A-Za-z_~:\[])",
     re.MULTILINE,
 )
 _EXPORTS = ("_PUBLIC", "_EXPORT", "_API", "_LOCAL", "_DECL", "_IMPORT", "_DEPRECATED")
@@ -34,7 +36,7 @@ _QT = re.compile(
 )
 #: What the grammar does not know, each with what to blank as the groups: ``new T *[n]``, ``= typename A::B()``,
 #: ``a->template f(x)``, ``a->operator ()(x)``, ``SIGNAL(f(int))``, ``typeid(unsigned int)``,
-#: ``unsigned(x)``, ``T name FOO_UNUSED,``.
+#: ``unsigned(x)``, ``T name FOO_UNUSED,``, and a macro alone on its line.
 _UNKNOWN = re.compile(
     r"""
       \bnew\s[\w: ]{1,200}(?P<stars>\*[*\s]{0,9})(?=\[)
@@ -42,12 +44,19 @@ _UNKNOWN = re.compile(
     | (?:->|\.)\s{0,9}(?P<template>template)(?=\s{1,9}\w{1,200}\s{0,9}\()
     | \w(?P<operator>(?:->|\.)\s{0,9}operator\s{0,9}\(\s{0,9}\))
     | \b(?:SIGNAL|SLOT)\((?P<signature>[^()]{0,200}\([^()]{0,200}\))\s{0,9}\)
-    | \btypeid\((?P<typeid>(?:unsigned|signed|long|short)\s[a-z ]{1,40})\)
+    | \btypeid\((?P<typeid>(?:unsigned|signed|long|short|int|bool|char|float|double)\b[a-z ]{0,40})\)
     | \b(?P<sized>unsigned|signed|long|short)(?=\s{0,9}\(\s{0,9}[^\s*])
+    | (?:[;}:]|\{(?!\s{0,2000}\w{1,80}\s{0,200}\}))\s{0,2000}
+      (?P<macro>[A-Z][A-Z0-9]{0,40}_[A-Z0-9_]{1,80})[ \t\r]{0,200}(?=\n\s{0,2000}[A-Za-z_~\#}])
     | \w\s(?P<unused>[A-Z_]{0,80}UNUSED)(?=\s{0,9}[,)])
     """,
     re.VERBOSE,
 )
+#: ``const T & x(a.b);``, which is no function: a parameter has no dot.
+_REFERENCE = re.compile(
+    r"([\w>]\s{0,9}&\s{0,9}\w{1,80})\(((?=[^;={}]{0,200}?(?:\w\.\w|->))(?:[^(),;={}]|\([^();={}]{0,100}\)){1,200})\)(?=\s{0,9};)"
+)
+_NAME = re.compile(r"\s(?=\s{0,40}(?!(?:and|or|u8|[RLuU])\b)[A-Za-z_]\w{0,80}\s{0,40}[\"),;])")
 _FOREACH = re.compile(r"\b(?:BOOST_FOREACH|BOOST_REVERSE_FOREACH|Q_FOREACH|foreach)(?=\s{0,9}\()")
 _BRACKETS = re.compile(r"[()\[\]{},;]")
 _FOREACH_WINDOW = 500
@@ -73,21 +82,48 @@ def skeleton(text: str) -> str:
 
 
 def readable(text: str) -> str:
-    """*text* without comments, macros in class heads, Qt's words; ``BOOST_FOREACH(a, b)`` as ``for (a: b)``."""
-    text = without_comments(text)
+    """*text* without comments, attributes, export macros and Qt's words; ``BOOST_FOREACH(a, b)`` as ``for (a: b)``."""
+    code = text = without_comments(text)
     text = _CLASS_HEAD.sub(lambda match: match.group().replace(match.group(1), " " * len(match.group(1)), 1), text)
+    if "[[" in text:
+        text = _ATTRIBUTE.sub(lambda match: _spaces(match.group()), text)
     if any(word in text for word in _EXPORTS):
         text = _EXPORT.sub(lambda match: match.group() if "#" in match.group() else " " * len(match.group()), text)
     if "Q_" in text or "slots" in text or "emit" in text or "signals" in text:
         text = _QT.sub(lambda match: " " * len(match.group()), text)
     if "FOREACH" in text or "foreach" in text:
         text = _loops(text)
-    return text
+    return _with_strings_of(code, text)
 
 
 def simplified(text: str) -> str:
     """*text*, free of comments, without what the grammar of expressions lacks and meaning does not need."""
-    return _UNKNOWN.sub(_without_group, text)
+    after = _UNKNOWN.sub(_without_group, text)
+    after = _REFERENCE.sub(lambda match: f"{match.group(1)}={match.group(2)} ", after)
+    return _joined(_with_strings_of(text, after))
+
+
+def _joined(text: str) -> str:
+    """*text* with ``"a"+NAME "b"`` for ``"a" NAME "b"``, which the grammar knows only after a name."""
+    spaces = [
+        match.end() for match in _LEXEME.finditer(text) if match.group()[0] == '"' and _NAME.match(text, match.end())
+    ]
+    pieces = [text[start + 1 : end] for start, end in zip([-1, *spaces], [*spaces, len(text)], strict=True)]
+    return "+".join(pieces)
+
+
+def _with_strings_of(before: str, after: str) -> str:
+    """*after* with the strings that *before* has at the same places: they are text, not code."""
+    if before == after:
+        return after
+    pieces: list[str] = []
+    done = 0
+    for match in _LEXEME.finditer(before):
+        start, end = match.span()
+        if match.group()[0] != "/" and after[start:end] != match.group():
+            pieces += [after[done:start], match.group()]
+            done = end
+    return "".join([*pieces, after[done:]])
 
 
 def _without_group(match: re.Match[str]) -> str:

@@ -7,7 +7,9 @@ import re
 
 from haros_ci.extract.cpp import blanks
 
-_DIRECTIVE = re.compile(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b(?:[^\n\\]|\\.)*", re.M | re.S)
+_DIRECTIVE = re.compile(
+    r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b(?:[^\n\\]|\\.)*", re.MULTILINE | re.DOTALL
+)
 _BRACKETS = re.compile(r"[(){}]")
 _MIDDLE = tuple(",(=+-*/&|<?[")
 _LIST = re.compile(r"[=,({\]]\s*\{\Z")

@@ -9,7 +9,7 @@ from typing import Any
 
 from tree_sitter import Node
 
-from haros_ci.extract.cpp import expressions, statements
+from haros_ci.extract.cpp import expressions, statements, types
 from haros_ci.extract.cpp.grammar import field, kinds, parse
 from haros_ci.extract.cpp.unit import Unit
 
@@ -36,7 +36,7 @@ _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|##?\s*\w*|\w+', re.
 def _block(text: str) -> Node | None:
     """The body of a function that consists of *text*, one character per byte; None if that is no C++."""
     root = parse(f"{_HEAD}{text}}}".encode("latin-1"))
-    if root.has_error or root.child_count != 1:
+    if root is None or root.has_error or root.child_count != 1:
         return None
     return root.children[0].child_by_field_id(_BODY)
 
@@ -58,9 +58,7 @@ def expand(unit: Unit, call: Node, depth: int, out: list[Any]) -> bool:
     node = _block(text + ";")
     if node is None:
         return False
-    inner = replace(
-        unit, text=f"{_HEAD}{text};}}", fixed=unit.position(call), level=unit.level + 1, shift=0
-    )
+    inner = replace(unit, text=f"{_HEAD}{text};}}", fixed=unit.position(call), level=unit.level + 1, shift=0)
     out.extend(statements.block(inner, node.children, depth))
     return True
 
@@ -109,7 +107,7 @@ def constructed(unit: Unit, head: Node, depth: int) -> tuple[Any, ...] | None:
         parts = child.children
         if len(parts) == 1 and parts[0].kind_id in _NAMED:
             if names is not None:
-                names.append(expressions.expression(unit, parts[0], depth) if parts[0].type != "type_identifier" else ("name", unit.cut(parts[0])))
+                names.append(("name", types.path(unit, parts[0], depth)[0]))
             continue
         names = None
         if any(part.kind_id in _NEVER for part in parts):

@@ -8,20 +8,13 @@ from typing import Any
 
 from tree_sitter import Node
 
-from haros_ci.extract.cpp import functions, literals, types
+from haros_ci.extract.cpp import calls, functions, literals, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
-from haros_ci.extract.cpp.unit import DEEPEST, Unit
+from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Unit
 
-_FUNCTION = field("function")
-_ARGUMENTS = field("arguments")
-_LEFT = field("left")
-_RIGHT = field("right")
-_OPERATOR = field("operator")
 _ARGUMENT = field("argument")
-_FIELD = field("field")
 _VALUE = field("value")
 _TYPE = field("type")
-_DECLARATOR = field("declarator")
 
 _SPELLED = {
     "and": "&&",
@@ -36,18 +29,12 @@ _SPELLED = {
     "or_eq": "|=",
     "xor_eq": "^=",
 }
-_CASTS = frozenset(("static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"))
-_IDENTIFIER = kinds("identifier")
-_QUALIFIED = kinds("qualified_identifier")
-_TEMPLATE_FUNCTION = kinds("template_function template_type")
-_TEMPLATE_METHOD = kinds("template_method")
-_DEPENDENT = kinds("dependent_name")
-_FIELD_EXPRESSION = kinds("field_expression")
 _BINARY = kinds("binary_expression")
+_LISTS = kinds("argument_list initializer_list")
+_MENDED = kinds("assignment_expression binary_expression initializer_list")
 _BLOCK = kinds("compound_statement")
 _DESIGNATOR = kinds("field_designator")
 _DESCRIPTOR = kinds("type_descriptor")
-_TOO_DEEP = "nested too deeply: what is inside is not read"
 
 Handler = Callable[[Unit, Node, int], Any]
 
@@ -55,33 +42,48 @@ Handler = Callable[[Unit, Node, int], Any]
 def expression(unit: Unit, node: Node, depth: int) -> Any:
     """The expression that *node* stands for; ("?", text) below DEEPEST or where nothing fits."""
     if depth > DEEPEST:
-        unit.problem(node, _TOO_DEEP)
+        unit.problem(node, TOO_DEEP)
         return unit.opaque(node)
-    handler = _HANDLERS.get(node.kind_id)
+    kind = node.kind_id
+    if node.has_error and kind not in _MENDED and is_damaged(node):
+        return damaged(unit, node, node.children, depth + 1)
+    handler = _HANDLERS.get(kind)
     return unit.opaque(node) if handler is None else handler(unit, node, depth + 1)
 
 
+def is_damaged(node: Node) -> bool:
+    """Whether part of *node* itself is a syntax error, so that what is left of it does not mean what it says."""
+    return node.has_error and any(child.kind_id == ERROR for child in node.children)
+
+
+def damaged(unit: Unit, node: Node, nodes: list[Node], depth: int) -> Any:
+    """What is around a syntax error: of unknown value, but with the calls that can be told."""
+    inside = []
+    for each in nodes:
+        if each.kind_id in _HANDLERS:
+            inside.append(expression(unit, each, depth))
+        elif (each.kind_id in _LISTS or each.kind_id == ERROR) and depth < DEEPEST:
+            inside.append(damaged(unit, each, each.children, depth + 1))
+    return ("op", "?", (unit.opaque(node), ("list", tuple(inside)))) if inside else unit.opaque(node)
+
+
 def arguments(unit: Unit, node: Node, depth: int) -> tuple[Any, ...]:
-    """The expressions of an argument list or of braces."""
+    """The expressions of an argument list or of braces; an unknown number where there is a syntax error."""
+    if is_damaged(node):
+        return (("star", damaged(unit, node, node.children, depth)),)
     found = []
     for child in node.children:
         if child.is_named:
             kind = child.kind_id
             if kind in _BLOCK:
                 found.append(functions.block_as_lambda(unit, child, depth))
-            elif kind != ERROR:
+            else:
                 found.append(expression(unit, child, depth))
     return tuple(found)
 
 
-def _parts(node: Node, *fields: int) -> list[Node]:
-    """The children in *fields*, for a node that an error or an attribute has given more children; [] if any lacks."""
-    found = [node.child_by_field_id(each) for each in fields]
-    return [] if None in found else [each for each in found if each is not None]
-
-
 def _operands(node: Node) -> list[Node]:
-    return [child for child in node.children if child.is_named and child.kind_id != ERROR]
+    return [child for child in node.children if child.is_named]
 
 
 def _name(unit: Unit, node: Node, depth: int) -> Any:
@@ -93,56 +95,6 @@ def _qualified(unit: Unit, node: Node, depth: int) -> Any:
     return ("name", types.path(unit, node, depth)[0])
 
 
-def _call(unit: Unit, node: Node, depth: int) -> Any:
-    children = node.children
-    if len(children) != 2:
-        children = _parts(node, _FUNCTION, _ARGUMENTS)
-        if not children:
-            return unit.opaque(node)
-    function, given = children
-    kind = function.kind_id
-    chosen: tuple[Any, ...] = ()
-    callee: Any
-    if kind in _IDENTIFIER:
-        callee = ("name", unit.cut(function))
-    elif kind in _FIELD_EXPRESSION:
-        callee, chosen = _member(unit, function, depth + 1)
-    elif kind in _QUALIFIED or kind in _TEMPLATE_FUNCTION:
-        name, chosen = types.path(unit, function, depth)
-        callee = ("name", name)
-        if name in _CASTS and len(chosen) == 1:
-            values = arguments(unit, given, depth)
-            return ("cast", chosen[0], values[0] if len(values) == 1 else unit.opaque(given))
-    else:
-        callee = expression(unit, function, depth)
-        if callee[0] == "type":
-            callee = ("name", callee[1][0])
-    line, column = unit.position(node)
-    return ("call", callee, arguments(unit, given, depth), chosen, line, column)
-
-
-def _member(unit: Unit, node: Node, depth: int) -> tuple[Any, tuple[Any, ...]]:
-    """A member access, and the template arguments after it."""
-    children = node.children
-    if len(children) != 3:
-        children = _parts(node, _ARGUMENT, _OPERATOR, _FIELD)
-        if not children:
-            return unit.opaque(node), ()
-    receiver, operator, member = children
-    inner = expression(unit, receiver, depth)
-    if operator.end_byte - operator.start_byte > 1 and unit.text[operator.end_byte - 1] == "*":
-        return ("op", unit.cut(operator), (inner, expression(unit, member, depth))), ()
-    kind = member.kind_id
-    if kind in _DEPENDENT or kind in _TEMPLATE_METHOD or kind in _QUALIFIED:
-        name, chosen = types.path(unit, member, depth)
-        return ("field", inner, name), chosen
-    return ("field", inner, unit.cut(member)), ()
-
-
-def _field(unit: Unit, node: Node, depth: int) -> Any:
-    return _member(unit, node, depth)[0]
-
-
 def _binary(unit: Unit, node: Node, depth: int) -> Any:
     """Chains such as ``a << b << c`` lean to the left: they are unrolled, for speed and for the stack."""
     waiting: list[tuple[str, Node]] = []
@@ -150,15 +102,15 @@ def _binary(unit: Unit, node: Node, depth: int) -> Any:
     while left.kind_id in _BINARY and depth + len(waiting) <= DEEPEST:
         children = left.children
         if len(children) != 3:
-            children = _parts(left, _LEFT, _OPERATOR, _RIGHT)
-            if not children:
-                break
+            break
         operator = unit.text[children[1].start_byte : children[1].end_byte]
         waiting.append((_SPELLED.get(operator, operator), children[2]))
         left = children[0]
-    if left.kind_id in _BINARY:
+    if depth + len(waiting) > DEEPEST:
         result = unit.opaque(left)
-        unit.problem(left, _TOO_DEEP)
+        unit.problem(left, TOO_DEEP)
+    elif left.kind_id in _BINARY:
+        result = damaged(unit, left, left.children, depth + len(waiting))
     else:
         result = expression(unit, left, depth + len(waiting) - 1)
     level = len(waiting)
@@ -186,13 +138,14 @@ def _pointer(unit: Unit, node: Node, depth: int) -> Any:
 
 def _set(unit: Unit, node: Node, depth: int) -> Any:
     children = node.children
-    if len(children) != 3:
-        children = _parts(node, _LEFT, _OPERATOR, _RIGHT)
-        if not children:
-            return unit.opaque(node)
-    operator = unit.cut(children[1])
+    operator = next((child for child in children if not child.is_named), None)
+    if operator is None or len(children) < 2:
+        return unit.opaque(node)
+    text = unit.cut(operator)
     target = expression(unit, children[0], depth)
-    return ("set", _SPELLED.get(operator, operator), target, expression(unit, children[2], depth))
+    is_whole = len(children) == 3
+    value = expression(unit, children[2], depth) if is_whole else damaged(unit, node, children[1:], depth)
+    return ("set", _SPELLED.get(text, text), target, value)
 
 
 def _update(unit: Unit, node: Node, depth: int) -> Any:
@@ -205,10 +158,10 @@ def _update(unit: Unit, node: Node, depth: int) -> Any:
 
 
 def _conditional(unit: Unit, node: Node, depth: int) -> Any:
-    parts = [expression(unit, child, depth) for child in _operands(node)]
-    if len(parts) == 3:
-        return ("if", parts[0], parts[1], parts[2])
-    return ("if", parts[0], parts[0], parts[1]) if len(parts) == 2 else unit.opaque(node)
+    values = [expression(unit, child, depth) for child in _operands(node)]
+    if len(values) == 3:
+        return ("if", values[0], values[1], values[2])
+    return ("if", values[0], values[0], values[1]) if len(values) == 2 else unit.opaque(node)
 
 
 def _parentheses(unit: Unit, node: Node, depth: int) -> Any:
@@ -233,32 +186,11 @@ def _index(unit: Unit, node: Node, depth: int) -> Any:
     return ("index", expression(unit, children[0], depth), subscript)
 
 
-def _new(unit: Unit, node: Node, depth: int) -> Any:
-    type_node = node.child_by_field_id(_TYPE)
-    if type_node is None:
-        return unit.opaque(node)
-    given = node.child_by_field_id(_ARGUMENTS)
-    made = types.plain_type(unit, type_node, depth)
-    if node.child_by_field_id(_DECLARATOR) is not None:
-        made = (made[0], made[1], made[2] + "*")
-    line, column = unit.position(node)
-    return ("new", made, () if given is None else arguments(unit, given, depth), line, column)
-
-
 def _cast(unit: Unit, node: Node, depth: int) -> Any:
-    children = _parts(node, _TYPE, _VALUE)
-    if not children:
+    type_node, value = node.child_by_field_id(_TYPE), node.child_by_field_id(_VALUE)
+    if type_node is None or value is None:
         return unit.opaque(node)
-    return ("cast", types.descriptor(unit, children[0], depth), expression(unit, children[1], depth))
-
-
-def _braced(unit: Unit, node: Node, depth: int) -> Any:
-    children = _parts(node, _TYPE, _VALUE)
-    if not children:
-        return unit.opaque(node)
-    name, chosen, _ = _type(unit, children[0], depth)[1]
-    line, column = unit.position(node)
-    return ("call", ("name", name), arguments(unit, children[1], depth), chosen, line, column)
+    return ("cast", types.descriptor(unit, type_node, depth), expression(unit, value, depth))
 
 
 def _keyword(unit: Unit, node: Node, depth: int) -> Any:
@@ -269,7 +201,8 @@ def _keyword(unit: Unit, node: Node, depth: int) -> Any:
     return ("op", unit.cut(children[0]), (expression(unit, operands[-1], depth),))
 
 
-def _type(unit: Unit, node: Node, depth: int) -> Any:
+def named_type(unit: Unit, node: Node, depth: int) -> Any:
+    """("type", T) for a type where an expression is expected."""
     if node.kind_id in _DESCRIPTOR:
         return ("type", types.descriptor(unit, node, depth))
     return ("type", types.plain_type(unit, node, depth))
@@ -280,14 +213,14 @@ def _string(unit: Unit, node: Node, depth: int) -> Any:
 
 
 def _strings(unit: Unit, node: Node, depth: int) -> Any:
-    parts: list[Any] = []
+    pieces: list[Any] = []
     for child in _operands(node):
-        part = expression(unit, child, depth)
-        if part[0] == "str" and parts and parts[-1][0] == "str":
-            parts[-1] = ("str", parts[-1][1] + part[1])
+        piece = expression(unit, child, depth)
+        if piece[0] == "str" and pieces and pieces[-1][0] == "str":
+            pieces[-1] = ("str", pieces[-1][1] + piece[1])
         else:
-            parts.append(part)
-    return parts[0] if len(parts) == 1 else ("format", tuple(parts))
+            pieces.append(piece)
+    return pieces[0] if len(pieces) == 1 else ("format", tuple(pieces))
 
 
 def _number(unit: Unit, node: Node, depth: int) -> Any:
@@ -340,8 +273,8 @@ _HANDLERS: dict[int, Handler] = table(
         "true": _constant(("bool", True)),
         "false": _constant(("bool", False)),
         "null": _constant(("none",)),
-        "field_expression": _field,
-        "call_expression": _call,
+        "field_expression": calls.field_access,
+        "call_expression": calls.call,
         "binary_expression": _binary,
         "unary_expression co_await_expression": _unary,
         "pointer_expression": _pointer,
@@ -351,10 +284,10 @@ _HANDLERS: dict[int, Handler] = table(
         "parenthesized_expression condition_clause": _parentheses,
         "comma_expression": _comma,
         "subscript_expression": _index,
-        "new_expression": _new,
+        "new_expression": calls.new,
         "delete_expression sizeof_expression alignof_expression": _keyword,
         "cast_expression": _cast,
-        "compound_literal_expression": _braced,
+        "compound_literal_expression": calls.braced,
         "lambda_expression": _lambda,
         "initializer_list": _list,
         "initializer_pair": _designated,
@@ -364,6 +297,6 @@ _HANDLERS: dict[int, Handler] = table(
         "number_literal": _number,
         "char_literal": _character,
         "user_defined_literal": _suffixed,
-        "type_descriptor type_identifier primitive_type template_type sized_type_specifier dependent_type": _type,
+        "type_descriptor type_identifier primitive_type template_type sized_type_specifier dependent_type": named_type,
     }
 )

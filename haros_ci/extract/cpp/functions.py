@@ -3,15 +3,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from tree_sitter import Node
 
 from haros_ci.extract.cpp import expressions, statements, types
 from haros_ci.extract.cpp.grammar import ERROR, errors, kinds
-from haros_ci.extract.cpp.unit import AUTO, Unit
-from haros_ci.model.program import Field, Function
+from haros_ci.extract.cpp.unit import AUTO, Scope, Unit
+from haros_ci.model.program import Function
 
 _ERRORS = 20
 _BODY = kinds("compound_statement")
@@ -31,26 +30,6 @@ _TEMPLATE_TEMPLATE = kinds("template_template_parameter_declaration")
 _VALUE_PARAMETERS = kinds("parameter_declaration optional_parameter_declaration variadic_parameter_declaration")
 _TRAILING = kinds("trailing_return_type")
 _NAMES = kinds("type_identifier identifier")
-
-
-@dataclass(frozen=True, slots=True)
-class Scope:
-    """Where declarations stand: *name* is qualified; *space* is the namespace around it, for friends.
-
-    *members* collects the data members of a class.
-    """
-
-    name: str = ""
-    space: str = ""
-    members: list[Field] | None = None
-    guards: tuple[tuple[int, int, str], ...] = ()
-    templates: tuple[str, ...] = ()
-
-    def qualified(self, name: str) -> str:
-        """*name* as seen from outside this scope."""
-        if name.startswith("::"):
-            return name[2:]
-        return f"{self.name}::{name}" if self.name else name
 
 
 def template_names(unit: Unit, node: Node) -> tuple[str, ...]:

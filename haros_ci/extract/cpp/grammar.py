@@ -12,6 +12,10 @@ from tree_sitter import Language, Node, Parser
 LANGUAGE = Language(tree_sitter_cpp.language())
 ERROR = 65535
 
+_CHUNK = 1 << 16
+_STEPS = 10_000
+_BYTES_PER_STEP = 4
+
 _Handler = TypeVar("_Handler")
 
 
@@ -36,9 +40,23 @@ def field(name: str) -> int:
     return number
 
 
-def parse(data: bytes) -> Node:
-    """The root of the tree of *data*, UTF-8."""
-    return Parser(LANGUAGE).parse(data).root_node
+def parse(data: bytes) -> Node | None:
+    """The root of the tree of *data*, UTF-8; None where the parser needs many times more steps than for any code."""
+    steps = 0
+    limit = _STEPS + len(data) // _BYTES_PER_STEP
+
+    def read(offset: int, _point: object) -> bytes:
+        return data[offset : offset + _CHUNK]
+
+    def is_enough(_offset: int, _has_error: bool) -> bool:
+        nonlocal steps
+        steps += 1
+        return steps > limit
+
+    try:
+        return Parser(LANGUAGE).parse(read, progress_callback=is_enough).root_node
+    except ValueError:
+        return None
 
 
 def errors(root: Node, limit: int) -> list[Node]:

@@ -6,9 +6,8 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from haros_ci.extract.cpp import blanks, branches, scopes
-from haros_ci.extract.cpp.functions import Scope
 from haros_ci.extract.cpp.grammar import errors, parse
-from haros_ci.extract.cpp.unit import Unit, unit_of
+from haros_ci.extract.cpp.unit import Scope, Unit, unit_of
 from haros_ci.model.program import Program
 
 _LARGEST = 4_000_000
@@ -22,26 +21,28 @@ def read_cpp(text: str) -> Program:
     (at most five per file) where that is in a function; nothing is raised.
     """
     if len(text) > _LARGEST:
-        return Program("c++", problems=((1, f"larger than {_LARGEST} characters: the file is not read"),))
+        return Program("cpp", problems=((1, f"larger than {_LARGEST} characters: the file is not read"),))
     text = text.removeprefix("\ufeff")
     data, root = _tree(blanks.readable(text))
+    if root is None:
+        return Program("cpp", problems=((1, "too unlike C++ to parse in reasonable time: the file is not read"),))
     unit = unit_of(data)
     scopes.declare(unit, [root], Scope(), 0)
     return _program(unit)
 
 
-def _tree(text: str) -> tuple[bytes, Node]:
+def _tree(text: str) -> tuple[bytes, Node | None]:
     """The tree of *text* with the least in errors, and what was parsed for it: the same length, some of it blank."""
     data = text.encode("utf-8", "replace")
     root = parse(data)
     for reduce in (blanks.simplified, branches.single):
-        if not root.has_error:
+        if root is None or not root.has_error:
             break
         reduced = reduce(text)
         if reduced != text:
             other = reduced.encode("utf-8", "replace")
             other_root = parse(other)
-            if _unread(other_root) < _unread(root):
+            if other_root is not None and _unread(other_root) < _unread(root):
                 text, data, root = reduced, other, other_root
     return data, root
 
@@ -54,7 +55,7 @@ def _unread(root: Node) -> int:
 def _program(unit: Unit) -> Program:
     found = unit.found
     return Program(
-        "c++",
+        "cpp",
         functions=tuple(each for each in found.functions if each is not None),
         classes=tuple(each for each in found.classes if each is not None),
         variables=tuple(found.variables),

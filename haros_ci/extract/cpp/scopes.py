@@ -1,40 +1,29 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands at namespace and class scope: classes, enumerations, variables, aliases, macros."""
+"""What stands at namespace and class scope, and what may stand in functions, too: aliases, macros, classes."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Callable
 
 from tree_sitter import Node
 
-from haros_ci.extract.cpp import expansion, expressions, functions, preprocessor, types
-from haros_ci.extract.cpp.functions import Scope
+from haros_ci.extract.cpp import declarations, functions, preprocessor, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
-from haros_ci.extract.cpp.unit import DEEPEST, Unit
-from haros_ci.model.program import Alias, Class, Field
+from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Scope, Unit
+from haros_ci.model.program import Alias, Field
 
 _NAME = field("name")
 _BODY = field("body")
 _TYPE = field("type")
-_VALUE = field("value")
 _PATH = field("path")
 _FUNCTION = field("function")
 _ARGUMENTS = field("arguments")
+_VALUE = field("value")
 _PARAMETERS = field("parameters")
 _SEMICOLON = kinds(";")
-_COMMA = kinds(",")
-_EQUALS = kinds("=")
 _INLINE = kinds("inline")
 _NAMESPACE = kinds("namespace")
-_SCOPED_ENUM = kinds("class struct")
-_ENUMERATOR = kinds("enumerator")
-_BASES = kinds("base_class_clause")
-_INITIALIZER = kinds("init_declarator")
-_BRACES = kinds("initializer_list")
-_PARENTHESES = kinds("argument_list")
-_IGNORED = kinds("bitfield_clause attribute_specifier attribute_declaration gnu_asm_expression ERROR")
 _TEMPLATE_PARAMETERS = kinds("template_parameter_list")
 _NAMED = kinds("identifier type_identifier namespace_identifier qualified_identifier nested_namespace_specifier")
 _CALL = kinds("call_expression")
@@ -45,8 +34,6 @@ _LOST = kinds(
 )
 _CONTINUATION = re.compile(r"\\\r?\n")
 
-#: A declarator with its initialiser; "function" where it declares one.
-Variable = tuple[types.Declared, Any]
 Handler = Callable[[Unit, Node, Scope, int], None]
 
 
@@ -54,7 +41,7 @@ def declare(unit: Unit, nodes: list[Node], scope: Scope, depth: int) -> None:
     """Add what *nodes* declare in *scope* to the unit."""
     if depth > DEEPEST:
         if nodes:
-            unit.problem(nodes[0], "nested too deeply: what is inside is not read")
+            unit.problem(nodes[0], TOO_DEEP)
         return
     for node in nodes:
         handler = _HANDLERS.get(node.kind_id)
@@ -62,159 +49,10 @@ def declare(unit: Unit, nodes: list[Node], scope: Scope, depth: int) -> None:
             handler(unit, node, scope, depth + 1)
 
 
-def variables(unit: Unit, node: Node, scope: Scope, depth: int) -> Iterator[Variable]:
-    """The declarators of a declaration in a function: a function there is a variable unless it cannot be one."""
-    before = before_declarators(unit, node, scope, depth)
-    for declared, init in declarators(unit, before, depth):
-        if init is None and declared.function is not None:
-            given = expansion.constructed(unit, declared.function, depth)
-            init = "function" if given is None else ("(", given)
-        yield declared, init
-
-
-def before_declarators(unit: Unit, node: Node, scope: Scope, depth: int) -> types.Specifiers:
-    """The specifiers of a declaration; a class or an enumeration among them is added to the unit."""
-    before = types.specifiers(unit, node.children, depth)
-    if before.node is None:
-        return before
-    kind = before.node.kind_id
-    if kind in types.ENUM:
-        enumeration(unit, before.node, scope, depth)
-    elif kind in types.CLASS_KINDS and before.node.child_by_field_id(_BODY) is not None:
-        is_used = any(child.is_named for child in before.rest)
-        name = class_of(unit, before.node, scope, depth, is_used)
-        if name and before.type[0] == "":
-            return before._replace(type=(name, (), before.type[2]))
-    return before
-
-
-def declarators(unit: Unit, before: types.Specifiers, depth: int) -> Iterator[Variable]:
-    """The declarators after *before*, each with its initialiser or None."""
-    rest = before.rest
-    index = 0
-    while index < len(rest):
-        node = rest[index]
-        index += 1
-        kind = node.kind_id
-        if kind in _COMMA or kind in _IGNORED or kind in _EQUALS:
-            continue
-        if kind in _SEMICOLON or not node.is_named:
-            return
-        init: Any = None
-        if kind in _INITIALIZER:
-            children = node.children
-            node, value = children[0], children[-1]
-            init = _initialiser(unit, value, any(each.kind_id in _EQUALS for each in children), depth)
-        else:
-            while index < len(rest) and rest[index].kind_id in _IGNORED:
-                index += 1
-            following = rest[index] if index < len(rest) else None
-            if following is not None and following.kind_id in _EQUALS and index + 1 < len(rest):
-                init = _initialiser(unit, rest[index + 1], True, depth)
-                index += 2
-            elif following is not None and following.kind_id in _BRACES:
-                init = _initialiser(unit, following, False, depth)
-                index += 1
-        yield types.declarator(unit, node, before.type, depth), init
-
-
-def _initialiser(unit: Unit, value: Node, equals: bool, depth: int) -> Any:
-    if equals:
-        return ("=", expressions.expression(unit, value, depth))
-    if value.kind_id in _PARENTHESES:
-        return ("(", expressions.arguments(unit, value, depth))
-    if value.kind_id in _BRACES:
-        return ("{", expressions.arguments(unit, value, depth))
-    return None
-
-
-def class_of(unit: Unit, node: Node, scope: Scope, depth: int, is_used: bool = False, alias: str = "") -> str:
-    """Add the class that *node* defines; its qualified name, "" where it only names one or is an anonymous part.
-
-    An unnamed class takes the name of its typedef, *alias*, or where variables have it (*is_used*) one of its own.
-    """
-    body = node.child_by_field_id(_BODY)
-    if body is None:
-        return ""
-    if depth > DEEPEST:
-        unit.problem(node, "nested too deeply: what is inside is not read")
-        return ""
-    named = types.specified_name(node)
-    line, column = unit.position(node if named is None else named)
-    if named is not None:
-        name = scope.qualified(types.path(unit, named, depth)[0])
-    elif alias or is_used:
-        name = scope.qualified(alias or f"(anonymous {line}:{column})")
-    else:
-        declare(unit, body.children, scope, depth)
-        return ""
-    bases = tuple(
-        types.plain_type(unit, each, depth)
-        for child in node.children
-        if child.kind_id in _BASES
-        for each in child.children
-        if each.kind_id in types.TYPE_KINDS
-    )
-    slot = len(unit.found.classes)
-    unit.found.classes.append(None)
-    members: list[Field] = []
-    around = unit.function, unit.owner
-    unit.function = unit.owner = name
-    inside = Scope(name, scope.space, members, scope.guards)
-    declare(unit, body.children, inside, depth)
-    unit.function, unit.owner = around
-    unit.found.classes[slot] = Class(name, bases, tuple(members), line, column, scope.templates)
-    return name
-
-
-def enumeration(unit: Unit, node: Node, scope: Scope, depth: int, alias: str = "") -> None:
-    """Add the constants of an enumeration, with their values where these are literal or counted."""
-    body = node.child_by_field_id(_BODY)
-    if body is None:
-        return
-    named = types.specified_name(node)
-    name = alias if named is None else types.path(unit, named, depth)[0]
-    is_scoped = any(child.kind_id in _SCOPED_ENUM for child in node.children)
-    prefixes = [f"{name}::"] if name else []
-    if not is_scoped:
-        prefixes.append("")
-    type_ = (scope.qualified(name) if name else "int", (), "c")
-    start: Any = ("num", 0)
-    count = 0
-    for child in _enumerators(body):
-        child_name = child.child_by_field_id(_NAME)
-        if child_name is None:
-            continue
-        given = child.child_by_field_id(_VALUE)
-        if given is not None:
-            start, count = expressions.expression(unit, given, depth), 0
-        if start[0] == "num":
-            value: Any = ("num", start[1] + count)
-        else:
-            value = ("op", "+", (start, ("num", count))) if count else start
-        count += 1
-        line, column = unit.position(child_name)
-        text = unit.cut(child_name)
-        for prefix in prefixes:
-            qualified = scope.qualified(prefix + text)
-            unit.found.variables.append(Field(qualified, type_, ("=", value), line, column, True))
-
-
-def _enumerators(body: Node) -> Iterator[Node]:
-    """The enumerators, those within conditionals included."""
-    waiting = [body]
-    while waiting:
-        node = waiting.pop()
-        if node.kind_id in _ENUMERATOR:
-            yield node
-        else:
-            waiting.extend(child for child in reversed(node.children) if child.is_named)
-
-
 def _declaration(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
-    before = before_declarators(unit, node, scope, depth)
+    before = declarations.before_declarators(unit, node, scope, depth)
     is_extern = any(unit.cut(child) == "extern" for child in node.children[:2])
-    for declared, init in declarators(unit, before, depth):
+    for declared, init in declarations.declarators(unit, before, depth):
         if declared.function is not None:
             functions.declare(unit, declared, before, scope, None)
             continue
@@ -230,9 +68,9 @@ def _declaration(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
 
 
 def _function(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
-    before = before_declarators(unit, node, scope, depth)
+    before = declarations.before_declarators(unit, node, scope, depth)
     for child in before.rest:
-        if child.is_named and child.kind_id not in _IGNORED:
+        if child.is_named and child.kind_id not in declarations.IGNORED:
             declared = types.declarator(unit, child, before.type, depth)
             if declared.function is not None:
                 functions.declare(unit, declared, before, scope, node)
@@ -284,11 +122,11 @@ def _stray(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
 
 
 def _class(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
-    class_of(unit, node, scope, depth)
+    declarations.class_of(unit, node, scope, depth)
 
 
 def _enum(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
-    enumeration(unit, node, scope, depth)
+    declarations.enumeration(unit, node, scope, depth)
 
 
 def _typedef(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
@@ -298,7 +136,7 @@ def _typedef(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
     for child in before.rest:
         if child.kind_id in _SEMICOLON:
             break
-        if not child.is_named or child.kind_id in _IGNORED:
+        if not child.is_named or child.kind_id in declarations.IGNORED:
             continue
         declared = types.declarator(unit, child, base, depth)
         type_ = declared.type
@@ -307,9 +145,9 @@ def _typedef(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
         if is_first and before.node is not None:
             is_unnamed = base[0] == ""
             if before.node.kind_id in types.ENUM:
-                enumeration(unit, before.node, scope, depth, declared.name)
+                declarations.enumeration(unit, before.node, scope, depth, declared.name)
             elif before.node.kind_id in types.CLASS_KINDS:
-                class_of(unit, before.node, scope, depth, True, declared.name)
+                declarations.class_of(unit, before.node, scope, depth, True, declared.name)
             is_first = False
             if is_unnamed:
                 base = (declared.name, (), base[2])

@@ -8,9 +8,9 @@ from typing import Any
 
 from tree_sitter import Node
 
-from haros_ci.extract.cpp import expansion, expressions, functions, preprocessor, scopes, types
+from haros_ci.extract.cpp import declarations, expansion, expressions, preprocessor, scopes, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
-from haros_ci.extract.cpp.unit import AUTO, DEEPEST, NOTHING, Unit
+from haros_ci.extract.cpp.unit import AUTO, DEEPEST, NOTHING, TOO_DEEP, Scope, Unit
 
 _BLOCK = kinds("compound_statement")
 _CASE = kinds("case_statement")
@@ -43,7 +43,7 @@ def block(unit: Unit, nodes: list[Node], depth: int) -> tuple[Any, ...]:
     out: Statements = []
     if depth > DEEPEST:
         if nodes:
-            unit.problem(nodes[0], "nested too deeply: what is inside is not read")
+            unit.problem(nodes[0], TOO_DEEP)
         return ()
     for node in nodes:
         handler = _HANDLERS.get(node.kind_id)
@@ -72,15 +72,15 @@ def _bare(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 
 def _declaration(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    scope = functions.Scope(unit.function, unit.function)
-    for each in scopes.variables(unit, node, scope, depth):
+    scope = Scope(unit.function, unit.function)
+    for each in declarations.variables(unit, node, scope, depth):
         if each[0].is_parenthesized and each[1] is None:
             out.append(("do", unit.opaque(node)))
         else:
             _variable(unit, each, depth, out)
 
 
-def _variable(unit: Unit, each: scopes.Variable, depth: int, out: Statements) -> None:
+def _variable(unit: Unit, each: declarations.Variable, depth: int, out: Statements) -> None:
     declared, init = each
     if isinstance(init, str):
         return
@@ -102,6 +102,8 @@ def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) ->
         return unit.collapsed(node.start_byte, node.end_byte), expressions.expression(unit, node, depth)
     text = unit.collapsed(node.start_byte + 1, node.end_byte - 1)
     value: Any = ("?", text)
+    if expressions.is_damaged(node):
+        return text, expressions.damaged(unit, node, node.children, depth)
     for child in node.children:
         kind = child.kind_id
         if kind in _INIT:
@@ -111,7 +113,7 @@ def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) ->
             _declaration(unit, child, depth, before)
             if len(before) > start:
                 value = ("name", before[start][1])
-        elif child.is_named and kind != ERROR:
+        elif child.is_named:
             value = expressions.expression(unit, child, depth)
     return text, value
 
@@ -237,8 +239,10 @@ def _try(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 
 def _operand(unit: Unit, node: Node, depth: int) -> Any:
+    if expressions.is_damaged(node):
+        return expressions.damaged(unit, node, node.children, depth)
     for child in node.children[1:]:
-        if child.is_named and child.kind_id != ERROR:
+        if child.is_named:
             return expressions.expression(unit, child, depth)
     return None
 
@@ -270,13 +274,13 @@ def _pre(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 
 def _class(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    name = scopes.class_of(unit, node, functions.Scope(unit.function, unit.function), depth)
+    name = declarations.class_of(unit, node, Scope(unit.function, unit.function), depth)
     if name:
         out.append(("class", name.rpartition("::")[2]))
 
 
 def _scoped(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    scopes.declare(unit, [node], functions.Scope(unit.function, unit.function), depth)
+    scopes.declare(unit, [node], Scope(unit.function, unit.function), depth)
 
 
 def _function(unit: Unit, node: Node, depth: int, out: Statements) -> None:

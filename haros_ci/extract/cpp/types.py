@@ -14,9 +14,13 @@ from haros_ci.model.program import Parameter
 
 CLASS_KINDS = kinds("class_specifier struct_specifier union_specifier")
 ENUM = kinds("enum_specifier")
-TYPE_KINDS = CLASS_KINDS | ENUM | kinds(
-    "primitive_type type_identifier qualified_identifier template_type placeholder_type_specifier auto"
-    " sized_type_specifier dependent_type decltype"
+TYPE_KINDS = (
+    CLASS_KINDS
+    | ENUM
+    | kinds(
+        "primitive_type type_identifier qualified_identifier template_type placeholder_type_specifier auto"
+        " sized_type_specifier dependent_type decltype"
+    )
 )
 _QUALIFIED = kinds("qualified_identifier nested_namespace_specifier")
 _TEMPLATE = kinds("template_type template_function template_method")
@@ -33,8 +37,8 @@ _SKIPPED = kinds(
 PARAMETER_LIST = kinds("parameter_list")
 _OPERATOR_CAST = kinds("operator_cast")
 
-(_NAME, _POINTER, _REFERENCE, _ARRAY, _PARENTHESES, _FUNCTION, _ABSTRACT_FUNCTION, _VARIADIC, _WRAPPED, _CAST) = range(10)
-_DECLARATORS = table(
+_NAME, _POINTER, _REFERENCE, _ARRAY, _PARENTHESES, _FUNCTION, _UNNAMED_FUNCTION, _VARIADIC, _WRAPPED, _CAST = range(10)
+DECLARATORS = table(
     {
         "identifier field_identifier type_identifier operator_name destructor_name qualified_identifier"
         " template_function structured_binding_declarator namespace_identifier template_type": _NAME,
@@ -43,14 +47,17 @@ _DECLARATORS = table(
         "array_declarator abstract_array_declarator": _ARRAY,
         "parenthesized_declarator abstract_parenthesized_declarator": _PARENTHESES,
         "function_declarator": _FUNCTION,
-        "abstract_function_declarator": _ABSTRACT_FUNCTION,
+        "abstract_function_declarator": _UNNAMED_FUNCTION,
         "variadic_declarator": _VARIADIC,
         "attributed_declarator init_declarator": _WRAPPED,
         "operator_cast": _CAST,
     }
 )
 _PATTERN = kinds("structured_binding_declarator")
-_PARAMETER = kinds("parameter_declaration optional_parameter_declaration variadic_parameter_declaration explicit_object_parameter_declaration")
+_PARAMETER = kinds(
+    "parameter_declaration optional_parameter_declaration variadic_parameter_declaration"
+    " explicit_object_parameter_declaration"
+)
 _PACK = kinds("variadic_parameter_declaration")
 _EQUALS = kinds("=")
 _TRAILING = kinds("trailing_return_type")
@@ -113,11 +120,13 @@ def arguments(unit: Unit, node: Node, depth: int) -> tuple[Any, ...]:
     """The template arguments of a ``template_argument_list``: types, or expressions for value arguments."""
     if depth > DEEPEST:
         return ()
-    return tuple(
-        descriptor(unit, child, depth + 1) if child.kind_id in _DESCRIPTOR else expressions.expression(unit, child, depth + 1)
-        for child in node.children
-        if child.is_named and child.kind_id != ERROR
-    )
+    found = []
+    for child in node.children:
+        if child.kind_id in _DESCRIPTOR:
+            found.append(descriptor(unit, child, depth + 1))
+        elif child.is_named and child.kind_id != ERROR:
+            found.append(expressions.expression(unit, child, depth + 1))
+    return tuple(found)
 
 
 def descriptor(unit: Unit, node: Node, depth: int) -> Any:
@@ -125,7 +134,7 @@ def descriptor(unit: Unit, node: Node, depth: int) -> Any:
     if depth > DEEPEST:
         return ("?", (), "")
     found = specifiers(unit, node.children, depth + 1)
-    if found.rest and found.rest[0].kind_id in _DECLARATORS:
+    if found.rest and found.rest[0].kind_id in DECLARATORS:
         return declarator(unit, found.rest[0], found.type, depth + 1).type
     return found.type
 
@@ -197,10 +206,10 @@ def _is_conversion(node: Node) -> bool:
 def declarator(unit: Unit, node: Node, base: Any, depth: int) -> Declared:
     """Follow a declarator from the outside in, adding to *base* what it says."""
     function: Node | None = None
-    is_parenthesized = _DECLARATORS.get(node.kind_id) == _PARENTHESES and not _is_pointer(node)
+    is_parenthesized = DECLARATORS.get(node.kind_id) == _PARENTHESES and not _is_pointer(node)
     name, arguments_, marks = base
     for _ in range(DEEPEST):
-        kind = _DECLARATORS.get(node.kind_id)
+        kind = DECLARATORS.get(node.kind_id)
         if kind == _NAME:
             if node.kind_id in _PATTERN:
                 return Declared("", (name, arguments_, marks), node, function)
@@ -214,7 +223,7 @@ def declarator(unit: Unit, node: Node, base: Any, depth: int) -> Declared:
         children = node.children
         inner: Node | None = None
         for child in children:
-            if child.kind_id in _DECLARATORS:
+            if child.kind_id in DECLARATORS:
                 inner = child
                 break
         if kind == _POINTER:
@@ -227,14 +236,14 @@ def declarator(unit: Unit, node: Node, base: Any, depth: int) -> Declared:
         elif kind == _ARRAY:
             marks += "*"
         elif kind == _FUNCTION:
-            if inner is not None and _DECLARATORS.get(inner.kind_id) == _PARENTHESES and _is_pointer(inner):
+            if inner is not None and DECLARATORS.get(inner.kind_id) == _PARENTHESES and _is_pointer(inner):
                 name, arguments_, marks = function_type(unit, children, (name, arguments_, marks), depth)
             else:
                 function = node
                 for child in children:
                     if child.kind_id in _TRAILING:
                         name, arguments_, marks = descriptor(unit, child.children[-1], depth + 1)
-        elif kind == _ABSTRACT_FUNCTION:
+        elif kind == _UNNAMED_FUNCTION:
             name, arguments_, marks = function_type(unit, children, (name, arguments_, marks), depth)
         elif kind == _VARIADIC:
             text = unit.cut(children[-1]) if len(children) > 1 else ""
@@ -243,7 +252,7 @@ def declarator(unit: Unit, node: Node, base: Any, depth: int) -> Declared:
             found = specifiers(unit, children[1:], depth + 1)
             text = "operator " + found.type[0]
             for child in found.rest:
-                if child.kind_id in _DECLARATORS:
+                if child.kind_id in DECLARATORS:
                     function = child
             return Declared(text, found.type, node, function or node)
         if inner is None:
@@ -254,7 +263,7 @@ def declarator(unit: Unit, node: Node, base: Any, depth: int) -> Declared:
 
 def _is_pointer(node: Node) -> bool:
     """Whether a parenthesized declarator declares a pointer, and not just a name in parentheses."""
-    return any(_DECLARATORS.get(child.kind_id) in (_POINTER, _REFERENCE) for child in node.children)
+    return any(DECLARATORS.get(child.kind_id) in (_POINTER, _REFERENCE) for child in node.children)
 
 
 def function_type(unit: Unit, children: list[Node], returned: Any, depth: int) -> Any:
@@ -293,7 +302,7 @@ def parameter(unit: Unit, node: Node, depth: int) -> Parameter:
             break
         if kind in _EQUALS:
             equals = True
-        elif kind in _DECLARATORS:
+        elif kind in DECLARATORS:
             declared = declarator(unit, child, type_, depth)
             name, type_ = declared.name, declared.type
             if declared.function is not None:

@@ -16,6 +16,7 @@ from haros_ci.model.program import Alias, Class, Field, Function
 #: Statements and expressions nested deeper than this become ("?", text): what reads them may recurse.
 DEEPEST = 100
 MOST_PROBLEMS = 5
+TOO_DEEP = "nested too deeply: what is inside is not read"
 AUTO = ("auto", (), "")
 NOTHING = ("", (), "")
 _LONGEST_TEXT = 200
@@ -93,6 +94,26 @@ class Unit:
         entry = (self.position(node)[0], message)
         if len(self.found.problems) < MOST_PROBLEMS and entry not in self.found.problems:
             self.found.problems.append(entry)
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """Where declarations stand: *name* is qualified; *space* is the namespace around it, for friends.
+
+    *members* collects the data members of a class.
+    """
+
+    name: str = ""
+    space: str = ""
+    members: list[Field] | None = None
+    guards: tuple[tuple[int, int, str], ...] = ()
+    templates: tuple[str, ...] = ()
+
+    def qualified(self, name: str) -> str:
+        """*name* as seen from outside this scope."""
+        if name.startswith("::"):
+            return name[2:]
+        return f"{self.name}::{name}" if self.name else name
 
 
 def decoded(piece: str) -> str:

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls, member accesses and what else makes objects."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tree_sitter import Node
+
+from haros_ci.extract.cpp import expressions, types
+from haros_ci.extract.cpp.grammar import field, kinds
+from haros_ci.extract.cpp.unit import Unit
+
+_ARGUMENTS = field("arguments")
+_VALUE = field("value")
+_TYPE = field("type")
+_DECLARATOR = field("declarator")
+_CASTS = frozenset(("static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"))
+_IDENTIFIER = kinds("identifier")
+_QUALIFIED = kinds("qualified_identifier")
+_TEMPLATE_FUNCTION = kinds("template_function template_type")
+_TEMPLATE_METHOD = kinds("template_method")
+_DEPENDENT = kinds("dependent_name")
+_FIELD_EXPRESSION = kinds("field_expression")
+
+
+def call(unit: Unit, node: Node, depth: int) -> Any:
+    """A call or a named cast."""
+    children = node.children
+    if len(children) != 2:
+        return unit.opaque(node)
+    function, given = children
+    kind = function.kind_id
+    chosen: tuple[Any, ...] = ()
+    callee: Any
+    if kind in _IDENTIFIER:
+        callee = ("name", unit.cut(function))
+    elif kind in _FIELD_EXPRESSION:
+        callee, chosen = _member(unit, function, depth + 1)
+    elif kind in _QUALIFIED or kind in _TEMPLATE_FUNCTION:
+        name, chosen = types.path(unit, function, depth)
+        callee = ("name", name)
+        if name in _CASTS and len(chosen) == 1:
+            values = expressions.arguments(unit, given, depth)
+            return ("cast", chosen[0], values[0] if len(values) == 1 else unit.opaque(given))
+    else:
+        callee = expressions.expression(unit, function, depth)
+        if callee[0] == "type":
+            callee = ("name", callee[1][0])
+    line, column = unit.position(node)
+    return ("call", callee, expressions.arguments(unit, given, depth), chosen, line, column)
+
+
+def _member(unit: Unit, node: Node, depth: int) -> tuple[Any, tuple[Any, ...]]:
+    """A member access, and the template arguments after it."""
+    children = node.children
+    if len(children) != 3:
+        return expressions.damaged(unit, node, children, depth), ()
+    receiver, operator, member = children
+    inner = expressions.expression(unit, receiver, depth)
+    if operator.end_byte - operator.start_byte > 1 and unit.text[operator.end_byte - 1] == "*":
+        return ("op", unit.cut(operator), (inner, expressions.expression(unit, member, depth))), ()
+    kind = member.kind_id
+    if kind in _DEPENDENT or kind in _TEMPLATE_METHOD or kind in _QUALIFIED:
+        name, chosen = types.path(unit, member, depth)
+        return ("field", inner, name), chosen
+    return ("field", inner, unit.cut(member)), ()
+
+
+def field_access(unit: Unit, node: Node, depth: int) -> Any:
+    """``a.b``, ``a->b``."""
+    return _member(unit, node, depth)[0]
+
+
+def new(unit: Unit, node: Node, depth: int) -> Any:
+    """``new T(x)``; an array of T is a pointer to it."""
+    type_node = node.child_by_field_id(_TYPE)
+    if type_node is None:
+        return unit.opaque(node)
+    given = node.child_by_field_id(_ARGUMENTS)
+    made = types.plain_type(unit, type_node, depth)
+    if node.child_by_field_id(_DECLARATOR) is not None:
+        made = (made[0], made[1], made[2] + "*")
+    line, column = unit.position(node)
+    return ("new", made, () if given is None else expressions.arguments(unit, given, depth), line, column)
+
+
+def braced(unit: Unit, node: Node, depth: int) -> Any:
+    """``T{x}``: a call."""
+    type_node, value = node.child_by_field_id(_TYPE), node.child_by_field_id(_VALUE)
+    if type_node is None or value is None:
+        return unit.opaque(node)
+    name, chosen, _ = expressions.named_type(unit, type_node, depth)[1]
+    line, column = unit.position(node)
+    return ("call", ("name", name), expressions.arguments(unit, value, depth), chosen, line, column)
