@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import calls, construct as classes, expressions, operators
+from haros_ci.link import calls, expressions, operators
+from haros_ci.link import construct as classes
 from haros_ci.link.emit import emit
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.run import Frame, Run

@@ -11,7 +11,6 @@ from haros_ci.link.values import (
     Callable,
     Cell,
     Known,
-    Library,
     Mapped,
     Object,
     Opaque,

@@ -15,6 +15,8 @@ from haros_ci.model.program import Class, Function
 COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplace", "extend"))
 
 
+#: Stands for an assignment to an element among the names of a block.
+ELEMENT = "[]="
 #: Methods that leave what they are called on as it is.
 READING = frozenset("size length empty c_str str find at begin end count get front back data isValid ok now toSec".split())
 
@@ -45,7 +47,8 @@ class Relevance:
 
     def collects(self, block: Any, source: Source) -> bool:
         """Whether *block* puts together a list or map."""
-        return not COLLECTING.isdisjoint(self.names(block, source))
+        names = self.names(block, source)
+        return ELEMENT in names or not COLLECTING.isdisjoint(names)
 
     def names(self, block: Any, source: Source) -> frozenset[str]:
         """The last parts of all names that are called or constructed in *block*, lambdas included."""
@@ -143,6 +146,8 @@ def _walk(item: Any, found: set[str], source: Source, lambdas: set[int]) -> None
                 found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2]}")
         elif tag == "op" and len(node) == 3:
             found.add(f"operator{node[1]}")
+        elif tag == "set" and len(node) == 4 and node[2][0] == "index":
+            found.add(ELEMENT)
         elif (tag == "new" and len(node) == 5) or (tag == "var" and len(node) == 6):
             kind = node[1] if tag == "new" else node[2]
             found.update(_last(name) for name in _type_names(kind))

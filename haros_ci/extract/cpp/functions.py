@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from tree_sitter import Node
@@ -32,6 +33,10 @@ _TRAILING = kinds("trailing_return_type")
 _NAMES = kinds("type_identifier identifier")
 
 
+#: ``operator <<`` is ``operator<<``; ``operator bool`` stays.
+_OPERATOR = re.compile(r"\boperator\s+(?=\W)")
+
+
 def template_names(unit: Unit, node: Node) -> tuple[str, ...]:
     """The names in a ``template_parameter_list``, in order; unnamed ones are left out."""
     found: list[str] = []
@@ -50,7 +55,7 @@ def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scop
     """Add the function that *declared* names; *node* is its ``function_definition``, None for a declaration."""
     head = declared.function
     assert head is not None
-    name = scope.qualified(declared.name)
+    name = _OPERATOR.sub("operator", scope.qualified(declared.name))
     owner, _, last = name.rpartition("::")
     kind = "function"
     if last.startswith("~"):

@@ -72,3 +72,16 @@ def errors(root: Node, limit: int) -> list[Node]:
         else:
             waiting.extend(child for child in reversed(node.children) if child.has_error)
     return found
+
+
+def missing(root: Node, limit: int) -> list[Node]:
+    """The first *limit* tokens under *root* that the parser made up to go on."""
+    found: list[Node] = []
+    waiting = [root] if root.has_error else []
+    while waiting and len(found) < limit:
+        node = waiting.pop()
+        if node.is_missing:
+            found.append(node)
+        else:
+            waiting.extend(child for child in node.children if child.has_error)
+    return found

@@ -6,7 +6,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from haros_ci.extract.cpp import blanks, branches, scopes
-from haros_ci.extract.cpp.grammar import errors, parse
+from haros_ci.extract.cpp.grammar import errors, missing, parse
 from haros_ci.extract.cpp.unit import Scope, Unit, unit_of
 from haros_ci.model.program import Program
 
@@ -48,8 +48,8 @@ def _tree(text: str) -> tuple[bytes, Node | None]:
 
 
 def _unread(root: Node) -> int:
-    """How much of the text is in syntax errors."""
-    return sum(node.end_byte - node.start_byte + 1 for node in errors(root, _COUNTED))
+    """How much of the text is in syntax errors; a bracket that had to be made up, too, is one."""
+    return sum(node.end_byte - node.start_byte + 1 for node in (*errors(root, _COUNTED), *missing(root, _COUNTED)))
 
 
 def _program(unit: Unit) -> Program:

@@ -11,7 +11,10 @@ from haros_ci.link.known.text import Each, Template, Test
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KnownEndpoint:
-    """One entry; ``present`` and ``absent`` are its ``if`` and ``unless``. *type* is None where only a reason is given."""
+    """One entry; *present* and *absent* are its ``if`` and ``unless``.
+
+    *type* and *value* are None where a reason stands instead of them.
+    """
 
     kind: str
     name: Template

@@ -47,7 +47,7 @@ def load_user(
     problems: list[Problem] = []
     for package, nodes in data.items():
         if not isinstance(package, str) or not re.fullmatch(PACKAGE, package):
-            problems.append(Problem(where, f"known_nodes: {str(package)[:60]!r} is no name of a package"))
+            problems.append(Problem(where, f"known_nodes: {str(package)[:60] if isinstance(package, (str, int)) else '?'!r} is no name of a package"))
             continue
         read, said = read_package(nodes, package, where, f"known_nodes.{package}.")
         problems += said

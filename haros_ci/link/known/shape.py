@@ -41,9 +41,9 @@ class _Reading:
         fits = True
         for key in entry:
             if key not in allowed:
-                near = get_close_matches(str(key)[:60], allowed, n=1)
+                near = get_close_matches(_shown(key), allowed, n=1)
                 hint = f"; did you mean {near[0]!r}?" if near else f"; it can be one of: {', '.join(allowed)}"
-                self.say(at, f"nothing is called {str(key)[:60]!r} here{hint}")
+                self.say(at, f"nothing is called {_shown(key)!r} here{hint}")
                 fits = False
         return fits
 
@@ -60,18 +60,26 @@ class _Reading:
 
 
 def read_package(data: object, package: str, where: str, at: str = "") -> tuple[dict[str, KnownNode], list[Problem]]:
-    """*data* (node type -> entry) as known nodes of *package*, in the order of their names; then what is wrong with it."""
+    """The known nodes of *package* that *data* (node type -> entry) describes, sorted; then what is wrong with it.
+
+    *where* is the file, *at* the place in it. An entry or an endpoint that has no form (docs/known-nodes.md) is left out.
+    """
     reading = _Reading(where, [])
     nodes: dict[str, KnownNode] = {}
     if not isinstance(data, Mapping):
         reading.say(at.rstrip(".") or where, "it must be a map of node types")
         return nodes, reading.problems
-    for type_name in sorted(data, key=str):
-        here = f"{at}{str(type_name)[:100]}"
+    for type_name in sorted(data, key=_shown):
+        here = f"{at}{_shown(type_name)}"
         node = _node(data[type_name], type_name, package, here, reading)
         if node is not None:
             nodes[node.type] = node
     return nodes, reading.problems
+
+
+def _shown(value: object) -> str:
+    """A scalar as text, cut off; what is nested by its type, for it may be large."""
+    return str(value)[:100] if value is None or isinstance(value, (str, int, float)) else type(value).__name__
 
 
 def _node(entry: object, name: object, package: str, at: str, reading: _Reading) -> KnownNode | None:
@@ -99,6 +107,8 @@ def _node(entry: object, name: object, package: str, at: str, reading: _Reading)
         if items is not None and not isinstance(items, list):
             reading.say(f"{at}.{kind}", "it must be a list of maps")
             continue
+        if items and len(items) > _MOST:
+            reading.say(f"{at}.{kind}", f"only the first {_MOST} are read")
         for n, item in enumerate((items or [])[:_MOST]):
             made = _endpoint(item, kind, f"{at}.{kind}[{n}]", reading)
             if made is not None and made in endpoints:
@@ -167,7 +177,7 @@ def _type(value: object, kind: str, at: str, reading: _Reading) -> tuple[str | N
     if kind not in PARAMETERS and isinstance(value, str) and _TYPE.fullmatch(value):
         return value, ""
     form = f"one of {', '.join(PARAMETER_TYPES)}" if kind in PARAMETERS else "package/Name"
-    reading.say(at, f"{str(value)[:80]!r} is no type; write {form}, or {{unknown:the reason}}")
+    reading.say(at, f"{_shown(value)!r} is no type; write {form}, or {{unknown:the reason}}")
     return None, ""
 
 

@@ -79,14 +79,18 @@ def template(text: str, depth: int = 0) -> Template:
 
 
 def test(text: str) -> Test:
-    """A condition: ``~publish_tf|true``, ``~mode|sync == async``, ``arg:0 == manager``, ``option:-urdf``, ``unknown:why``."""
+    """A condition: ``~tf|true``, ``~mode|sync == async``, ``arg:0 == manager``, ``option:-urdf``, ``unknown:why``.
+
+    Raises ValueError, as all readers here do, with a sentence on the form.
+    """
     head, _, reason = text.strip().partition(":")
     if head == "unknown" and re.fullmatch(HOLES[head], reason):
         return Test(head, reason, None, None)
     found = _SUBJECT.fullmatch(text.strip())
     kind = (found[1] or "param") if found else ""
     if found is None or not re.fullmatch(HOLES[kind], found[2]):
-        raise ValueError("a condition is written as ~parameter, ~parameter|default, ~parameter == word, arg:0 == word or option:-name")
+        forms = "~parameter, ~parameter|default, ~parameter == word, arg:0 == word or option:-name"
+        raise ValueError(f"a condition is written as {forms}")
     return Test(kind, found[2], found[3], found[4])
 
 
