@@ -14,7 +14,8 @@ from haros_ci.extract.apis.tables import rows
 from haros_ci.extract.program_json import from_json, to_json
 from haros_ci.link import hints
 from haros_ci.link.index import Source
-from haros_ci.link.link import Wanted, link
+from haros_ci.link.known.entry import KnownNode
+from haros_ci.link.link import KnownNodes, Wanted, link
 from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
@@ -52,11 +53,14 @@ def architecture(
         api_rows(project.get("apis"), where, problems),
         wanted=configurations(workspace, project, problems, where) if wanted is None else wanted,
         environment=environment,
-        known=known_nodes,
+        known=known_types(project.get("known_nodes"), where, problems) if known_nodes else None,
     )
     hinted: list[Configuration] = []
     declared = project.get("configurations")
     for configuration in found.configurations:
+        if project.get("nodes"):
+            configuration, said = hints.apply_specifications(configuration, project["nodes"], where, workspace.packages)
+            problems += said
         entry = declared.get(configuration.name) if isinstance(declared, Mapping) else None
         given = entry.get("hints") if isinstance(entry, Mapping) else None
         if isinstance(given, Mapping):
@@ -129,6 +133,24 @@ def launch_reader(workspace: Workspace, store: Store) -> Callable[[str], LaunchF
         return read[path]
 
     return load
+
+
+def known_types(declared: object, where: str, problems: list[Problem]) -> KnownNodes:
+    """What is known of node types outside the workspace; a project file's ``known_nodes`` come first."""
+    from haros_ci.link.known.load import load_known, load_user
+
+    own: Mapping[str, Mapping[str, KnownNode]] = {}
+    if isinstance(declared, Mapping):
+        own, said = load_user(declared, where)
+        problems += said
+
+    def known(package: str, name: str) -> KnownNode | None:
+        for nodes in (own.get(package), load_known(package)):
+            if nodes is not None and name in nodes:
+                return nodes[name]
+        return None
+
+    return known
 
 
 def api_rows(declared: object, where: str, problems: list[Problem]) -> dict[str, tuple[Row, ...]]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from haros_ci.link.entries import Programs, executables, nodelets, plugins
 from haros_ci.link.index import Source, build_index
+from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.parameters import ParameterServer, yaml_reader
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.roslaunch import entry_files, evaluate
@@ -19,6 +20,10 @@ from haros_ci.model.architecture import Architecture, Configuration, Node
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Problem, Workspace
+
+
+#: What is known of a node type outside the workspace, by package and executable or nodelet's look-up name.
+KnownNodes = Callable[[str, str], KnownNode | None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,15 +45,15 @@ def link(
     *,
     wanted: tuple[Wanted, ...] | None = None,
     environment: Mapping[str, str] | None = None,
-    known: bool = True,
+    known: KnownNodes | None = None,
 ) -> Architecture:
     """The architecture of *workspace*.
 
     *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
     *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
-    is one alone. *known* adds what is known of nodes that are not of the workspace.
+    is one alone. *known* tells what is known of node types that are not of the workspace.
     """
-    types = types_of(workspace, sources, builds, rows)
+    types = types_of(workspace, sources, builds, rows, known or (lambda package, name: None))
     problems: dict[Problem, None] = {}
     configurations: list[Configuration] = []
     if wanted is None:
@@ -95,7 +100,11 @@ def link(
 
 
 def types_of(
-    workspace: Workspace, sources: Iterable[Source], builds: Mapping[str, Build], rows: Mapping[str, Iterable[Row]]
+    workspace: Workspace,
+    sources: Iterable[Source],
+    builds: Mapping[str, Build],
+    rows: Mapping[str, Iterable[Row]],
+    known: KnownNodes,
 ) -> Types:
     """The node types of a workspace, ready to be followed."""
     by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
@@ -121,7 +130,15 @@ def types_of(
     }
     reader = yaml_reader(files_of(workspace))
     return Types(
-        programs, executables(programs), nodelets(programs), tables, plugins(programs), relevance, configs, reader
+        programs,
+        executables(programs),
+        nodelets(programs),
+        tables,
+        plugins(programs),
+        relevance,
+        configs,
+        reader,
+        known,
     )
 
 

@@ -4,19 +4,21 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
 from haros_ci.link.index import Source
+from haros_ci.link.known.entry import KnownNode
+from haros_ci.link.known.instantiate import instantiate as instantiate_known
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.run import Context, Made, Run
 from haros_ci.link.types import data_type
-from haros_ci.link.values import Known, Value
+from haros_ci.link.values import Known, Value, data_of, opaque_of
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import KINDS, Condition, Endpoint, Node, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
@@ -41,6 +43,8 @@ class Types:
     relevance: Mapping[str, Relevance]
     configs: Mapping[str, ConfigFile]
     read_yaml: Any
+    #: What is known of node types outside the workspace, by package and type.
+    known: Callable[[str, str], KnownNode | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,11 +95,51 @@ def instantiate(types: Types, started: Started, server: ParameterServer) -> tupl
     process = started.name
     if found is None and (started.package, started.type) == ("nodelet", "nodelet") and rest:
         node, found, process = _nodelet(types, node, rest, namespace)
+
+    def parameter(name: str) -> Value | None:
+        return private.get(name) or server.get(name)
+
     if found is None:
-        return node, ()
+        return _known(types, node, namespace, tuple(rest), parameter, remaps), ()
     instance = Instance(started.name, namespace, None if words is None else tuple(rest), remaps, process)
-    made, problems, _ = run_node(types, *found, instance, server, private)
+    made, problems, _ = run_node(types, *found, instance, parameter)
     return replace(node, endpoints=endpoints(made, remaps, server)), problems
+
+
+def _known(
+    types: Types,
+    node: Node,
+    namespace: str,
+    arguments: tuple[str, ...],
+    parameter: Callable[[str], Value | None],
+    remaps: Mapping[str, str],
+) -> Node:
+    """*node* with what is known of its type, if anything is; else with an unknown in place of endpoints."""
+    name = f"{node.package}/{node.type}" if node.kind == "nodelet" else node.type
+    known = types.known(node.package, name)
+    if known is None:
+        reason = f"the code of {node.package}/{node.type} is not in the workspace"
+        return replace(node, unknowns=(*node.unknowns, Unknown("endpoints", reason, node.location)))
+
+    def data(full: str) -> object | None:
+        value = parameter(full)
+        if value is None:
+            return None
+        held, plain = data_of(value)
+        if held:
+            return plain
+        why = opaque_of(value)
+        return Unknown("value", why.reason if why else "it is not plain data", why.location if why else None)
+
+    ends = instantiate_known(
+        known,
+        name=node.name,
+        namespace=namespace,
+        arguments=arguments,
+        parameter=data,
+        remap=lambda full: remaps.get(full, full),
+    )
+    return replace(node, endpoints=ends)
 
 
 def _nodelet(types: Types, node: Node, words: list[str], namespace: str) -> tuple[Node, Any, str]:
@@ -126,13 +170,13 @@ def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, .
     server = ParameterServer(())
     chosen = f"/{name.partition('.')[0]}"
     instance = Instance(chosen, "/", (), {}, chosen)
-    made, problems, names = run_node(types, entry, files, instance, server, {})
+    made, problems, names = run_node(types, entry, files, instance, server.get)
     for value, _ in names[:1]:
         text, why, _ = pattern(value)
         if why is None and text and clean(text) != chosen:
             chosen = clean(text)
             instance = Instance(chosen, "/", (), {}, chosen)
-            made, problems, names = run_node(types, entry, files, instance, server, {})
+            made, problems, names = run_node(types, entry, files, instance, server.get)
     location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
     node = Node(name=chosen, kind="node", package=package, type=name, location=location, process=chosen)
     return replace(node, endpoints=endpoints(made, {}, server)), problems
@@ -143,14 +187,9 @@ def run_node(
     entry: Entry,
     files: frozenset[str],
     instance: Instance,
-    server: ParameterServer,
-    private: Mapping[str, Value],
+    parameter: Callable[[str], Value | None],
 ) -> tuple[tuple[Made, ...], tuple[Problem, ...], list[tuple[Value, bool]]]:
     """Follow one node; what it makes, what went wrong, the names that it gives itself."""
-
-    def parameter(name: str) -> Value | None:
-        return private.get(name) or server.get(name)
-
     context = Context(
         name=instance.name,
         namespace=instance.namespace,
@@ -165,8 +204,12 @@ def run_node(
     language = "python" if entry.source.program.language == "python" else "cpp"
     run = Run(types.programs.index_of(entry), types.rows[language], context, types.configs, types.relevance[language], files)
     problems: tuple[Problem, ...] = ()
-    if not follow(run, entry):
-        said = "the node is too large to be followed to its end; some of what it makes may be missing"
+    try:
+        if not follow(run, entry):
+            said = "the node is too large to be followed to its end; some of what it makes may be missing"
+            problems = (Problem(entry.source.path, said),)
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as err:
+        said = f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         problems = (Problem(entry.source.path, said),)
     return tuple(run.made.values()), problems, run.names
 

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.known.shape import PACKAGE, read_package
+from haros_ci.link.known.shape import PACKAGE, read_package, shown
 from haros_ci.model.workspace import Problem
 
 _HERE = Path(__file__).parent
@@ -34,9 +34,7 @@ def known_packages() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in _HERE.glob("*.yaml")))
 
 
-def load_user(
-    data: Mapping[Any, Any], where: str
-) -> tuple[Mapping[str, Mapping[str, KnownNode]], tuple[Problem, ...]]:
+def load_user(data: Mapping[Any, Any], where: str) -> tuple[Mapping[str, Mapping[str, KnownNode]], tuple[Problem, ...]]:
     """``known_nodes`` of the project file *where*: package -> node type -> what one entry of a data file is.
 
     What has a wrong shape is left out, with a problem that says where and how it is written.
@@ -47,7 +45,7 @@ def load_user(
     problems: list[Problem] = []
     for package, nodes in data.items():
         if not isinstance(package, str) or not re.fullmatch(PACKAGE, package):
-            problems.append(Problem(where, f"known_nodes: {str(package)[:60] if isinstance(package, (str, int)) else '?'!r} is no name of a package"))
+            problems.append(Problem(where, f"known_nodes: {shown(package)!r} is no name of a package"))
             continue
         read, said = read_package(nodes, package, where, f"known_nodes.{package}.")
         problems += said

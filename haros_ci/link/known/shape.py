@@ -41,9 +41,9 @@ class _Reading:
         fits = True
         for key in entry:
             if key not in allowed:
-                near = get_close_matches(_shown(key), allowed, n=1)
+                near = get_close_matches(shown(key), allowed, n=1)
                 hint = f"; did you mean {near[0]!r}?" if near else f"; it can be one of: {', '.join(allowed)}"
-                self.say(at, f"nothing is called {_shown(key)!r} here{hint}")
+                self.say(at, f"nothing is called {shown(key)!r} here{hint}")
                 fits = False
         return fits
 
@@ -62,22 +62,22 @@ class _Reading:
 def read_package(data: object, package: str, where: str, at: str = "") -> tuple[dict[str, KnownNode], list[Problem]]:
     """The known nodes of *package* that *data* (node type -> entry) describes, sorted; then what is wrong with it.
 
-    *where* is the file, *at* the place in it. An entry or an endpoint that has no form (docs/known-nodes.md) is left out.
+    *where* is the file, *at* the place in it. What has not the form of docs/known-nodes.md is left out.
     """
     reading = _Reading(where, [])
     nodes: dict[str, KnownNode] = {}
     if not isinstance(data, Mapping):
         reading.say(at.rstrip(".") or where, "it must be a map of node types")
         return nodes, reading.problems
-    for type_name in sorted(data, key=_shown):
-        here = f"{at}{_shown(type_name)}"
+    for type_name in sorted(data, key=shown):
+        here = f"{at}{shown(type_name)}"
         node = _node(data[type_name], type_name, package, here, reading)
         if node is not None:
             nodes[node.type] = node
     return nodes, reading.problems
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
     """A scalar as text, cut off; what is nested by its type, for it may be large."""
     return str(value)[:100] if value is None or isinstance(value, (str, int, float)) else type(value).__name__
 
@@ -177,7 +177,7 @@ def _type(value: object, kind: str, at: str, reading: _Reading) -> tuple[str | N
     if kind not in PARAMETERS and isinstance(value, str) and _TYPE.fullmatch(value):
         return value, ""
     form = f"one of {', '.join(PARAMETER_TYPES)}" if kind in PARAMETERS else "package/Name"
-    reading.say(at, f"{_shown(value)!r} is no type; write {form}, or {{unknown:the reason}}")
+    reading.say(at, f"{shown(value)!r} is no type; write {form}, or {{unknown:the reason}}")
     return None, ""
 
 
