@@ -16,9 +16,12 @@ from haros_ci.baselines import read_input
 from haros_ci.commands import settings_from, store_for
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
+from haros_ci.model.workspace import Problem
 from haros_ci.output import write
 from haros_ci.workspace.discover import discover
 
+#: Problems that are told one by one.
+SHOWN = 20
 FORMATS = ("text", "json", "dot", "mermaid", "sqlite")
 
 
@@ -53,6 +56,7 @@ def model(flags: Mapping[str, Any]) -> int:
     found = selected(found, flags["configuration"])
     problems = (*workspace.problems, *workspace.faults, *found.problems)
     found = replace(found, problems=tuple(dict.fromkeys(problems)))
+    tell(found.problems)
     path = Path(flags["output"]) if flags["output"] else None
     content = rendered(found, flags["format"])
     if isinstance(content, bytes):
@@ -66,6 +70,17 @@ def model(flags: Mapping[str, Any]) -> int:
             click.echo(f"{seconds:8.3f} s  {what}", err=True)
         click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
     return expected(found, flags["expect"]) if flags["expect"] else 0
+
+
+def tell(problems: tuple[Problem, ...]) -> None:
+    """The first problems on stderr, and how many there are beside them."""
+    from haros_ci.report.escape import terminal
+
+    for problem in problems[:SHOWN]:
+        at = f"{problem.path}:{problem.line}" if problem.line else problem.path
+        click.echo(f"warning: {terminal(at)}: {terminal(problem.message)}", err=True)
+    if len(problems) > SHOWN:
+        click.echo(f"warning: and {len(problems) - SHOWN} more; --format json has them all", err=True)
 
 
 def rendered(found: Architecture, format: str) -> str | bytes:

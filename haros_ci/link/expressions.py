@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import builtins
 from typing import Any
 
 from haros_ci.link import calls, construct, library_cpp, library_python, operators
+from haros_ci.link.common_messages import COMMON
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import SEQUENCES, is_smart_pointer, pointee
@@ -191,12 +193,26 @@ def _python_name(run: Run, frame: Frame, name: str) -> Value:
             value = imported(run, frame, f"{alias.type[0].removesuffix('.*')}.{name}")
             if not isinstance(value, Library):
                 return value
-    stars = [alias.type[0].removesuffix(".*") for alias in program.aliases if alias.name == "*"]
-    if len(stars) >= 1 and not hasattr(__builtins__, name) and name[:1].isupper():
-        messages = [star for star in stars if star.endswith((".msg", ".srv"))]
-        if len(messages) == 1:
-            return Library(f"{messages[0]}.{name}")
+    if not hasattr(builtins, name):
+        return Library(_starred(run, frame.source, name) or name)
     return Library(name)
+
+
+def _starred(run: Run, source: Source, name: str) -> str | None:
+    """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
+    outside = []
+    for alias in source.program.aliases:
+        module = alias.type[0].removesuffix(".*")
+        package, _, kind = module.rpartition(".")
+        if alias.name != "*" or kind not in ("msg", "srv"):
+            continue
+        if f"{package}/{name}" in run.index.interfaces:
+            return f"{module}.{name}"
+        if name in COMMON.get(package, ()):
+            return f"{module}.{name}"
+        if package not in run.index.packages and package not in COMMON:
+            outside.append(f"{module}.{name}")
+    return outside[0] if len(outside) == 1 and name[:1].isupper() else None
 
 
 def imported(run: Run, frame: Frame, target: str) -> Value:

@@ -43,6 +43,9 @@ class Index:
     modules: dict[str, list[Source]] = field(default_factory=lambda: defaultdict(list))
     #: Methods by the last two parts of their name, for those defined under a using-directive.
     by_tail: dict[str, list[tuple[Source, Function]]] = field(default_factory=lambda: defaultdict(list))
+    #: The workspace's message, service and action types (``pkg/T``), and its packages.
+    interfaces: frozenset[str] = frozenset()
+    packages: frozenset[str] = frozenset()
     #: What look-ups have found, by the files of the node type that asked.
     caches: dict[frozenset[str], dict[Any, Any]] = field(default_factory=dict)
     #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.

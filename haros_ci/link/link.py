@@ -14,7 +14,7 @@ from haros_ci.link.parameters import ParameterServer, yaml_reader
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.roslaunch import entry_files, evaluate
 from haros_ci.link.roslaunch_files import files_of
-from haros_ci.link.system import Types, alone, instantiate
+from haros_ci.link.system import Types, alone, instantiate, standalone
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Architecture, Configuration, Node
 from haros_ci.model.build import Build
@@ -72,7 +72,7 @@ def link(
             node, said = instantiate(types, each, server)
             problems.update(dict.fromkeys(said))
             nodes.append(node)
-            started.add((each.package, each.type))
+            started.add((node.package, node.type))
         configurations.append(
             Configuration(
                 name=item.name,
@@ -90,6 +90,12 @@ def link(
                 if node.endpoints:
                     problems.update(dict.fromkeys(said))
                     configurations.append(Configuration(name=f"{package}/{name}", nodes=(node,)))
+        for described, _, _ in dict.fromkeys(types.nodelets.values()):
+            if tuple(described.name.split("/", 1)) not in started and "/" in described.name:
+                node, said = standalone(types, described.name)
+                if node.endpoints:
+                    problems.update(dict.fromkeys(said))
+                    configurations.append(Configuration(name=described.name, nodes=(node,)))
     for build in builds.values():
         problems.update(dict.fromkeys(build.problems))
     return Architecture(
@@ -110,6 +116,8 @@ def types_of(
     by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
     cpp = build_index(s for s in by_path.values() if s.program.language != "python")
     python = build_index(s for s in by_path.values() if s.program.language == "python")
+    python.interfaces = frozenset(each.name for build in builds.values() for each in build.interfaces)
+    python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
     tables: dict[str, dict[str, tuple[Row, ...]]] = {}
     for language, items in rows.items():

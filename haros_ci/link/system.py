@@ -182,6 +182,27 @@ def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, .
     return replace(node, endpoints=endpoints(made, {}, server)), problems
 
 
+def standalone(types: Types, look_up: str) -> tuple[Node, tuple[Problem, ...]]:
+    """A nodelet in a process of its own, under the name that the nodelet program gives it (``pkg_Class``)."""
+    described, entry, files = types.nodelets[look_up]
+    name = "/" + look_up.replace("/", "_")
+    instance = Instance(name, "/", (), {}, name)
+    server = ParameterServer(())
+    made, problems, _ = run_node(types, entry, files, instance, server.get)
+    package, _, last = look_up.partition("/")
+    line = entry.definition.line if entry.definition is not None else 1
+    node = Node(
+        name=name,
+        kind="nodelet",
+        package=package,
+        type=last,
+        location=Location(entry.source.path, line),
+        process=name,
+        class_name=described.type.strip(),
+    )
+    return replace(node, endpoints=endpoints(made, {}, server)), problems
+
+
 def run_node(
     types: Types,
     entry: Entry,
@@ -232,7 +253,10 @@ def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: Paramet
             latched=item.latched,
             value=item.value,
             implicit=item.implicit,
-            unknowns=tuple(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
+            unknowns=(
+                *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
+                *_remapped_away(item.name, remaps),
+            ),
         )
         for item in made
     ]
@@ -243,6 +267,12 @@ def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: Paramet
             key=lambda e: (order[e.kind], e.location.sort_key if e.location else (), e.name, e.type or "", repr(e.value)),
         )
     )
+
+
+def _remapped_away(name: str, remaps: Mapping[str, str]) -> tuple[Unknown, ...]:
+    if "?" not in name and "?" in remaps.get(name, ""):
+        return (Unknown("name", "the launch file remaps it to a name that is not known"),)
+    return ()
 
 
 def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:

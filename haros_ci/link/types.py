@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from haros_ci.link.common_messages import COMMON
 from haros_ci.link.index import Index, Source
 from haros_ci.model.program import Type
 
@@ -15,6 +16,7 @@ SMART_POINTERS = frozenset(
     for space in ("boost", "std")
     for name in ("shared_ptr", "scoped_ptr", "unique_ptr", "auto_ptr", "weak_ptr", "intrusive_ptr", "optional")
 )
+SMART_POINTERS = SMART_POINTERS | {"cv::Ptr"}
 SEQUENCES = frozenset(
     ("std::vector", "std::list", "std::deque", "std::array", "std::set", "boost::ptr_vector", "boost::array")
 )
@@ -74,9 +76,22 @@ def resolve_type(
                     return resolve_type(
                         index, (f"{target[0]}::{tail}", resolved or target[1], marks), scope, source, files, {}, depth + 1
                     )
-    if not colons and source.program.language != "python":
-        return (_by_include(index, name, source), resolved, marks)
+    if source.program.language != "python":
+        if not colons:
+            name = _by_include(index, name, source)
+        return _pointer(name, resolved, marks)
     return (name, resolved, marks)
+
+
+def _pointer(name: str, arguments: Any, marks: str) -> Type:
+    """``ros::NodeHandlePtr``, ``pkg::Message::ConstPtr``: the smart pointers that ROS packages give their classes."""
+    head, _, last = name.rpartition("::")
+    for suffix in ("ConstPtr", "Ptr"):
+        if last == suffix and "::" in head:
+            return ("boost::shared_ptr", ((head, arguments, ""),), marks)
+        if last.endswith(suffix) and last != suffix and head and head != "cv":
+            return ("boost::shared_ptr", ((f"{head}::{last.removesuffix(suffix)}", arguments, ""),), marks)
+    return (name, arguments, marks)
 
 
 def _by_include(index: Index, name: str, source: Source) -> str:
@@ -89,6 +104,10 @@ def _by_include(index: Index, name: str, source: Source) -> str:
         found = included.get(name.removesuffix(suffix))
         if found and found.partition("::")[0] in spaces:
             return found + (suffix if name.endswith(suffix) else "")
+    bare = name.removesuffix("ConstPtr") if name.endswith("ConstPtr") else name.removesuffix("Ptr")
+    homes = [space for space in sorted(spaces) if bare in COMMON.get(space, ())]
+    if len(homes) == 1:
+        return f"{homes[0]}::{name}"
     if "std" in spaces and name in ("string", "vector", "map", "list", "shared_ptr", "unique_ptr"):
         return f"std::{name}"
     return name
