@@ -13,7 +13,7 @@ from haros_ci.link import construct as classes
 from haros_ci.link.emit import emit
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import SEQUENCES, STRINGS, parameter_type, pointee
+from haros_ci.link.types import SEQUENCES, STRINGS, is_type, parameter_type, pointee
 from haros_ci.link.values import (
     FALSE,
     NONE,
@@ -83,7 +83,7 @@ def call(
     if row is None:
         return None
     if types is None:
-        types = tuple(run.type_in(t, frame) if calls._is_type(t) else t for t in targs)
+        types = tuple(run.type_in(t, frame) if is_type(t) else t for t in targs)
     made: Object | None = None
     returns = row.returns
     if returns is not None and all(isinstance(part, str) for part in returns.parts):
@@ -454,7 +454,7 @@ def _members(applied: Applied, value: Value, names: list[str]) -> Any:
 
 
 def _template_argument(types: tuple[Any, ...], index: int) -> TypeValue | None:
-    if index < len(types) and calls._is_type(types[index]):
+    if index < len(types) and is_type(types[index]):
         return TypeValue(types[index])
     return None
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from haros_ci.link import api_rows, construct, expressions, library, operators
 from haros_ci.link.run import DEPTH, Frame, Root, Run
-from haros_ci.link.types import INTEGERS, NO_TYPE, REALS, STRINGS, is_smart_pointer, pointee
+from haros_ci.link.types import INTEGERS, NO_TYPE, REALS, STRINGS, is_smart_pointer, is_type, pointee
 from haros_ci.link.values import (
     NONE,
     Callable,
@@ -123,6 +123,8 @@ def method_call(
     location: Location,
 ) -> Value:
     """``receiver.name(args)``."""
+    if isinstance(receiver, Library) and receiver.name == "super":
+        return super_call(run, frame, name, args, location)
     modelled = library.method(run, frame, receiver, cell, name, args, location)
     if modelled is not None:
         return modelled
@@ -165,6 +167,26 @@ def method_call(
     return apply(run, frame, function, args, targs, location, ("name", name))
 
 
+def super_call(run: Run, frame: Frame, name: str, args: tuple[Argument, ...], location: Location) -> Value:
+    """Python's ``super().name(...)``: the method of the next class up, of the workspace or of a library."""
+    this = expressions._here(frame)
+    function = frame.function
+    owner = run.class_of(function.owner, frame.source) if function is not None and function.owner else None
+    if this is None or owner is None:
+        return library.unknown_call(run, frame, f"super().{name}", args)
+    for base in owner[1].bases:
+        found = construct._python_class(run, base, owner[0])
+        if found is None:
+            if name == "__init__":
+                for library_base in construct.library_bases(run, *owner):
+                    construct_library(run, frame, this, (library_base, (), ""), args, location)
+            continue
+        method = construct.class_method(run, *found, name)
+        if method is not None:
+            return invoke(run, frame, Callable(*method, this), args, location)
+    return library.unknown_call(run, frame, f"super().{name}", args)
+
+
 def summary_object(run: Run, owner: Any, kind: Type, receiver: Opaque) -> Object:
     """Some object of a class, of which only the class is known."""
     source, definition = owner
@@ -194,6 +216,11 @@ def apply(
                 if found is not None:
                     return found
             function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
+        if _takes_self(function, args):
+            this = args[0].value
+            assert isinstance(this, Object)
+            function = Callable(function.source, function.function, this, function.bound, None, this.templates)
+            args = args[1:]
         return invoke(run, frame, choose(run, frame, function, args), args, location, targs)
     if isinstance(function, ClassValue):
         owner = (function.source, function.definition)
@@ -214,6 +241,19 @@ def apply(
     return library.unknown_call(run, frame, expressions._dotted(callee) or "a function", args)
 
 
+def _takes_self(function: Callable, args: tuple[Argument, ...]) -> bool:
+    """Whether this is ``Base.method(self, ...)`` of Python."""
+    definition = function.function
+    return (
+        function.source.program.language == "python"
+        and function.this is None
+        and bool(definition.owner)
+        and not definition.is_static
+        and bool(args)
+        and isinstance(args[0].value, Object)
+    )
+
+
 def library_call(
     run: Run, frame: Frame, function: Library, args: tuple[Argument, ...], targs: Any, location: Location, callee: Any
 ) -> Value:
@@ -227,7 +267,7 @@ def library_call(
     modelled = library.function(run, frame, name, args, targs, location)
     if modelled is not None:
         return modelled
-    kinds = tuple(run.type_in(t, frame) if _is_type(t) else t for t in targs)
+    kinds = tuple(run.type_in(t, frame) if is_type(t) else t for t in targs)
     found = api_rows.call(run, frame, name, function.this, args, targs, location, kinds)
     if found is not None:
         return found
@@ -239,10 +279,6 @@ def library_call(
         if resolved[0] != name or is_smart_pointer(resolved) or resolved[0] in STRINGS:
             return construct.create(run, frame, resolved, args, location)
     return library.unknown_call(run, frame, name, args)
-
-
-def _is_type(item: Any) -> bool:
-    return isinstance(item, (tuple, list)) and len(item) == 3 and isinstance(item[0], str) and isinstance(item[2], str)
 
 
 def new(run: Run, frame: Frame, expression: Expression) -> Value:
@@ -283,7 +319,7 @@ def invoke(
     inner_scope = definition.owner or definition.name.rpartition(function.source.separator)[0]
     templates: Mapping[str, Type] = function.templates
     if definition.templates:
-        explicit = {n: run.type_in(t, frame) for n, t in zip(definition.templates, targs, strict=False) if _is_type(t)}
+        explicit = {n: run.type_in(t, frame) for n, t in zip(definition.templates, targs, strict=False) if is_type(t)}
         templates = {**templates, **_deduced(definition, args), **explicit}
     inner = Frame(
         function.source, inner_scope, definition, function.this, templates=templates, outer=function.frame,
@@ -402,7 +438,7 @@ def _deduced(definition: Function, args: tuple[Argument, ...]) -> dict[str, Type
             found.setdefault(parameter.type[0], (kind[0], kind[1], ""))
         elif parameter.type[1]:
             for inner, actual in zip(parameter.type[1], kind[1], strict=False):
-                if _is_type(inner) and inner[0] in definition.templates and _is_type(actual):
+                if is_type(inner) and inner[0] in definition.templates and is_type(actual):
                     found.setdefault(inner[0], actual)
     return found
 

@@ -149,9 +149,20 @@ def _name(run: Run, frame: Frame, expression: Expression) -> Value:
     if key not in run.found or frame.templates:
         run.found[key] = _global_name(run, frame, name)
     value: Value = run.found[key]
+    if isinstance(value, Callable) and frame.this is not None and "::" not in name and _is_virtual(run, frame, value):
+        method = construct.method_of(run, frame.this, name)
+        if method is not None:
+            return method
     if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
         return Callable(value.source, value.function, frame.this, templates=frame.templates)
     return value
+
+
+def _is_virtual(run: Run, frame: Frame, value: Callable) -> bool:
+    """Whether the call of a method goes to the object's own class: not inside a constructor, where it is not yet of it."""
+    if frame.function is None or frame.function.kind in ("constructor", "destructor"):
+        return False
+    return any(function.is_virtual for _, function in run.index.functions.get(value.function.name, ()))
 
 
 def _global_name(run: Run, frame: Frame, name: str) -> Value:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import operator
+from collections.abc import Iterable
 from typing import Any
 
 from haros_ci.link import calls, construct, expressions
@@ -311,12 +312,22 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
         method = construct.method_of(run, container, "operator[]")
         if method is not None:
             return calls.invoke(run, frame, method, (calls.Argument(key),), None)
+    if isinstance(container, Sequence) and isinstance(container.content.value, tuple) and container.content.value:
+        return any_of(cell.value for cell in container.content.value)
     kind = None
     if isinstance(container, Sequence) and container.type is not None and container.type[1]:
         kind = container.type[1][0]
     elif isinstance(container, Opaque) and container.type is not None and container.type[0] in (SEQUENCES | MAPS):
         kind = container.type[1][-1] if container.type[1] else None
     return run.opaque("an element that is not known", frame, None, kind)
+
+
+def any_of(values: Iterable[Value]) -> Value:
+    """One of *values*, there is no telling which."""
+    result: Value | None = None
+    for value in values:
+        result = value if result is None else join(result, value)
+    return result if result is not None else NONE
 
 
 def element(run: Run, frame: Frame, container: Value, key: Value) -> Cell | None:

@@ -32,6 +32,7 @@ class Relevance:
         made = [row.call for row in rows if _makes(row)]
         plain = {_last(name) for name in made} - COLLECTING
         self._api = plain | {f".{name}" for name in plain - CONTAINERS}
+        self._index = index
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):
             for name, found in table.items():
@@ -122,7 +123,11 @@ class Relevance:
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
         if isinstance(item, Class):
-            return [_last(kind) for f in item.fields for kind in _type_names(f.type)] + [_last(b[0]) for b in item.bases]
+            found = [_last(kind) for f in item.fields for kind in _type_names(f.type)] + [_last(b[0]) for b in item.bases]
+            for where, function in self._index.functions.get(f"{item.name}.__init__", ()):
+                if where.path == source.path and function.body is not None:
+                    found += self.names(function.body, where)
+            return found
         names = self.names(item.body, source) if item.body is not None else frozenset[str]()
         return names | self.names(item.inits, source) if item.inits else names
 

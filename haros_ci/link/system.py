@@ -229,7 +229,7 @@ def run_node(
         if not follow(run, entry):
             said = "the node is too large to be followed to its end; some of what it makes may be missing"
             problems = (Problem(entry.source.path, said),)
-    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as err:
+    except (ArithmeticError, AttributeError, LookupError, NameError, RecursionError, TypeError, ValueError) as err:
         said = f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         problems = (Problem(entry.source.path, said),)
     return tuple(run.made.values()), problems, run.names

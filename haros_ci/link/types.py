@@ -43,16 +43,18 @@ def resolve_type(
         return (name, (), marks)
 
     def inner(item: Any) -> Any:
-        if isinstance(item, (tuple, list)) and len(item) == 3 and isinstance(item[0], str) and isinstance(item[2], str):
+        if is_type(item):
             return resolve_type(index, item, scope, source, files, templates, depth + 1)
         return item
 
     resolved = tuple(inner(item) for item in arguments)
     bound = templates.get(name)
+    if bound is not None and not is_type(bound):
+        return (name, resolved, marks)
     if bound is not None:
         return (bound[0], bound[1], bound[2] + marks)
     head, colons, tail = name.partition("::")
-    if colons and head in templates:
+    if colons and is_type(templates.get(head)):
         bound = templates[head]
         return resolve_type(
             index, (f"{bound[0]}::{tail}", resolved or bound[1], marks), scope, source, files, {}, depth + 1
@@ -78,7 +80,10 @@ def resolve_type(
                     )
     if source.program.language != "python":
         if not colons:
-            name = _by_include(index, name, source)
+            name = _by_include(index, name, source, scope)
+        else:
+            whole = _by_include(index, head, source, scope)
+            name = f"{whole}::{tail}" if whole != head else name
         return _pointer(name, resolved, marks)
     return (name, resolved, marks)
 
@@ -94,9 +99,14 @@ def _pointer(name: str, arguments: Any, marks: str) -> Type:
     return (name, arguments, marks)
 
 
-def _by_include(index: Index, name: str, source: Source) -> str:
-    """An unqualified name under a using-directive: the header of that name says which namespace it is from."""
-    spaces = {namespace for _, namespace in source.program.scopes}
+def is_type(item: Any) -> bool:
+    """Whether a template argument is a type, and no expression."""
+    return isinstance(item, (tuple, list)) and len(item) == 3 and isinstance(item[0], str) and isinstance(item[2], str)
+
+
+def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
+    """An unqualified name of an open namespace: the header of that name says which one it is from."""
+    spaces = {namespace for _, namespace in source.program.scopes} | {scope.partition("::")[0]} - {""}
     if not spaces:
         return name
     included = index.included.get(source.path, {})
