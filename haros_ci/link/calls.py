@@ -447,7 +447,7 @@ def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[A
     """Declare the parameters of *function* in *inner*: references are the caller's cells, the rest are copies."""
     positional = [argument for argument in args if not argument.keyword]
     named = {argument.keyword: argument for argument in args if argument.keyword}
-    for parameter in function.parameters:
+    for number, parameter in enumerate(function.parameters):
         kind = run.type_in(parameter.type, inner)
         if parameter.name.startswith("*"):
             rest = tuple(Cell(argument.value) for argument in positional) if not parameter.name.startswith("**") else None
@@ -457,8 +457,9 @@ def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[A
             continue
         argument = positional.pop(0) if positional else named.get(parameter.name)
         if argument is None:
-            if parameter.default is not None:
-                value = operators.converted(expressions.evaluate(run, inner, parameter.default), kind)
+            default = parameter.default or _declared_default(run, function, number)
+            if default is not None:
+                value = operators.converted(expressions.evaluate(run, inner, default), kind)
             else:
                 value = run.opaque("an argument that is given from outside", inner, function.line, kind)
             inner.declare(parameter.name, Cell(value, kind if kind[0] else None))
@@ -475,6 +476,16 @@ def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[A
             value = operators.converted(value, kind)
         declared = kind if kind[0] and kind[0] != "auto" and kind[0] not in inner.templates else argument.type
         inner.declare(parameter.name, Cell(value, declared))
+
+
+def _declared_default(run: Run, function: Function, number: int) -> Expression | None:
+    """A default argument that stands at the function's declaration, and not at its definition."""
+    for _, declared in run.index.functions.get(function.name, ()):
+        if declared is not function and len(declared.parameters) == len(function.parameters):
+            default = declared.parameters[number].default
+            if default is not None:
+                return default
+    return None
 
 
 def follow_body(run: Run, inner: Frame, function: Function) -> Value:

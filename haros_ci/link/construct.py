@@ -267,8 +267,12 @@ def initialise(
         if function.body is not None:
             body_at = Location(where.path, function.body_line, function.body_column)
         if short in inits:  # delegates to another constructor
-            initialise(run, inner, this, owner, templates, calls.arguments(run, inner, inits[short][1]), location, depth + 1)
-            inits = {}
+            args = calls.arguments(run, inner, inits[short][1])
+            if depth < BASES:
+                initialise(run, inner, this, owner, templates, args, location, depth + 1)
+            if function.body is not None:
+                calls.follow_body(run, inner, function)
+            return
     if depth > BASES:
         return
     for base in run.bases(source, definition, templates):
