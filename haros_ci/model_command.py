@@ -128,7 +128,9 @@ def expected(found: Architecture, path: str) -> int:
     try:
         declared = yaml.safe_load(read_input(Path(path), path))
     except (yaml.YAMLError, RecursionError) as err:
-        raise UserError(f"{path} cannot be read: {str(err).splitlines()[0]}", help="it is YAML, as in docs/model.md") from err
+        raise UserError(
+            f"{path} cannot be read: {str(err).splitlines()[0]}", help="it is YAML, as in docs/model.md"
+        ) from err
     for problem in problems(declared, path, [c.name for c in found.configurations]):
         click.echo(f"warning: {terminal(problem.path)}: {terminal(problem.message)}", err=True)
     count = 0

@@ -6,7 +6,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from haros_ci.link import calls, expressions, operators
+from haros_ci.link import (
+    activation,
+    call_arguments,
+    callbacks,
+    conversions,
+    expressions,
+    library_objects,
+    lookup,
+    members,
+)
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, pointee, resolve_type
@@ -40,7 +49,9 @@ def field_of(
     return None
 
 
-def class_method(run: Run, source: Source, definition: Class, name: str, count: int | None = None, depth: int = 0) -> Found | None:
+def class_method(
+    run: Run, source: Source, definition: Class, name: str, count: int | None = None, depth: int = 0
+) -> Found | None:
     """The method *name* of a class or its bases; *count* arguments choose between overloads."""
     separator = source.separator
     candidates = run.index.near(run.index.functions, f"{definition.name}{separator}{name}", source, run.files)
@@ -59,7 +70,7 @@ def class_method(run: Run, source: Source, definition: Class, name: str, count: 
         return overload(candidates, count)
     if depth < BASES:
         for base in run.bases(source, definition, {}):
-            owner = _python_class(run, base, source) if separator == "." else run.class_of(base[0], source)
+            owner = python_class(run, base, source) if separator == "." else run.class_of(base[0], source)
             if owner is not None and owner[1] is not definition:
                 found = class_method(run, owner[0], owner[1], name, count, depth + 1)
                 if found is not None:
@@ -67,12 +78,12 @@ def class_method(run: Run, source: Source, definition: Class, name: str, count: 
     return None
 
 
-def _python_class(run: Run, base: Type, source: Source) -> tuple[Source, Class] | None:
+def python_class(run: Run, base: Type, source: Source) -> tuple[Source, Class] | None:
     from haros_ci.link.values import ClassValue
 
-    value: Value = expressions.evaluate(run, expressions.module_frame(run, source), ("name", base[0].split(".")[0]))
+    value: Value = expressions.evaluate(run, lookup.module_frame(run, source), ("name", base[0].split(".")[0]))
     for part in base[0].split(".")[1:]:
-        value = expressions.attribute(run, value, part, Frame(source, ""))
+        value = members.attribute(run, value, part, Frame(source, ""))
     return (value.source, value.definition) if isinstance(value, ClassValue) else None
 
 
@@ -82,7 +93,7 @@ def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -
     if depth < BASES:
         for base in run.bases(source, definition, {}):
             if source.program.language == "python":
-                owner = _python_class(run, base, source)
+                owner = python_class(run, base, source)
                 name = base[0]
                 if owner is None:
                     value = expressions.evaluate(run, Frame(source, ""), ("name", name.split(".")[0]))
@@ -100,7 +111,8 @@ def method_of(run: Run, this: Object, name: str, count: int | None = None) -> Ca
     """The method *name* of an object, bound to it."""
     if this.definition is None:
         return None
-    found = class_method(run, *this.definition, name, count)
+    source, definition = this.definition
+    found = class_method(run, source, definition, name, count)
     if found is None:
         return None
     return Callable(found[0], found[1], this, templates=this.templates)
@@ -163,16 +175,20 @@ def initial(run: Run, frame: Frame, kind: Type, init: Any, location: Location) -
     if init is not None and init[0] == "=":
         value = expressions.evaluate(run, frame, init[1])
         if init[1][0] == "list" and not _is_list(kind):
-            return create(run, frame, kind, calls.arguments(run, frame, init[1][1]), location)
+            return create(run, frame, kind, call_arguments.arguments(run, frame, init[1][1]), location)
         if kind[0] == "auto" or isinstance(value, Object):
             return value
-        if isinstance(value, Known) and isinstance(value.value, str) and run.class_of(kind[0], frame.source) is not None:
-            return create(run, frame, kind, (calls.Argument(value),), location)
+        if (
+            isinstance(value, Known)
+            and isinstance(value.value, str)
+            and run.class_of(kind[0], frame.source) is not None
+        ):
+            return create(run, frame, kind, (call_arguments.Argument(value),), location)
         if isinstance(value, Sequence):
             copied = Sequence(Cell(value.content.value), kind if _is_list(kind) else value.type)
             return copied if init[1][0] in ("name", "field") else Sequence(value.content, copied.type)
-        return operators.converted(value, kind)
-    arguments = calls.arguments(run, frame, init[1]) if init is not None else ()
+        return conversions.converted(value, kind)
+    arguments = call_arguments.arguments(run, frame, init[1]) if init is not None else ()
     if "*" in kind[2] or "&" in kind[2]:
         return arguments[0].value if arguments else NONE
     return create(run, frame, kind, arguments, location)
@@ -183,31 +199,31 @@ def _is_list(kind: Type) -> bool:
 
 
 def create(
-    run: Run, frame: Frame, kind: Type, arguments: tuple[calls.Argument, ...], location: Location
+    run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
 ) -> Value:
     """An instance of the resolved type *kind*, constructed from *arguments*."""
     if is_smart_pointer(kind):
         return arguments[0].value if arguments else NONE
     name = kind[0]
     if name in STRINGS:
-        return operators.converted(arguments[0].value, kind) if arguments else Known("")
+        return conversions.converted(arguments[0].value, kind) if arguments else Known("")
     if name in SEQUENCES:
         return _vector(run, frame, kind, arguments)
     if name in MAPS:
-        return Mapped(Cell({}))  # type: ignore[arg-type]
-    if calls.is_scalar(kind):
+        return Mapped(Cell({}))
+    if call_arguments.is_scalar(kind):
         if arguments:
-            return operators.converted(arguments[0].value, kind)
+            return conversions.converted(arguments[0].value, kind)
         return Opaque("it is not set before", location, kind)
     owner = run.class_of(name, frame.source)
     if owner is None:
-        return calls.library_object(run, frame, kind, arguments, location)
+        return library_objects.library_object(run, frame, kind, arguments, location)
     return instance(run, frame, owner, kind[1], arguments, location)
 
 
-def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[calls.Argument, ...]) -> Value:
+def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...]) -> Value:
     if not arguments:
-        return Sequence(Cell(()), kind)  # type: ignore[arg-type]
+        return Sequence(Cell(()), kind)
     first = arguments[0].value
     if isinstance(first, Sequence):
         return Sequence(Cell(first.content.value), kind)
@@ -218,7 +234,7 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[calls.Argument,
         for _ in range(first.value):
             start = fill if fill is not None else create(run, frame, inner, (), Location(frame.source.path))
             cells.append(Cell(start, inner))
-        return Sequence(Cell(tuple(cells)), kind)  # type: ignore[arg-type]
+        return Sequence(Cell(tuple(cells)), kind)
     return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
 
 
@@ -227,7 +243,7 @@ def instance(
     frame: Frame,
     owner: tuple[Source, Class],
     targs: tuple[Any, ...],
-    arguments: tuple[calls.Argument, ...],
+    arguments: tuple[call_arguments.Argument, ...],
     location: Location,
 ) -> Value:
     """A new object of a workspace's class: bases, then members in their order, then the constructor's body."""
@@ -238,7 +254,7 @@ def instance(
         python_construct(run, frame, this, arguments, location)
         return this
     initialise(run, frame, this, owner, templates, arguments, location)
-    calls.framework_entries(run, this)
+    callbacks.framework_entries(run, this)
     return this
 
 
@@ -248,7 +264,7 @@ def initialise(
     this: Object,
     owner: tuple[Source, Class],
     templates: Mapping[str, Type],
-    arguments: tuple[calls.Argument, ...],
+    arguments: tuple[call_arguments.Argument, ...],
     location: Location,
     depth: int = 0,
 ) -> None:
@@ -261,29 +277,29 @@ def initialise(
     inits: dict[str, Any] = {}
     body_at = location
     if function is not None:
-        calls.bind(run, frame, inner, function, arguments, ())
+        activation.bind(run, frame, inner, function, arguments, ())
         for name, kind, args, line, column in function.inits:
             inits[name.rpartition("::")[2]] = (kind, args, line, column)
         if function.body is not None:
             body_at = Location(where.path, function.body_line, function.body_column)
         if short in inits:  # delegates to another constructor
-            args = calls.arguments(run, inner, inits[short][1])
+            args = call_arguments.arguments(run, inner, inits[short][1])
             if depth < BASES:
                 initialise(run, inner, this, owner, templates, args, location, depth + 1)
             if function.body is not None:
-                calls.follow_body(run, inner, function)
+                activation.follow_body(run, inner, function)
             return
     if depth > BASES:
         return
     for base in run.bases(source, definition, templates):
         base_init = inits.get(base[0].rpartition("::")[2])
-        args = calls.arguments(run, inner, base_init[1]) if base_init else ()
+        args = call_arguments.arguments(run, inner, base_init[1]) if base_init else ()
         base_owner = run.class_of(base[0], source)
         if base_owner is not None and base_owner[1] is not definition:
             bound = dict(zip(base_owner[1].templates, base[1], strict=False))
             initialise(run, inner, this, base_owner, bound, args, body_at, depth + 1)
         elif base_owner is None:
-            calls.construct_library(run, inner, this, base, args, body_at)
+            library_objects.construct_library(run, inner, this, base, args, body_at)
     declared = Frame(source, definition.name, None, this, templates=templates)
     for member in definition.fields:
         if member.is_static:
@@ -303,29 +319,29 @@ def initialise(
         else:
             cell.value = Opaque(f"the member {member.name} is not set before", Location(source.path, member.line), kind)
     if function is not None and function.body is not None:
-        calls.follow_body(run, inner, function)
+        activation.follow_body(run, inner, function)
 
 
 def _as_value(kind: Type, start: Any) -> Any:
     """``m(x)`` for a scalar, pointer or reference is ``m = x``."""
-    if len(start[1]) == 1 and ("*" in kind[2] or "&" in kind[2] or calls.is_scalar(kind)):
+    if len(start[1]) == 1 and ("*" in kind[2] or "&" in kind[2] or call_arguments.is_scalar(kind)):
         return ("=", start[1][0])
     return start
 
 
 def _has_default(run: Run, kind: Type, source: Source) -> bool:
-    return not calls.is_scalar(kind)
+    return not call_arguments.is_scalar(kind)
 
 
 def python_construct(
-    run: Run, frame: Frame, this: Object, arguments: tuple[calls.Argument, ...], location: Location
+    run: Run, frame: Frame, this: Object, arguments: tuple[call_arguments.Argument, ...], location: Location
 ) -> None:
     """``__init__``, and the constructors of libraries' base classes."""
     source, definition = this.definition
     method = method_of(run, this, "__init__")
     if method is not None:
-        calls.invoke(run, frame, method, arguments, None)
+        activation.invoke(run, frame, method, arguments, None)
     for base in library_bases(run, source, definition):
         if method is None:
-            calls.construct_library(run, frame, this, (base, (), ""), arguments, location)
-    calls.framework_entries(run, this)
+            library_objects.construct_library(run, frame, this, (base, (), ""), arguments, location)
+    callbacks.framework_entries(run, this)

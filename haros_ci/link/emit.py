@@ -15,7 +15,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.program import Type
 
 if TYPE_CHECKING:
-    from haros_ci.link.api_rows import Applied
+    from haros_ci.link.selectors import Applied
 
 Unknowns = list[tuple[str, str, Location | None]]
 PARAMETERS = ("getters", "setters")
@@ -25,7 +25,7 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
     """Make one endpoint (or name the node); for a getter, the value that it reads is returned."""
     run = applied.run
     if entry.kind == "node":
-        from haros_ci.link.api_rows import value_of
+        from haros_ci.link.selectors import value_of
 
         name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
         anonymous = value_of(applied, entry.values["anonymous"]) if "anonymous" in entry.values else Known(False)
@@ -77,12 +77,12 @@ def _set(applied: Applied, name: str, value: Value) -> None:
         return
     if "?" not in name:
         known, data = data_of(value)
-        run.state.write(run.server, {**own, name: Known(data) if known else value})  # type: ignore[arg-type]
+        run.state.write(run.server, {**own, name: Known(data) if known else value})
 
 
 def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
     """A dynamic_reconfigure parameter's value, for the callback that gets them all."""
-    from haros_ci.link.api_rows import config_name, select_value
+    from haros_ci.link.selectors import config_name, select_value
 
     assert entry.each is not None and applied.item is not None
     name = config_name(select_value(applied, entry.each[7:-1]))
@@ -92,7 +92,8 @@ def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
 
 
 def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> str:
-    from haros_ci.link.api_rows import namespace_of, value_of
+    from haros_ci.link.handles import namespace_of
+    from haros_ci.link.selectors import value_of
 
     context = applied.run.context
     found = value_of(applied, entry.values["name"]) if "name" in entry.values else None
@@ -119,7 +120,7 @@ def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> str:
 
 
 def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | None) -> str | None:
-    from haros_ci.link.api_rows import TypeValue, value_of
+    from haros_ci.link.selectors import TypeValue, value_of
 
     found: Any = value_of(applied, entry.values["type"]) if "type" in entry.values else None
     result: str | None = None
@@ -152,7 +153,7 @@ def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | N
 
 
 def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Value | None]:
-    from haros_ci.link.api_rows import TypeValue, value_of
+    from haros_ci.link.selectors import TypeValue, value_of
 
     if entry.kind not in PARAMETERS or "value" not in entry.values:
         return None, None
@@ -163,12 +164,14 @@ def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Val
     if known:
         return data, found
     why = opaque_of(found)
-    unknowns.append(("value", why.reason if why else "it is not plain data", (why and why.location) or applied.location))
+    unknowns.append(
+        ("value", why.reason if why else "it is not plain data", (why and why.location) or applied.location)
+    )
     return None, found
 
 
 def _integer(applied: Applied, entry: Entry, key: str, unknowns: Unknowns) -> int | None:
-    from haros_ci.link.api_rows import value_of
+    from haros_ci.link.selectors import value_of
 
     if key not in entry.values:
         return None
@@ -185,7 +188,7 @@ def _integer(applied: Applied, entry: Entry, key: str, unknowns: Unknowns) -> in
 
 
 def _flag(applied: Applied, entry: Entry, unknowns: Unknowns) -> bool | None:
-    from haros_ci.link.api_rows import value_of
+    from haros_ci.link.selectors import value_of
 
     found = value_of(applied, entry.values["latched"]) if "latched" in entry.values else None
     if found is None:

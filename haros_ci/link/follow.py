@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from haros_ci.link import calls, construct, expressions
+from haros_ci.link import activation, call_arguments, construct, lookup
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, OutOfSteps, Root, Run
 from haros_ci.link.state import Writes, joined
@@ -45,21 +45,21 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
         construct.instance(run, frame, owner, (), (), Location(entry.source.path, entry.definition.line))
         first, run.roots[:] = list(run.roots), []
         for root in first:
-            calls.invoke(run, frame, root.function, _arguments(run, root, frame), location)
+            activation.invoke(run, frame, root.function, _arguments(run, root, frame), location)
     elif entry.function is not None:
         words = run.context.arguments
-        args: tuple[calls.Argument, ...] = ()
+        args: tuple[call_arguments.Argument, ...] = ()
         if entry.function.parameters:
             argv = Opaque("the command line") if words is None else None
             program: Value = Opaque("the program's name", None, ("char", (), "*"))
             cells = tuple(Cell(value) for value in (program, *(Known(word) for word in words or ())))
             args = (
-                calls.Argument(argv or Known(len(cells))),
-                calls.Argument(argv or Sequence(Cell(cells))),  # type: ignore[arg-type]
+                call_arguments.Argument(argv or Known(len(cells))),
+                call_arguments.Argument(argv or Sequence(Cell(cells))),
             )
-        calls.invoke(run, frame, Callable(entry.source, entry.function), args, location)
+        activation.invoke(run, frame, Callable(entry.source, entry.function), args, location)
     else:
-        expressions.module_frame(run, entry.source)
+        lookup.module_frame(run, entry.source)
 
 
 def _call_back(run: Run, frame: Frame) -> None:
@@ -97,14 +97,14 @@ def _disturb(run: Run, effects: Iterable[Writes], own: int) -> None:
 def _invoke(run: Run, frame: Frame, root: Root) -> None:
     before = run.conditions[:]
     run.conditions[:] = root.conditions
-    calls.invoke(run, frame, root.function, _arguments(run, root, frame), Location(frame.source.path))
+    activation.invoke(run, frame, root.function, _arguments(run, root, frame), Location(frame.source.path))
     run.conditions[:] = before
 
 
-def _arguments(run: Run, root: Root, frame: Frame) -> tuple[calls.Argument, ...]:
+def _arguments(run: Run, root: Root, frame: Frame) -> tuple[call_arguments.Argument, ...]:
     """What a framework passes: a dynamic_reconfigure callback gets the configuration, all else is not known."""
     function = root.function.function
-    found: list[calls.Argument] = []
+    found: list[call_arguments.Argument] = []
     scope = function.owner or function.name.rpartition("::")[0]
     inner = Frame(root.function.source, scope, function, root.function.this, templates=root.function.templates)
     for number, parameter in enumerate(function.parameters):
@@ -115,7 +115,7 @@ def _arguments(run: Run, root: Root, frame: Frame) -> tuple[calls.Argument, ...]
         kind = run.type_in(parameter.type, inner)
         config: Object | None = run.config_objects.get(kind[0])
         if config is not None:
-            found.append(calls.Argument(config))
+            found.append(call_arguments.Argument(config))
         else:
-            found.append(calls.Argument(run.opaque("what a callback is given", inner, function.line, kind)))
+            found.append(call_arguments.Argument(run.opaque("what a callback is given", inner, function.line, kind)))
     return tuple(found)

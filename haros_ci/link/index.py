@@ -113,7 +113,7 @@ def build_index(sources: Iterable[Source]) -> Index:
 
 
 def _included(program: Program) -> dict[str, str]:
-    found = {}
+    found: dict[str, str] = {}
     for include in program.includes:
         head, slash, tail = include.strip('<>"').rpartition("/")
         if slash and head and "/" not in head and tail.endswith((".h", ".hpp")):

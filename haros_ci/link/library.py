@@ -5,18 +5,31 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import library_cpp, library_python, operators
+from haros_ci.link import callbacks, conversions, library_cpp, library_python
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import NONE, Cell, Known, Object, Opaque, Pointer, Sequence, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Type
 
 if TYPE_CHECKING:
-    from haros_ci.link.calls import Argument
+    from haros_ci.link.call_arguments import Argument
 
 POINTER_METHODS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
 #: Functions that leave their arguments alone, by the beginning of their name.
-HARMLESS = ("ROS_", "NODELET_", "std::", "ros::", "printf", "fprintf", "assert", "boost::", "rospy.", "print", "tf", "YAML::")
+HARMLESS = (
+    "ROS_",
+    "NODELET_",
+    "std::",
+    "ros::",
+    "printf",
+    "fprintf",
+    "assert",
+    "boost::",
+    "rospy.",
+    "print",
+    "tf",
+    "YAML::",
+)
 
 
 def pointer_method(run: Run, cell: Cell, name: str, args: tuple[Argument, ...]) -> Value:
@@ -30,7 +43,13 @@ def pointer_method(run: Run, cell: Cell, name: str, args: tuple[Argument, ...]) 
 
 
 def method(
-    run: Run, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[Argument, ...], location: Location
+    run: Run,
+    frame: Frame,
+    receiver: Value,
+    cell: Cell | None,
+    name: str,
+    args: tuple[Argument, ...],
+    location: Location,
 ) -> Value | None:
     """A modelled method; None if there is no model of it."""
     if frame.source.program.language == "python":
@@ -47,11 +66,11 @@ def function(
     return library_cpp.function(run, frame, name, args, targs, location)
 
 
-def construct(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
+def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
     """A modelled class's instance; None if there is no model of it."""
     if frame.source.program.language == "python":
         return None
-    return library_cpp.construct(run, frame, kind, args)
+    return library_cpp.instance(run, frame, kind, args)
 
 
 def unknown_call(
@@ -59,11 +78,10 @@ def unknown_call(
 ) -> Value:
     """A call of which nothing is known: what it is given by address or reference is not known afterwards, functions
     that it is given may be called, and so is its result."""
-    from haros_ci.link import calls
 
     harmless = name.startswith(HARMLESS) or name.isupper()
     for argument in args:
-        calls.register(run, argument.value, args)
+        callbacks.register(run, argument.value, args)
         if harmless:
             continue
         if isinstance(argument.value, Pointer):
@@ -74,11 +92,9 @@ def unknown_call(
             target = None
         if target is not None and isinstance(target.value, (Known, Sequence)) and not _is_constant(target):
             if isinstance(target.value, Sequence):
-                run.state.write(
-                    target.value.content, run.opaque(f"the list is given to {name}", frame)
-                )
+                run.state.write(target.value.content, run.opaque(f"the list is given to {name}", frame))
                 continue
-            kind = target.type or operators.value_type(target.value)
+            kind = target.type or conversions.value_type(target.value)
             run.state.write(target, run.opaque(f"{name} may change it", frame, None, kind))
     if isinstance(receiver, Opaque):
         return Opaque(receiver.reason, receiver.location)

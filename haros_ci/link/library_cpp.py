@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import construct as classes
-from haros_ci.link import operators
+from haros_ci.link import construct, conversions, library_containers, library_yaml
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import STRINGS
 from haros_ci.link.values import (
@@ -31,7 +30,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.program import Type
 
 if TYPE_CHECKING:
-    from haros_ci.link.calls import Argument
+    from haros_ci.link.call_arguments import Argument
 
 XMLRPC = "XmlRpc::XmlRpcValue"
 STREAMS = frozenset(
@@ -40,7 +39,9 @@ STREAMS = frozenset(
 FILES = frozenset(("std::ifstream", "std::fstream", "ifstream", "fstream"))
 BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
 MAKERS = frozenset(
-    f"{space}::{name}" for space in ("boost", "std") for name in ("make_shared", "make_unique", "shared_ptr", "unique_ptr")
+    f"{space}::{name}"
+    for space in ("boost", "std")
+    for name in ("make_shared", "make_unique", "shared_ptr", "unique_ptr")
 )
 TRANSPARENT = frozenset(
     (
@@ -52,7 +53,7 @@ TRANSPARENT = frozenset(
 )
 
 
-def construct(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
+def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
     """An instance of a modelled class."""
     name = kind[0]
     if name in STREAMS:
@@ -63,13 +64,13 @@ def construct(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) ->
     if name == "YAML::Parser":
         return Object(name, fields={"[stream]": Cell(args[0].value if args else NONE)})
     if name in ("YAML::Node", XMLRPC):
-        return operators.converted(args[0].value, kind) if args else NONE
+        return conversions.converted(args[0].value, kind) if args else NONE
     if name == f"{XMLRPC}::ValueStruct":
-        held = args[0].value.content.value if args and isinstance(args[0].value, Mapped) else {}
+        held: Any = args[0].value.content.value if args and isinstance(args[0].value, Mapped) else {}
         copied = {key: Cell(cell.value, cell.type) for key, cell in held.items()} if isinstance(held, dict) else held
-        return Mapped(Cell(copied))  # type: ignore[arg-type]
+        return Mapped(Cell(copied))
     if name == f"{XMLRPC}::ValueArray":
-        return classes.create(run, frame, ("std::vector", ((XMLRPC, (), ""),), ""), args, Location(frame.source.path))
+        return construct.create(run, frame, ("std::vector", ((XMLRPC, (), ""),), ""), args, Location(frame.source.path))
     if name in ("std::pair",) and len(args) == 2:
         return Object(name, fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
     if name in ("ros::Duration", "ros::WallDuration", "ros::Rate", "ros::Time") and len(args) == 1:
@@ -89,7 +90,7 @@ def function(
             return args[0].value if args else NONE
         if targs:
             kind = run.type_in(targs[0], frame) if isinstance(targs[0], (tuple, list)) else ("", (), "")
-            return classes.create(run, frame, (kind[0], kind[1], ""), args, location)
+            return construct.create(run, frame, (kind[0], kind[1], ""), args, location)
         return None
     if name in TRANSPARENT and len(args) in (1, 2):
         value = args[0].value
@@ -97,7 +98,7 @@ def function(
             return concatenate((value,))
         if name == "boost::lexical_cast" and targs:
             wanted = run.type_in(targs[0], frame)
-            return concatenate((value,)) if wanted[0] in STRINGS else operators.converted(_number(value), wanted)
+            return concatenate((value,)) if wanted[0] in STRINGS else conversions.converted(_number(value), wanted)
         if name in ("std::max", "std::abs"):
             return None
         return value
@@ -106,9 +107,9 @@ def function(
     if name in ("ros::names::append", "ros::names::parentNamespace"):
         return concatenate((args[0].value, Known("/"), args[1].value)) if len(args) == 2 else None
     if name == "YAML::LoadFile" and args:
-        return _yaml_file(run, args[0].value)
+        return library_yaml.yaml_file(run, args[0].value)
     if name in ("YAML::Load", "YAML::LoadAll") and args:
-        return _yaml_stream(run, args[0].value)
+        return library_yaml.yaml_stream(run, args[0].value)
     if name in ("std::find_if", "std::find") and args:
         return args[0].value if isinstance(args[0].value, Object) and args[0].value.name == "[end]" else None
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
@@ -122,7 +123,7 @@ def function(
 
 def protected(run: Run, this: Object, name: str) -> Cell | None:
     """A data member that a library's class gives to the workspace's classes derived from it."""
-    if name == "_value" and this.definition is not None and XMLRPC in classes.library_bases(run, *this.definition):
+    if name == "_value" and this.definition is not None and XMLRPC in construct.library_bases(run, *this.definition):
         cell = this.fields[name] = Cell(Object("[any]"))
         return cell
     return None
@@ -184,9 +185,9 @@ def method(
     if isinstance(receiver, Opaque) and name in ("c_str", "str", "data", "get"):
         return receiver
     if isinstance(receiver, Sequence):
-        return _sequence(run, frame, receiver, name, args)
+        return library_containers.sequence(run, frame, receiver, name, args)
     if isinstance(receiver, Mapped):
-        return _mapped(run, frame, receiver, name, args)
+        return library_containers.mapped(run, frame, receiver, name, args)
     if isinstance(receiver, Object):
         return _object(run, frame, receiver, name, args, Location(frame.source.path))
     return None
@@ -203,7 +204,7 @@ def _data(
             return Known(len(data))
         if name == "empty":
             return Known(not data)
-        values = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+        values: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
         if name == "substr" and values and all(isinstance(v, int) for v in values):
             end = values[0] + values[1] if len(values) > 1 else len(data)
             return Known(data[values[0] : end]) if 0 <= values[0] <= len(data) else None
@@ -243,75 +244,16 @@ def _data(
         }
         return Known(kinds[name])
     if name == "getType":
-        for kind, said in ((bool, "TypeBoolean"), (int, "TypeInt"), (float, "TypeDouble"), (str, "TypeString"), (list, "TypeArray"), (dict, "TypeStruct")):
+        for kind, said in (
+            (bool, "TypeBoolean"),
+            (int, "TypeInt"),
+            (float, "TypeDouble"),
+            (str, "TypeString"),
+            (list, "TypeArray"),
+            (dict, "TypeStruct"),
+        ):
             if isinstance(data, kind):
                 return Library(f"XmlRpc::XmlRpcValue::{said}")
-    return None
-
-
-def _sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
-    cells: Any = receiver.content.value
-    known = isinstance(cells, tuple)
-    inner = receiver.type[1][0] if receiver.type is not None and receiver.type[1] else None
-    if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
-        if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < 1000:
-            value = operators.converted(args[0].value, inner)
-            run.state.write(receiver.content, (*cells, Cell(value, inner)))  # type: ignore[arg-type]
-        elif known and name == "emplace_back" and inner is not None:
-            value = classes.create(run, frame, inner, args, Location(frame.source.path))
-            run.state.write(receiver.content, (*cells, Cell(value, inner)))  # type: ignore[arg-type]
-        else:
-            run.state.write(receiver.content, run.opaque("the list is built in a way that is not followed", frame))
-        return NONE
-    if name == "clear":
-        run.state.write(receiver.content, ())
-        return NONE
-    if name in ("resize", "assign"):
-        if args and isinstance(args[0].value, Known) and isinstance(args[0].value.value, int) and name == "resize":
-            wanted = args[0].value.value
-            if known and 0 <= wanted <= 1000:
-                made = [
-                    Cell(classes.create(run, frame, inner or ("", (), ""), (), Location(frame.source.path)), inner)
-                    for _ in range(wanted - len(cells))
-                ]
-                run.state.write(receiver.content, (*cells[:wanted], *made))
-                return NONE
-        run.state.write(receiver.content, run.opaque("a list of unknown length", frame))
-        return NONE
-    if name in ("size", "empty", "length"):
-        if known:
-            return Known(not cells) if name == "empty" else Known(len(cells))
-        return run.opaque("the length of a list that is not known", frame, None, ("int", (), ""))
-    if name in ("front", "back", "at"):
-        if known and cells and name != "at":
-            return cells[0 if name == "front" else -1].value  # type: ignore[no-any-return]
-        if name == "at" and args:
-            cell = operators.element(run, frame, receiver, args[0].value)
-            if cell is not None:
-                return cell.value
-        return run.opaque("an element that is not known", frame, None, inner)
-    if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
-        if receiver.end is None:
-            receiver.end = Object("[end]")
-        if name.endswith("end") or (known and not cells):
-            return receiver.end
-        return Object("[iterator]")
-    return None
-
-
-def _mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
-    pairs: Any = receiver.content.value
-    if name in ("size", "empty", "count") and isinstance(pairs, dict):
-        if name == "count":
-            key = args[0].value if args else NONE
-            return Known(int(key.value in pairs)) if isinstance(key, Known) else run.opaque("a key is not known", frame)
-        return Known(not pairs) if name == "empty" else Known(len(pairs))
-    if name in ("insert", "emplace", "erase", "clear", "swap"):
-        run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
-        return NONE
-    if name == "at" and args:
-        cell = operators.element(run, frame, receiver, args[0].value)
-        return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
     return None
 
 
@@ -322,7 +264,7 @@ def _object(
     run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...], location: Location
 ) -> Value | None:
     if receiver.name == "pluginlib::ClassLoader" and name in LOADERS and args:
-        return _plugin(run, frame, receiver, args[0].value, location)
+        return library_yaml.plugin(run, frame, receiver, args[0].value, location)
     if receiver.name == "pluginlib::ClassLoader" and name == "getName" and args:
         named = args[0].value
         if isinstance(named, Known) and isinstance(named.value, str):
@@ -340,39 +282,6 @@ def _object(
         run.state.write(receiver.fields["[path]"], args[0].value)
         return NONE
     if receiver.name == "YAML::Parser" and name == "GetNextDocument" and args and args[0].cell is not None:
-        run.state.write(args[0].cell, _yaml_stream(run, receiver.fields["[stream]"].value))
+        run.state.write(args[0].cell, library_yaml.yaml_stream(run, receiver.fields["[stream]"].value))
         return TRUE
     return None
-
-
-def _plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
-    """An instance of the class that pluginlib loads by that name, where it is of the workspace (wiki.ros.org/pluginlib)."""
-    base = loader.arguments[0] if loader.arguments else None
-    if not isinstance(name, Known) or not isinstance(name.value, str):
-        return run.opaque("the plug-in's name is not known", frame, location.line, base)
-    found = run.context.plugins.get(name.value)
-    if found is None:
-        return run.opaque(f"the plug-in {name.value} is not in the workspace", frame, location.line, base)
-    return classes.instance(run, frame, found, (), (), location)
-
-
-def _yaml_file(run: Run, path: Value) -> Value:
-    if isinstance(path, Known) and isinstance(path.value, str):
-        found = run.context.read_yaml(path.value)
-        if found is not None:
-            return found
-        return Opaque(f"the YAML file {path.value or '(no name)'} is not in the workspace")
-    return Opaque("the name of the YAML file is not known")
-
-
-def _yaml_stream(run: Run, stream: Value) -> Value:
-    if isinstance(stream, Object):
-        if "[path]" in stream.fields:
-            return _yaml_file(run, stream.fields["[path]"].value)
-        if "[text]" in stream.fields:
-            stream = stream.fields["[text]"].value
-    if isinstance(stream, Known) and isinstance(stream.value, str):
-        found = run.context.read_yaml(f"\n{stream.value}")
-        if found is not None:
-            return found
-    return Opaque("the YAML text is not known")

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci.link import activation, call_arguments, library_yaml, members
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     NONE,
@@ -23,9 +24,11 @@ from haros_ci.link.values import (
 )
 
 if TYPE_CHECKING:
-    from haros_ci.link.calls import Argument
+    from haros_ci.link.call_arguments import Argument
 
-TEXT_METHODS = frozenset("strip lstrip rstrip lower upper replace split startswith endswith title capitalize rsplit".split())
+TEXT_METHODS = frozenset(
+    "strip lstrip rstrip lower upper replace split startswith endswith title capitalize rsplit".split()
+)
 YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
 
 
@@ -50,8 +53,8 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
             return Known(len(first.content.value))
         return run.opaque("the length of what is not known", frame, None, ("int", (), ""))
     if name == "range":
-        known, bounds = zip(*(data_of(a.value) for a in args), strict=True) if args else ((), ())
-        if args and all(known) and all(isinstance(b, int) for b in bounds):
+        bounds = [a.value.value for a in args if isinstance(a.value, Known) and isinstance(a.value.value, int)]
+        if args and len(bounds) == len(args):
             try:
                 numbers = range(*bounds)
             except (TypeError, ValueError):
@@ -65,16 +68,16 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
     if name == "enumerate" and isinstance(first, (Sequence, Known)):
         items = _items(first)
         if items is not None:
-            pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items)]  # type: ignore[arg-type]
-            return Sequence(Cell(tuple(Cell(pair) for pair in pairs)))  # type: ignore[arg-type]
+            pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items)]
+            return Sequence(Cell(tuple(Cell(pair) for pair in pairs)))
     if name == "zip":
         columns = [_items(a.value) for a in args]
         if columns and all(column is not None for column in columns):
             rows = list(zip(*(c for c in columns if c is not None), strict=False))
-            made = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)  # type: ignore[arg-type]
-            return Sequence(Cell(made))  # type: ignore[arg-type]
+            made = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
+            return Sequence(Cell(made))
     if name == "dict" and not args:
-        return Mapped(Cell({}))  # type: ignore[arg-type]
+        return Mapped(Cell({}))
     if name == "[for]" and len(args) == 2 and isinstance(args[1].value, Callable):
         return _comprehension(run, frame, args[0].value, args[1].value)
     if name in ("os.path.join", "posixpath.join") and args:
@@ -85,11 +88,9 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
     if name in ("open", "io.open", "file") and first is not None:
         return Object("file", fields={"[path]": Cell(first)})
     if name in YAML and first is not None:
-        from haros_ci.link.library_cpp import _yaml_file, _yaml_stream
-
         if isinstance(first, Object) and "[path]" in first.fields:
-            return _yaml_file(run, first.fields["[path]"].value)
-        return _yaml_stream(run, first)
+            return library_yaml.yaml_file(run, first.fields["[path]"].value)
+        return library_yaml.yaml_stream(run, first)
     if name in ("rospkg.RosPack", "rospkg.rospack.RosPack"):
         return Object("rospkg.RosPack")
     if name in ("roslib.packages.get_pkg_dir", "ament_index_python.packages.get_package_share_directory"):
@@ -100,9 +101,7 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
     if name in ("rospy.myargv", "sys.argv") and run.context.arguments is not None:
         return argv(run)
     if name == "getattr" and len(args) >= 2 and isinstance(args[1].value, Known):
-        from haros_ci.link import expressions
-
-        return expressions.attribute(run, args[0].value, str(args[1].value.value), frame)
+        return members.attribute(run, args[0].value, str(args[1].value.value), frame)
     if name == "super":
         return Library("super")
     return None
@@ -113,7 +112,7 @@ def argv(run: Run) -> Value:
     if run.context.arguments is None:
         return Opaque("the command line")
     cells = [Cell(Opaque("the program's name")), *(Cell(Known(a)) for a in run.context.arguments)]
-    return Sequence(Cell(tuple(cells)))  # type: ignore[arg-type]
+    return Sequence(Cell(tuple(cells)))
 
 
 def _items(value: Value) -> list[Value] | None:
@@ -125,13 +124,12 @@ def _items(value: Value) -> list[Value] | None:
 
 
 def _comprehension(run: Run, frame: Frame, iterable: Value, element: Callable) -> Value:
-    from haros_ci.link import calls
 
     items = _items(iterable)
     if items is None or len(items) > 256:
         return Sequence(Cell(run.opaque("a list made from one that is not known", frame)))
-    made = [calls.invoke(run, frame, element, (calls.Argument(item),), None) for item in items]
-    return Sequence(Cell(tuple(Cell(value) for value in made)))  # type: ignore[arg-type]
+    made = [activation.invoke(run, frame, element, (call_arguments.Argument(item),), None) for item in items]
+    return Sequence(Cell(tuple(Cell(value) for value in made)))
 
 
 def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argument, ...]) -> Value | None:
@@ -158,7 +156,7 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
     if isinstance(receiver, Sequence):
         cells: Any = receiver.content.value
         if name == "append" and args and isinstance(cells, tuple) and len(cells) < 1000:
-            run.state.write(receiver.content, (*cells, Cell(args[0].value)))  # type: ignore[arg-type]
+            run.state.write(receiver.content, (*cells, Cell(args[0].value)))
             return NONE
         if name in ("append", "extend", "insert", "remove", "pop", "sort", "reverse"):
             run.state.write(receiver.content, run.opaque("a list that is changed", frame))
@@ -179,17 +177,17 @@ def _dictionary(run: Run, frame: Frame, pairs: Any, name: str, args: tuple[Argum
     if name in ("keys", "iterkeys"):
         return Known(list(pairs))
     if name in ("values", "itervalues"):
-        return Sequence(Cell(tuple(pairs.values())))  # type: ignore[arg-type]
+        return Sequence(Cell(tuple(pairs.values())))
     if name in ("items", "iteritems"):
-        made = tuple(Cell(Sequence(Cell((Cell(Known(key)), cell)))) for key, cell in pairs.items())  # type: ignore[arg-type]
-        return Sequence(Cell(made))  # type: ignore[arg-type]
+        made = tuple(Cell(Sequence(Cell((Cell(Known(key)), cell)))) for key, cell in pairs.items())
+        return Sequence(Cell(made))
     if name == "get" and args and isinstance(args[0].value, Known):
         try:
             found = pairs.get(args[0].value.value)
         except TypeError:
             return None
         if found is not None:
-            return found.value  # type: ignore[no-any-return]
+            return found.value
         return args[1].value if len(args) > 1 else NONE
     return None
 

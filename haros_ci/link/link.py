@@ -21,7 +21,6 @@ from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Problem, Workspace
 
-
 #: What is known of a node type outside the workspace, by package and executable or nodelet's look-up name.
 KnownNodes = Callable[[str, str], KnownNode | None]
 
@@ -131,9 +130,7 @@ def types_of(
         for config in build.configs
     }
     relevance = {
-        language: Relevance(
-            python if language == "python" else cpp, [row for found in table.values() for row in found]
-        )
+        language: Relevance(python if language == "python" else cpp, [row for found in table.values() for row in found])
         for language, table in tables.items()
     }
     reader = yaml_reader(files_of(workspace))

@@ -83,7 +83,9 @@ def plain(value: YamlValue) -> Any:
     if isinstance(data, (list, tuple)):
         return [plain(item) if isinstance(item, YamlValue) else item for item in data]
     if isinstance(data, dict):
-        return {str(_plain_key(key)): plain(item) if isinstance(item, YamlValue) else item for key, item in data.items()}
+        return {
+            str(_plain_key(key)): plain(item) if isinstance(item, YamlValue) else item for key, item in data.items()
+        }
     if isinstance(data, (str, int, float, bool)) or data is None:
         return data
     return None

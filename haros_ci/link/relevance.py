@@ -18,11 +18,15 @@ COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplac
 #: Stands for an assignment to an element among the names of a block.
 ELEMENT = "[]="
 #: Methods that leave what they are called on as it is.
-READING = frozenset("size length empty c_str str find at begin end count get front back data isValid ok now toSec".split())
+READING = frozenset(
+    "size length empty c_str str find at begin end count get front back data isValid ok now toSec".split()
+)
 
 
 #: Methods of containers, texts and pointers: called on an object, they are taken for these.
-CONTAINERS = READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
+CONTAINERS = (
+    READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
+)
 
 
 class Relevance:
@@ -36,7 +40,7 @@ class Relevance:
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):
             for name, found in table.items():
-                self._by_name.setdefault(_last(name), []).extend(found)  # type: ignore[arg-type]
+                self._by_name.setdefault(_last(name), []).extend(found)
         self._blocks: dict[int, tuple[Any, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
         self._changes: dict[int, tuple[Function, frozenset[str] | None]] = {}
@@ -123,7 +127,9 @@ class Relevance:
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
         if isinstance(item, Class):
-            found = [_last(kind) for f in item.fields for kind in _type_names(f.type)] + [_last(b[0]) for b in item.bases]
+            found = [_last(kind) for f in item.fields for kind in _type_names(f.type)] + [
+                _last(b[0]) for b in item.bases
+            ]
             for where, function in self._index.functions.get(f"{item.name}.__init__", ()):
                 if where.path == source.path and function.body is not None:
                     found += self.names(function.body, where)
@@ -183,7 +189,9 @@ def _targets(item: Any, found: set[str], source: Source) -> None:
             if target[0] in ("name", "field"):
                 found.add(_last(target[-1]))
                 break
-            target = target[1] if target[0] in ("index", "*", "&", "call") else target[2] if target[0] == "cast" else None
+            target = (
+                target[1] if target[0] in ("index", "*", "&", "call") else target[2] if target[0] == "cast" else None
+            )
         waiting.extend(node)
 
 

@@ -28,7 +28,6 @@ DEPTH = 28
 TURNS = 64
 
 
-
 class OutOfSteps(Exception):
     """The node is larger than the budget."""
 
@@ -126,7 +125,7 @@ class Run:
     modules: dict[str, Frame] = field(default_factory=dict)
     active: list[Function] = field(default_factory=list)
     #: What the node itself sets on the parameter server, by full name.
-    server: Cell = field(default_factory=lambda: Cell({}))  # type: ignore[arg-type]
+    server: Cell = field(default_factory=lambda: Cell({}))
     config_objects: dict[str, Object] = field(default_factory=dict)
     names: list[tuple[Value, bool]] = field(default_factory=list)
     quiet: int = 0

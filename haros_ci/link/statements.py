@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link import construct, expressions
+from haros_ci.link import construct, expressions, lookup, static_types
 from haros_ci.link.run import TURNS, Frame, Run
 from haros_ci.link.state import Writes, joined
 from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Sequence, Value, opaque_of
@@ -113,7 +113,9 @@ def _loop(run: Run, frame: Frame, statement: Statement) -> str:
                     return ended
                 if ended == BREAK:
                     return NEXT
-            return _widened(run, frame, lambda: execute(run, frame, body), line, run.relevance.matters(body, frame.source))
+            return _widened(
+                run, frame, lambda: execute(run, frame, body), line, run.relevance.matters(body, frame.source)
+            )
     finally:
         frame.scopes.pop()
 
@@ -161,7 +163,7 @@ def _widened(run: Run, frame: Frame, body: Any, line: int, matters: bool) -> str
 
 def _each(run: Run, frame: Frame, statement: Statement) -> str:
     _, line, column, text, name, kind, iterable, body = statement
-    items = expressions.elements(run, frame, iterable)
+    items = static_types.elements(run, frame, iterable)
     resolved = run.type_in(kind, frame)
 
     def turn(value: Value | Cell) -> str:
@@ -178,7 +180,7 @@ def _each(run: Run, frame: Frame, statement: Statement) -> str:
 
     with run.under("for", text, frame, line, column):
         if items is None:
-            kind_ = expressions.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
+            kind_ = static_types.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
             return _widened(run, frame, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
         if not items:
@@ -306,7 +308,7 @@ def _class(run: Run, frame: Frame, statement: Statement) -> str:
 
 
 def _import(run: Run, frame: Frame, statement: Statement) -> str:
-    frame.declare(statement[1], Cell(expressions.imported(run, frame, statement[2])))
+    frame.declare(statement[1], Cell(lookup.imported(run, frame, statement[2])))
     return NEXT
 
 

@@ -127,7 +127,8 @@ def _known(
             return None
         held, plain = data_of(value)
         if held:
-            return plain
+            given: object = plain
+            return given
         why = opaque_of(value)
         return Unknown("value", why.reason if why else "it is not plain data", why.location if why else None)
 
@@ -223,14 +224,18 @@ def run_node(
         process_namespace=instance.process.rpartition("/")[0] or "/",
     )
     language = "python" if entry.source.program.language == "python" else "cpp"
-    run = Run(types.programs.index_of(entry), types.rows[language], context, types.configs, types.relevance[language], files)
+    run = Run(
+        types.programs.index_of(entry), types.rows[language], context, types.configs, types.relevance[language], files
+    )
     problems: tuple[Problem, ...] = ()
     try:
         if not follow(run, entry):
             said = "the node is too large to be followed to its end; some of what it makes may be missing"
             problems = (Problem(entry.source.path, said),)
     except (ArithmeticError, AttributeError, LookupError, NameError, RecursionError, TypeError, ValueError) as err:
-        said = f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
+        said = (
+            f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
+        )
         problems = (Problem(entry.source.path, said),)
     return tuple(run.made.values()), problems, run.names
 
@@ -264,7 +269,13 @@ def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: Paramet
     return tuple(
         sorted(
             found,
-            key=lambda e: (order[e.kind], e.location.sort_key if e.location else (), e.name, e.type or "", repr(e.value)),
+            key=lambda e: (
+                order[e.kind],
+                e.location.sort_key if e.location else (),
+                e.name,
+                e.type or "",
+                repr(e.value),
+            ),
         )
     )
 

@@ -24,7 +24,12 @@ MAPS = frozenset(("std::map", "std::unordered_map", "boost::unordered_map"))
 STRINGS = frozenset(("std::string", "string", "std::basic_string", "str", "boost::filesystem::path"))
 INTEGERS = frozenset(
     "int long short char unsigned size_t std::size_t ssize_t uint signed byte".split()
-    + [f"{space}{sign}int{bits}_t" for space in ("", "std::", "boost::") for sign in ("", "u") for bits in (8, 16, 32, 64)]
+    + [
+        f"{space}{sign}int{bits}_t"
+        for space in ("", "std::", "boost::")
+        for sign in ("", "u")
+        for bits in (8, 16, 32, 64)
+    ]
 )
 REALS = frozenset(("double", "float", "long double"))
 WRAPPERS = frozenset(
@@ -35,7 +40,13 @@ SERIALISED = {"pcl/PointCloud": "sensor_msgs/PointCloud2", "tf/tfMessage": "tf2_
 
 
 def resolve_type(
-    index: Index, kind: Type, scope: str, source: Source, files: frozenset[str], templates: Mapping[str, Type], depth: int = 0
+    index: Index,
+    kind: Type,
+    scope: str,
+    source: Source,
+    files: frozenset[str],
+    templates: Mapping[str, Type],
+    depth: int = 0,
 ) -> Type:
     """*kind* with its aliases and template parameters replaced, all names qualified as far as the workspace tells."""
     name, arguments, marks = kind[0], kind[1], kind[2]
@@ -76,7 +87,13 @@ def resolve_type(
                 target = resolve_type(index, (alias.type[0], alias.type[1], ""), around, where, files, {}, depth + 1)
                 if target[0] not in (head, name):
                     return resolve_type(
-                        index, (f"{target[0]}::{tail}", resolved or target[1], marks), scope, source, files, {}, depth + 1
+                        index,
+                        (f"{target[0]}::{tail}", resolved or target[1], marks),
+                        scope,
+                        source,
+                        files,
+                        {},
+                        depth + 1,
                     )
     if source.program.language != "python":
         if not colons:

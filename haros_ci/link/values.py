@@ -50,9 +50,12 @@ class Choice:
 
 @dataclass(slots=True, eq=False)
 class Cell:
-    """A variable, member or element: it holds a value, and may have a declared type. Written through ``State.write`` only."""
+    """A variable, member or element: it holds a Value, and may have a declared type.
 
-    value: Value
+    The content of a sequence or map is a cell, too: of a tuple of cells, of a dict. Written through ``State.write`` only.
+    """
+
+    value: Any
     type: Type | None = None
 
 
@@ -130,9 +133,7 @@ class Module:
     source: Any
 
 
-Value = Union[
-    Known, Opaque, Text, Choice, Object, Sequence, Mapped, Pointer, Callable, Library, ClassValue, Module
-]
+Value = Union[Known, Opaque, Text, Choice, Object, Sequence, Mapped, Pointer, Callable, Library, ClassValue, Module]
 
 NONE = Known(None)
 TRUE = Known(True)

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Functions of the workspace, followed with their arguments; what they return, and leave behind."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from haros_ci.link import call_arguments, construct, conversions, expressions, inert, library, statements
+from haros_ci.link.run import DEPTH, Frame, Run
+from haros_ci.link.types import STRINGS, is_smart_pointer, is_type
+from haros_ci.link.values import (
+    NONE,
+    Callable,
+    Cell,
+    Known,
+    Opaque,
+    Sequence,
+    Value,
+    join,
+)
+from haros_ci.model.location import Location
+from haros_ci.model.program import Expression, Function, Type
+
+#: Steps that may go into one function that makes nothing; after that its results are not known.
+SPENT = 3_000
+
+
+def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_arguments.Argument, ...]) -> Callable:
+    """The overload of a free function or method that takes these arguments."""
+    definition = function.function
+    if not definition.name or definition.kind == "lambda" or function.frame is not None:
+        return function
+    candidates = run.index.near(run.index.functions, definition.name, function.source, run.files)
+    if len(candidates) < 2:
+        return function
+    source, chosen = construct.overload(candidates, len(args) + len(function.bound))
+    return Callable(source, chosen, function.this, function.bound, function.frame, function.templates)
+
+
+def invoke(
+    run: Run,
+    frame: Frame,
+    function: Callable,
+    args: tuple[call_arguments.Argument, ...],
+    location: Location | None,
+    targs: Any = (),
+) -> Value:
+    """Follow a function of the workspace with these arguments."""
+    run.step()
+    definition = function.function
+    if definition.body is None:
+        source, definition = construct.with_body(run, [(function.source, definition)])
+        function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
+    inner_scope = definition.owner or definition.name.rpartition(function.source.separator)[0]
+    templates: Mapping[str, Type] = function.templates
+    if definition.templates:
+        explicit = {n: run.type_in(t, frame) for n, t in zip(definition.templates, targs, strict=False) if is_type(t)}
+        templates = {**templates, **_deduced(definition, args), **explicit}
+    inner = Frame(
+        function.source,
+        inner_scope,
+        definition,
+        function.this,
+        templates=templates,
+        outer=function.frame,
+        mark=run.state.mark(),
+    )
+    returns = run.type_in(definition.returns, inner)
+    if definition.body is None:
+        found = library.unknown_call(run, frame, definition.name, args)
+        return conversions.converted(found, returns) if returns[0] not in ("", "void", "auto") else found
+    if len(run.active) >= DEPTH or run.active.count(definition) > 1:
+        return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
+    given = _with_bound(function.bound, args)
+    makes_nothing = run.relevance.changes(definition, function.source) is not None
+    if makes_nothing and (
+        run.spent.get(id(definition), 0) > SPENT or inert.is_inert(run, function, definition, returns, given)
+    ):
+        return inert.skipped(run, inner, function, definition, returns, given)
+    bind(run, frame, inner, definition, given, ())
+    before = run.steps
+    value = conversions.converted(follow_body(run, inner, definition), returns)
+    if makes_nothing:
+        run.spent[id(definition)] = run.spent.get(id(definition), 0) + run.steps - before
+    return value
+
+
+def _with_bound(
+    bound: tuple[Value | None, ...], args: tuple[call_arguments.Argument, ...]
+) -> tuple[call_arguments.Argument, ...]:
+    """The arguments of a bound function: a placeholder (None) takes the next one that is given."""
+    rest = list(args)
+    spread = [call_arguments.Argument(value) if value is not None else rest.pop(0) if rest else None for value in bound]
+    return (
+        *(
+            a if a is not None else call_arguments.Argument(Opaque("an argument that is given from outside"))
+            for a in spread
+        ),
+        *rest,
+    )
+
+
+def _deduced(definition: Function, args: tuple[call_arguments.Argument, ...]) -> dict[str, Type]:
+    found: dict[str, Type] = {}
+    for parameter, argument in zip(definition.parameters, args, strict=False):
+        kind = argument.type
+        if kind is None:
+            continue
+        if parameter.type[0] in definition.templates:
+            found.setdefault(parameter.type[0], (kind[0], kind[1], ""))
+        elif parameter.type[1]:
+            for inner, actual in zip(parameter.type[1], kind[1], strict=False):
+                if is_type(inner) and inner[0] in definition.templates and is_type(actual):
+                    found.setdefault(inner[0], actual)
+    return found
+
+
+def bind(
+    run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.Argument, ...], _: Any
+) -> None:
+    """Declare the parameters of *function* in *inner*: references are the caller's cells, the rest are copies."""
+    positional = [argument for argument in args if not argument.keyword]
+    named = {argument.keyword: argument for argument in args if argument.keyword}
+    for number, parameter in enumerate(function.parameters):
+        kind = run.type_in(parameter.type, inner)
+        if parameter.name.startswith("*"):
+            rest = (
+                tuple(Cell(argument.value) for argument in positional) if not parameter.name.startswith("**") else None
+            )
+            value: Value = Sequence(Cell(rest)) if rest is not None else run.opaque("keyword arguments", frame)
+            inner.declare(parameter.name.lstrip("*"), Cell(value))
+            positional = []
+            continue
+        argument = positional.pop(0) if positional else named.get(parameter.name)
+        if argument is None:
+            default = parameter.default or _declared_default(run, function, number)
+            if default is not None:
+                value = conversions.converted(expressions.evaluate(run, inner, default), kind)
+            else:
+                value = run.opaque("an argument that is given from outside", inner, function.line, kind)
+            inner.declare(parameter.name, Cell(value, kind if kind[0] else None))
+            continue
+        if "&" in kind[2] and argument.cell is not None and "c" not in kind[2]:
+            inner.declare(parameter.name, argument.cell)
+            continue
+        value = argument.value
+        if kind[0] and isinstance(value, Known) and isinstance(value.value, str) and not is_smart_pointer(kind):
+            owner = run.class_of(kind[0], inner.source) if kind[0] not in STRINGS else None
+            if owner is not None:
+                value = construct.create(run, inner, (kind[0], kind[1], ""), (argument,), Location(inner.source.path))
+        if kind[0]:
+            value = conversions.converted(value, kind)
+        declared = kind if kind[0] and kind[0] != "auto" and kind[0] not in inner.templates else argument.type
+        inner.declare(parameter.name, Cell(value, declared))
+
+
+def _declared_default(run: Run, function: Function, number: int) -> Expression | None:
+    """A default argument that stands at the function's declaration, and not at its definition."""
+    for _, declared in run.index.functions.get(function.name, ()):
+        if declared is not function and len(declared.parameters) == len(function.parameters):
+            default = declared.parameters[number].default
+            if default is not None:
+                return default
+    return None
+
+
+def follow_body(run: Run, inner: Frame, function: Function) -> Value:
+    """Execute a function's body in its frame and join what all its ways out return and leave behind."""
+
+    run.active.append(function)
+    mark = inner.mark
+    try:
+        ended = statements.execute(run, inner, function.body or ())
+    except RecursionError:
+        return run.opaque("the code is nested too deeply to be followed", inner, function.line)
+    finally:
+        run.active.pop()
+    if inner.exits:
+        branches = list(inner.exits)
+        if ended == statements.NEXT and not inner.is_dead:
+            branches.append(run.state.since(mark))
+        run.state.undo(mark)
+        run.state.merge(branches)
+    if not inner.returned:
+        return NONE
+    value = inner.returned[0]
+    for other in inner.returned[1:]:
+        value = join(value, other)
+    return value

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The arguments of a call, evaluated once: values, cells, types, keywords."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.link import conversions, expressions, static_types
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import INTEGERS, REALS
+from haros_ci.link.values import (
+    Cell,
+    Value,
+)
+from haros_ci.model.program import Type
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Argument:
+    """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python."""
+
+    value: Value
+    cell: Cell | None = None
+    type: Type | None = None
+    keyword: str = ""
+
+
+def is_scalar(kind: Type) -> bool:
+    """Whether a default-constructed variable of the type has no value."""
+    name = kind[0]
+    return name in INTEGERS or name in REALS or name in ("bool", "void", "") or set(name.split()) <= INTEGERS
+
+
+def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
+    """The arguments of a call, evaluated from left to right; unpacked sequences are spread where known."""
+    result: list[Argument] = []
+    for expression in written:
+        tag = expression[0]
+        if tag == "star":
+            items = static_types.elements(run, frame, expression[1])
+            if items is None:
+                result.append(Argument(run.opaque("unpacked arguments", frame), keyword="*"))
+            else:
+                result += [Argument(item.value if isinstance(item, Cell) else item) for item in items]
+            continue
+        if tag == "starstar":
+            result.append(Argument(run.opaque("unpacked arguments", frame), keyword="**"))
+            continue
+        keyword = ""
+        if tag == "kw":
+            keyword, expression = expression[1], expression[2]
+        cell = expressions.cell_of(run, frame, expression) if expression[0] in LVALUES else None
+        value = cell.value if cell is not None else expressions.evaluate(run, frame, expression)
+        kind = cell.type if cell is not None and cell.type is not None else None
+        if kind is None and expression[0] in TYPED:
+            kind = static_types.static_type(run, frame, expression)
+        result.append(Argument(value, cell, kind or conversions.value_type(value), keyword))
+    return tuple(result)
+
+
+LVALUES = frozenset(("name", "field", "index", "*"))
+
+
+TYPED = frozenset(("str", "num", "bool", "op", "cast"))

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is called back later: functions given to an API, and methods that a framework calls."""
+
+from __future__ import annotations
+
+from haros_ci.link import call_arguments, construct, library_objects
+from haros_ci.link.run import Root, Run
+from haros_ci.link.values import (
+    Callable,
+    Choice,
+    Object,
+    Pointer,
+    Value,
+)
+
+
+def register(run: Run, value: Value, others: tuple[call_arguments.Argument, ...] = ()) -> None:
+    """*value* will be called back: remember it with the object among *others* that it is a method of."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Object) and value.definition is not None:
+        separator = value.definition[0].separator
+        found = construct.method_of(run, value, "operator()" if separator == "::" else "__call__")
+        if found is None:
+            return
+        value = found
+    if isinstance(value, Choice):
+        for option in value.options:
+            register(run, option, others)
+        return
+    if not isinstance(value, Callable):
+        return
+    function = value.function
+    if value.this is None and function.owner and value.frame is None:
+        for argument in others:
+            inner = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
+            if isinstance(inner, Object) and inner.definition is not None:
+                value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
+                break
+    key = (id(value.function), id(value.this), len(value.bound))
+    if key not in run.known_roots:
+        run.known_roots.add(key)
+        run.roots.append(Root(value, tuple(run.conditions)))
+
+
+def framework_entries(run: Run, this: Object) -> None:
+    """Methods that a framework will call on *this*, as its library base classes say (``entry`` of a row)."""
+    for owner in library_objects.owners(run, this):
+        for row in run.rows.get(owner, ()):
+            for name in row.entry:
+                method = construct.method_of(run, this, name)
+                if method is not None and row.is_class:
+                    register(run, method)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Models of C++ containers: vectors and maps by their methods."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.link import assignments, construct, conversions
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.values import (
+    NONE,
+    Cell,
+    Known,
+    Mapped,
+    Object,
+    Sequence,
+    Value,
+)
+from haros_ci.model.location import Location
+
+if TYPE_CHECKING:
+    from haros_ci.link.call_arguments import Argument
+
+
+def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
+    cells: Any = receiver.content.value
+    known = isinstance(cells, tuple)
+    inner = receiver.type[1][0] if receiver.type is not None and receiver.type[1] else None
+    if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
+        if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < 1000:
+            value = conversions.converted(args[0].value, inner)
+            run.state.write(receiver.content, (*cells, Cell(value, inner)))
+        elif known and name == "emplace_back" and inner is not None:
+            value = construct.create(run, frame, inner, args, Location(frame.source.path))
+            run.state.write(receiver.content, (*cells, Cell(value, inner)))
+        else:
+            run.state.write(receiver.content, run.opaque("the list is built in a way that is not followed", frame))
+        return NONE
+    if name == "clear":
+        run.state.write(receiver.content, ())
+        return NONE
+    if name in ("resize", "assign"):
+        if args and isinstance(args[0].value, Known) and isinstance(args[0].value.value, int) and name == "resize":
+            wanted = args[0].value.value
+            if known and 0 <= wanted <= 1000:
+                made = [
+                    Cell(construct.create(run, frame, inner or ("", (), ""), (), Location(frame.source.path)), inner)
+                    for _ in range(wanted - len(cells))
+                ]
+                run.state.write(receiver.content, (*cells[:wanted], *made))
+                return NONE
+        run.state.write(receiver.content, run.opaque("a list of unknown length", frame))
+        return NONE
+    if name in ("size", "empty", "length"):
+        if known:
+            return Known(not cells) if name == "empty" else Known(len(cells))
+        return run.opaque("the length of a list that is not known", frame, None, ("int", (), ""))
+    if name in ("front", "back", "at"):
+        if known and cells and name != "at":
+            return cells[0 if name == "front" else -1].value
+        if name == "at" and args:
+            cell = assignments.element(run, frame, receiver, args[0].value)
+            if cell is not None:
+                return cell.value
+        return run.opaque("an element that is not known", frame, None, inner)
+    if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
+        if receiver.end is None:
+            receiver.end = Object("[end]")
+        if name.endswith("end") or (known and not cells):
+            return receiver.end
+        return Object("[iterator]")
+    return None
+
+
+def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
+    pairs: Any = receiver.content.value
+    if name in ("size", "empty", "count") and isinstance(pairs, dict):
+        if name == "count":
+            key = args[0].value if args else NONE
+            return Known(int(key.value in pairs)) if isinstance(key, Known) else run.opaque("a key is not known", frame)
+        return Known(not pairs) if name == "empty" else Known(len(pairs))
+    if name in ("insert", "emplace", "erase", "clear", "swap"):
+        run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
+        return NONE
+    if name == "at" and args:
+        cell = assignments.element(run, frame, receiver, args[0].value)
+        return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
+    return None

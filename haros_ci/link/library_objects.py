@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Objects of libraries' classes, and objects of which only the class is known."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from haros_ci.link import api_rows, call_arguments, construct, library
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.values import (
+    Callable,
+    Object,
+    Opaque,
+    Value,
+)
+from haros_ci.model.location import Location
+from haros_ci.model.program import Type
+
+
+def summary_object(run: Run, owner: Any, kind: Type, receiver: Opaque) -> Object:
+    """Some object of a class, of which only the class is known."""
+    source, definition = owner
+    templates = dict(zip(definition.templates, kind[1], strict=False))
+    return Object(definition.name, kind[1], owner, location=receiver.location, templates=templates)
+
+
+def owners(run: Run, value: Object) -> list[str]:
+    """The class names under which rows may know an object's methods: its own, then its libraries' bases."""
+    found = [value.name] if value.definition is None else construct.library_bases(run, *value.definition)
+    for name in found:
+        for row in run.rows.get(name, ()):
+            if row.is_class:
+                found += [base for base in row.bases if base not in found]
+    return found
+
+
+def library_object(
+    run: Run, frame: Frame, kind: Type, args: tuple[call_arguments.Argument, ...], location: Location
+) -> Value:
+    """An instance of a library's class."""
+    modelled = library.instance(run, frame, kind, args)
+    if modelled is not None:
+        return modelled
+    if not kind[0] or "()" in kind[0]:
+        return args[0].value if args else run.opaque("it is not known", frame)
+    if len(args) == 1 and isinstance(args[0].value, Object) and args[0].value.name == kind[0]:
+        return args[0].value  # a copy
+    if len(args) == 1 and isinstance(args[0].value, Callable):
+        return args[0].value  # boost::function and its kin
+    this = Object(kind[0], kind[1], location=location)
+    construct_library(run, frame, this, kind, args, location)
+    return this
+
+
+def construct_library(
+    run: Run, frame: Frame, this: Object, kind: Type, args: tuple[call_arguments.Argument, ...], location: Location
+) -> None:
+    """What the constructor of a library's class makes, on *this*."""
+    api_rows.construct(run, frame, this, kind, args, location)

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a name means: a variable, a function, a class, a macro, a module, or something of a library."""
+
+from __future__ import annotations
+
+import builtins
+from typing import Any
+
+from haros_ci.link import construct, conversions, library_cpp, members
+from haros_ci.link.common_messages import COMMON
+from haros_ci.link.index import Source
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.values import (
+    Callable,
+    Cell,
+    ClassValue,
+    Known,
+    Library,
+    Module,
+    Value,
+)
+from haros_ci.model.location import Location
+from haros_ci.model.program import Expression, Type
+
+
+def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
+    cell = frame.find(name)
+    if cell is not None:
+        return cell
+    if frame.source.program.language == "python":
+        module = module_frame(run, frame.source)
+        return module.scopes[0].get(name)
+    this = frame.this
+    if this is None and frame.outer is not None:
+        this = frame.outer.this
+    if this is not None and "::" not in name:
+        cell = members.member(run, this, name, frame) or library_cpp.protected(run, this, name)
+        if cell is not None:
+            return cell
+    key = ("variable", name, frame.scope, frame.source.path)
+    if key not in run.found:
+        run.found[key] = _variable(run, frame, name)
+    found = run.found[key]
+    return global_cell(run, *found) if found is not None else None
+
+
+def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type] | None:
+    """The namespace-scope variable or static member that *name* means: its file, qualified name, initialiser, type."""
+    for candidate in run.index.scopes(name, frame.scope, frame.source):
+        found = run.index.near(run.index.variables, candidate, frame.source, run.files)
+        if found:
+            where, variable = found[0]
+            return where, variable.name, variable.init, variable.type
+        head, colons, last = candidate.rpartition("::")
+        if colons:
+            owner = run.class_of(head, frame.source)
+            if owner is not None:
+                static = construct.field_of(run, owner[0], owner[1], last, {})
+                if static is not None and static[1].is_static:
+                    return static[0], candidate, static[1].init, static[2]
+    return None
+
+
+def global_cell(run: Run, source: Source, name: str, init: Any, kind: Type) -> Cell:
+    """The one cell of a namespace-scope variable or static member, made when it is first used."""
+    key = (source.path, name)
+    cell = run.globals.get(key)
+    if cell is None:
+        frame = Frame(source, name.rpartition(source.separator)[0])
+        resolved = run.type_in(kind, frame)
+        cell = run.globals[key] = Cell(run.opaque(f"{name} is not set", frame, None, resolved), resolved)
+        if init is not None:
+            cell.value = construct.initial(run, frame, resolved, init, Location(source.path))
+        elif not init:
+            for where, variable in run.index.variables.get(name, ()):  # a static member's definition elsewhere
+                if variable.init is not None:
+                    cell.value = construct.initial(
+                        run, Frame(where, frame.scope), resolved, variable.init, Location(where.path)
+                    )
+                    break
+    return cell
+
+
+def name(run: Run, frame: Frame, expression: Expression) -> Value:
+    name = expression[1]
+    cell = named_cell(run, frame, name)
+    if cell is not None:
+        return cell.value
+    if frame.source.program.language == "python":
+        return python_name(run, frame, name)
+    key = ("name", name, frame.scope, frame.source.path)
+    if key not in run.found or frame.templates:
+        run.found[key] = _global_name(run, frame, name)
+    value: Value = run.found[key]
+    if isinstance(value, Callable) and frame.this is not None and "::" not in name and _is_virtual(run, frame, value):
+        method = construct.method_of(run, frame.this, name)
+        if method is not None:
+            return method
+    if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
+        return Callable(value.source, value.function, frame.this, templates=frame.templates)
+    return value
+
+
+def _is_virtual(run: Run, frame: Frame, value: Callable) -> bool:
+    """Whether the call of a method goes to the object's own class: not inside a constructor, where it is not yet of it."""
+    if frame.function is None or frame.function.kind in ("constructor", "destructor"):
+        return False
+    return any(function.is_virtual for _, function in run.index.functions.get(value.function.name, ()))
+
+
+def _global_name(run: Run, frame: Frame, name: str) -> Value:
+    """What a name that is no variable means in C++: a function, macro, class, or a library's name."""
+    index = run.index
+    for candidate in index.scopes(name, frame.scope, frame.source):
+        functions = index.near(index.functions, candidate, frame.source, run.files)
+        if functions:
+            return Callable(*construct.with_body(run, functions))
+    macros = index.near(index.macros, name, frame.source, run.files)
+    if macros:
+        return conversions.macro(macros[0][1])
+    resolved = run.type_in((name, (), ""), frame)
+    found = run.class_of(resolved[0], frame.source)
+    if found is not None:
+        return ClassValue(*found)
+    if "::" in name:
+        method = construct.tail_method(run, resolved[0] if "::" in resolved[0] else name, frame.source)
+        if method is not None:
+            return Callable(method[0], method[1])
+    return Library(resolved[0])
+
+
+def python_name(run: Run, frame: Frame, name: str) -> Value:
+    program = frame.source.program
+    if name in ("True", "False", "None"):
+        return Known({"True": True, "False": False, "None": None}[name])
+    found = run.index.near(run.index.classes, name, frame.source, run.files)
+    if found and found[0][0].path == frame.source.path:
+        return ClassValue(*found[0])
+    functions = [f for f in run.index.functions.get(name, ()) if f[0].path == frame.source.path]
+    if functions:
+        return Callable(functions[-1][0], functions[-1][1])
+    for alias in program.aliases:
+        if alias.name == name:
+            return imported(run, frame, alias.type[0])
+    for alias in program.aliases:
+        if alias.name == "*":
+            value = imported(run, frame, f"{alias.type[0].removesuffix('.*')}.{name}")
+            if not isinstance(value, Library):
+                return value
+    if not hasattr(builtins, name):
+        return Library(_starred(run, frame.source, name) or name)
+    return Library(name)
+
+
+def _starred(run: Run, source: Source, name: str) -> str | None:
+    """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
+    outside = []
+    for alias in source.program.aliases:
+        module = alias.type[0].removesuffix(".*")
+        package, _, kind = module.rpartition(".")
+        if alias.name != "*" or kind not in ("msg", "srv"):
+            continue
+        if f"{package}/{name}" in run.index.interfaces:
+            return f"{module}.{name}"
+        if name in COMMON.get(package, ()):
+            return f"{module}.{name}"
+        if package not in run.index.packages and package not in COMMON:
+            outside.append(f"{module}.{name}")
+    return outside[0] if len(outside) == 1 and name[:1].isupper() else None
+
+
+def imported(run: Run, frame: Frame, target: str) -> Value:
+    """What a dotted Python name means: a module, class, function or variable of the workspace, or a library's name."""
+    if target.startswith("."):
+        dots = len(target) - len(target.lstrip("."))
+        base = frame.source.module.split(".")
+        if not frame.source.path.endswith("__init__.py"):
+            base = base[:-1]
+        base = base[: len(base) - dots + 1]
+        target = ".".join((*base, target.lstrip("."))) if target.lstrip(".") else ".".join(base)
+    head = target
+    rest: list[str] = []
+    while head:
+        modules = run.index.modules.get(head)
+        if modules:
+            source = min(modules, key=lambda s: (s.package != frame.source.package, s.path))
+            value: Value = Module(source)
+            for part in reversed(rest):
+                value = members.attribute(run, value, part, frame)
+            return value
+        head, dot, last = head.rpartition(".")
+        if not dot:
+            break
+        rest.append(last)
+    return Library(target)
+
+
+def module_frame(run: Run, source: Source) -> Frame:
+    """A Python module's own scope; its body is followed once, when the module is first used."""
+    frame = run.modules.get(source.path)
+    if frame is None:
+        from haros_ci.link import statements
+
+        frame = run.modules[source.path] = Frame(source, "")
+        body = next((f for f in source.program.functions if f.kind == "module"), None)
+        if body is not None and body.body:
+            for statement in body.body:
+                run.step()
+                if statements.STATEMENTS[statement[0]](run, frame, statement) != statements.NEXT:
+                    break
+    return frame

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Members: the data of objects, methods, what modules and classes contain."""
+
+from __future__ import annotations
+
+from haros_ci.link import construct, expressions, library_python, lookup
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import pointee
+from haros_ci.link.values import (
+    NONE,
+    Callable,
+    Cell,
+    Choice,
+    ClassValue,
+    Library,
+    Module,
+    Object,
+    Opaque,
+    Pointer,
+    Value,
+    join,
+)
+from haros_ci.model.program import Expression
+
+
+def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
+    """The cell of a data member; made where the class declares it (or Python may), None where there is none."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if not isinstance(value, Object):
+        return None
+    cell = value.fields.get(name)
+    if cell is None and value.definition is not None:
+        source, definition = value.definition
+        found = construct.field_of(run, source, definition, name, value.templates)
+        if found is not None:
+            where, declared, kind = found
+            if declared.is_static:
+                return lookup.global_cell(run, where, f"{definition.name}{where.separator}{name}", declared.init, kind)
+            cell = value.fields[name] = Cell(
+                run.opaque(f"the member {name} is not set before", frame, None, kind), kind
+            )
+    return cell
+
+
+def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
+    """``value.name`` where it is no data member: a method, a module's content, a library's member."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Module):
+        inner = lookup.module_frame(run, value.source)
+        if name in inner.scopes[0]:
+            return inner.scopes[0][name].value
+        deeper = run.index.modules.get(f"{value.source.module}.{name}")
+        if deeper:
+            return Module(deeper[0])
+        return lookup.python_name(run, inner, name)
+    if isinstance(value, Library):
+        if value.name == "sys" and name == "argv":
+            return library_python.argv(run)
+        return Library(f"{value.name}.{name}" if frame.source.program.language == "python" else f"{value.name}::{name}")
+    if isinstance(value, Object):
+        cell = member(run, value, name, frame)
+        if cell is not None:
+            return cell.value
+        method = construct.method_of(run, value, name)
+        if method is not None:
+            return method
+        return Library(f"{value.name}{frame.source.separator}{name}", value)
+    if isinstance(value, ClassValue):
+        found = construct.field_of(run, value.source, value.definition, name, {})
+        if found is not None:
+            separator = value.source.separator
+            return lookup.global_cell(
+                run, found[0], f"{value.definition.name}{separator}{name}", found[1].init, found[2]
+            ).value
+        unbound = construct.class_method(run, value.source, value.definition, name)
+        if unbound is not None:
+            return Callable(*unbound)
+        return Library(f"{value.definition.name}.{name}")
+    if isinstance(value, Choice):
+        result: Value | None = None
+        for option in value.options:
+            found_ = attribute(run, option, name, frame)
+            result = found_ if result is None else join(result, found_)
+        return result if result is not None else NONE
+    if isinstance(value, Opaque):
+        kind = value.type
+        if kind is not None and kind[0]:
+            owner = run.class_of(pointee(kind)[0], frame.source)
+            if owner is not None:
+                declared = construct.field_of(run, owner[0], owner[1], name, {})
+                if declared is not None:
+                    return Opaque(value.reason, value.location, declared[2])
+                unbound = construct.class_method(run, owner[0], owner[1], name)
+                if unbound is not None:
+                    return Callable(*unbound)
+            return Library(f"{pointee(kind)[0]}{frame.source.separator}{name}", value)
+        return Opaque(value.reason, value.location)
+    return Library(name, value)
+
+
+def field(run: Run, frame: Frame, expression: Expression) -> Value:
+    value = expressions.evaluate(run, frame, expression[1])
+    cell = member(run, value, expression[2], frame)
+    if cell is not None:
+        return cell.value
+    return attribute(run, value, expression[2], frame)
+
+
+def dotted(expression: Expression) -> str:
+    parts: list[str] = []
+    while expression[0] == "field":
+        parts.append(expression[2])
+        expression = expression[1]
+    if expression[0] != "name":
+        return ""
+    return ".".join((expression[1], *reversed(parts)))

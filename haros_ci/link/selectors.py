@@ -1,0 +1,272 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Templates of API rows: what their selectors find at a call."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.link import construct, conversions, handles, members
+from haros_ci.link.names import clean, pattern, resolve
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import is_type, parameter_type
+from haros_ci.link.values import (
+    Callable,
+    Choice,
+    ClassValue,
+    Known,
+    Library,
+    Object,
+    Opaque,
+    Pointer,
+    Text,
+    Value,
+    concatenate,
+)
+from haros_ci.model.api import Row, Template
+from haros_ci.model.location import Location
+from haros_ci.model.program import Type
+
+if TYPE_CHECKING:
+    from haros_ci.link.call_arguments import Argument
+
+
+@dataclass(frozen=True, slots=True)
+class TypeValue:
+    """A type where a value is expected."""
+
+    type: Type
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Applied:
+    """A row at one call: what its templates may select from."""
+
+    run: Run
+    frame: Frame
+    row: Row
+    receiver: Value | None
+    args: tuple[Argument, ...]
+    types: tuple[Any, ...]
+    location: Location
+    item: Mapping[str, Any] | None = None
+    parameter: Value | None = None
+
+
+def given(args: tuple[Argument, ...], where: str) -> Argument | None:
+    if where.isdigit():
+        positional = [argument for argument in args if not argument.keyword]
+        return positional[int(where)] if int(where) < len(positional) else None
+    return next((argument for argument in args if argument.keyword == where), None)
+
+
+def config_name(value: Any) -> str:
+    """``pkg::NameConfig`` of a dynamic_reconfigure type, in C++ and in Python (``pkg.cfg.NameConfig``)."""
+    if isinstance(value, TypeValue):
+        name = value.type[0]
+    elif isinstance(value, Library):
+        name = value.name
+    elif isinstance(value, ClassValue):
+        name = value.definition.name
+    else:
+        return ""
+    parts = name.replace(".", "::").split("::")
+    return "::".join((parts[0], parts[-1])) if len(parts) > 2 and "cfg" in parts else name
+
+
+def value_of(applied: Applied, template: Template) -> Any:
+    """What a template stands for: a Value, a TypeValue if it is one selector of a type, None if nothing is there."""
+    parts = template.parts
+    if len(parts) == 1 and not isinstance(parts[0], str):
+        alternatives, default = parts[0]
+        for alternative in alternatives:
+            found = select_value(applied, alternative)
+            if found is not None:
+                return found
+        return literal(default) if default is not None else None
+    if len(parts) == 1 and isinstance(parts[0], str):
+        return literal(parts[0])
+    if not parts:
+        return Known("")
+    values: list[Value] = []
+    for part in parts:
+        if isinstance(part, str):
+            values.append(Known(part))
+            continue
+        found = value_of(applied, Template((part,)))
+        if isinstance(found, TypeValue):
+            found = Known(found.type[0])
+        values.append(found if found is not None else applied.run.opaque("an argument is missing", applied.frame))
+    return concatenate(tuple(values))
+
+
+def literal(text: str) -> Known:
+    """A literal of a row: true, false, none, a number or text."""
+    if text in ("true", "false"):
+        return Known(text == "true")
+    try:
+        return Known(int(text))
+    except ValueError:
+        try:
+            return Known(float(text))
+        except ValueError:
+            return Known(text)
+
+
+def select_value(applied: Applied, selector: str) -> Any:
+    """What one alternative of a selector finds: a Value, a TypeValue, or None."""
+    run = applied.run
+    if selector[0].isdigit():
+        where, *members = selector.split(".")
+        argument = given(applied.args, where)
+        return _members(applied, argument.value, members) if argument is not None else None
+    if selector[0] == "<":
+        return _template_argument(applied.types, int(selector[1:-1]))
+    if selector.startswith("this<"):
+        this = applied.receiver
+        return _template_argument(this.arguments, int(selector[5:-1])) if isinstance(this, Object) else None
+    if selector == "this" or selector.startswith("this."):
+        if selector == "this.namespace":
+            return handles.namespace_of(applied, applied.receiver)
+        return _members(applied, applied.receiver, selector.split(".")[1:]) if applied.receiver is not None else None
+    if selector.startswith("item."):
+        return applied.item.get(selector[5:]) if applied.item is not None else None
+    if selector == "parameter":
+        return applied.parameter
+    context = run.context
+    if selector in ("node.name", "node.namespace", "process.name", "process.namespace"):
+        return Known(getattr(context, selector.replace("node.", "").replace(".", "_")))
+    function, bracket, inside = selector.partition("(")
+    if not bracket:
+        argument = given(applied.args, selector.split(".")[0])
+        return _members(applied, argument.value, selector.split(".")[1:]) if argument is not None else None
+    inside = inside[:-1]
+    if function == "handle":
+        return Object("ros::NodeHandle", namespace=Known(context.name if inside == "~" else context.namespace))
+    if function == "parent":
+        return _parent(applied, inside)
+    if function == "search":
+        return _search(applied, inside)
+    where, _, index = inside.partition(",")
+    if function == "typeof":
+        return next((kind for kind in (_type_of(applied, part) for part in where.split("|")) if kind is not None), None)
+    found = next((f for f in (given(applied.args, part) for part in where.split("|")) if f is not None), None)
+    if found is None:
+        return None
+    if function == "callback":
+        return _callback_type(run, found, int(index or 0))
+    if isinstance(found.value, Library):
+        return TypeValue((found.value.name, (), ""))
+    if isinstance(found.value, ClassValue):
+        return TypeValue((found.value.definition.name, (), ""))
+    kind = found.type or conversions.value_type(found.value)
+    return TypeValue(kind) if kind is not None else None
+
+
+def _type_of(applied: Applied, selector: str) -> TypeValue | None:
+    """The type of an argument, if it is one that parameters have."""
+    if selector[0] in "<t":
+        found = select_value(applied, selector)
+        return found if isinstance(found, TypeValue) and parameter_type(found.type) is not None else None
+    argument = given(applied.args, selector)
+    if argument is None:
+        return None
+    for kind in (argument.type, conversions.value_type(argument.value)):
+        if parameter_type(kind) is not None:
+            return TypeValue(kind)
+    return None
+
+
+def _absolute(applied: Applied, selector: str) -> tuple[str, Opaque | None]:
+    """The full name that a selected name has at the receiver, and why it is not wholly known."""
+    context = applied.run.context
+    value = select_value(applied, selector)
+    name, why, where = (
+        pattern(value) if isinstance(value, (Known, Text, Opaque, Choice)) else ("?", "it is not known", None)
+    )
+    receiver = applied.receiver
+    space = receiver.namespace if isinstance(receiver, Object) and receiver.namespace is not None else None
+    prefix, space_why, _ = pattern(space if space is not None else Known(context.namespace))
+    reason = why or (space_why if name[:1] not in ("/", "~") else None)
+    full = resolve(name, prefix, context.name)
+    return (full, Opaque(reason, where)) if reason else (context.remap(full), None)
+
+
+def _parent(applied: Applied, selector: str) -> Value:
+    full, why = _absolute(applied, selector)
+    head = f"{full.rpartition('/')[0]}/"
+    return (
+        Known(head) if why is None else Text((head.partition("?")[0] or "/", why)) if "?" in head else Text((head, why))
+    )
+
+
+def _search(applied: Applied, selector: str) -> Value:
+    """searchParam: the nearest namespace upwards that has the parameter (wiki.ros.org/Parameter Server).
+
+    Where nothing sets it, the first that is looked at: there it would be found before all others.
+    """
+    context = applied.run.context
+    value = select_value(applied, selector)
+    name, why, where = (
+        pattern(value) if isinstance(value, (Known, Text, Opaque, Choice)) else ("?", "it is not known", None)
+    )
+    if why is not None:
+        return Opaque(why, where)
+    if name.startswith("/"):
+        return Known(name)
+    receiver = applied.receiver
+    space: Value = Known(context.name)
+    if isinstance(receiver, Object) and receiver.namespace is not None:
+        space = receiver.namespace
+    prefix, why, where = pattern(space)
+    while why is None:
+        full = clean(f"{prefix}/{name}")
+        if applied.run.parameter(full) is not None:
+            return Known(full)
+        if prefix in ("", "/"):
+            return Known(clean(f"{pattern(space)[0]}/{name}"))
+        prefix = prefix.rpartition("/")[0]
+    return Opaque(why, where)
+
+
+def _members(applied: Applied, value: Value, names: list[str]) -> Any:
+    for name in names:
+        if isinstance(value, Pointer):
+            value = value.cell.value
+        if isinstance(value, Object):
+            cell = members.member(applied.run, value, name, applied.frame)
+            if cell is None:
+                return None
+            value = cell.value
+        elif isinstance(value, Opaque):
+            return value
+        else:
+            return None
+    return value
+
+
+def _template_argument(types: tuple[Any, ...], index: int) -> TypeValue | None:
+    if index < len(types) and is_type(types[index]):
+        return TypeValue(types[index])
+    return None
+
+
+def _callback_type(run: Run, argument: Argument, index: int) -> TypeValue | None:
+    """The type of a callback's parameter that is not bound."""
+    value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
+    if isinstance(value, Object) and value.definition is not None:
+        value = construct.method_of(run, value, "operator()") or value
+    if isinstance(value, Callable):
+        free = [p for n, p in enumerate(value.function.parameters) if n >= len(value.bound) or value.bound[n] is None]
+        if index >= len(free):
+            return None
+        scope = value.function.owner or value.function.name.rpartition("::")[0]
+        inner = Frame(value.source, scope, value.function, value.this, templates=value.templates)
+        return TypeValue(run.type_in(free[index].type, inner))
+    kind = argument.type or conversions.value_type(value)
+    if kind is not None and kind[0] in ("boost::function", "std::function") and kind[1]:
+        inner_type = kind[1][0]
+        if inner_type[0] == "()" and len(inner_type[1]) > index + 1:
+            return TypeValue(inner_type[1][index + 1])
+    return None

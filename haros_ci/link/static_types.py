@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Static types of expressions, as declared; and the elements that a loop goes through."""
+
+from __future__ import annotations
+
+from haros_ci.link import conversions, expressions
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import SEQUENCES
+from haros_ci.link.values import (
+    Cell,
+    Known,
+    Mapped,
+    Pointer,
+    Sequence,
+    Value,
+)
+from haros_ci.model.program import Expression, Type
+
+
+def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
+    """The elements that a loop goes through; None if they are not known."""
+    value = expressions.evaluate(run, frame, expression)
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        return list(value.content.value)
+    if isinstance(value, Mapped) and isinstance(value.content.value, dict):
+        return [Known(key) for key in value.content.value]
+    if isinstance(value, Known) and isinstance(value.value, (list, dict)):
+        return [Known(item) for item in value.value]
+    return None
+
+
+def element_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
+    """The static type of a container's elements."""
+    kind = static_type(run, frame, expression)
+    if kind is not None and kind[0] in SEQUENCES and kind[1]:
+        found: Type = kind[1][0]
+        return found
+    return None
+
+
+def static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
+    """The declared (resolved) type of *expression*, as far as it can be told without running it."""
+    tag = expression[0]
+    if tag in LITERAL_TYPES:
+        return LITERAL_TYPES[tag]
+    if tag == "num":
+        return ("int", (), "") if isinstance(expression[1], int) else ("double", (), "")
+    if tag in ("&", "*", "kw"):
+        return static_type(run, frame, expression[-1])
+    if tag == "cast":
+        return run.type_in(expression[1], frame)
+    if tag == "op" and expression[1] in ("==", "!=", "<", ">", "<=", ">=", "!", "&&", "||"):
+        return ("bool", (), "")
+    if tag == "op":
+        kinds = [static_type(run, frame, item) for item in expression[2]]
+        known = [kind for kind in kinds if kind is not None]
+        for name in ("std::string", "double", "float"):
+            if any(kind[0] == name for kind in known):
+                return (name, (), "")
+        return known[0] if len(known) == len(kinds) and known else None
+    cell = expressions.cell_of(run, frame, expression)
+    if cell is not None and cell.type is not None and cell.type[0] not in ("", "auto"):
+        return cell.type
+    value = cell.value if cell is not None else expressions.evaluate(run, frame, expression)
+    return conversions.value_type(value)
+
+
+LITERAL_TYPES: dict[str, Type] = {
+    "str": ("std::string", (), ""),
+    "bool": ("bool", (), ""),
+    "format": ("std::string", (), ""),
+    "list": ("list", (), ""),
+    "dict": ("dict", (), ""),
+}
