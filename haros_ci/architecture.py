@@ -175,23 +175,29 @@ def configurations(
         return None
     wanted = []
     for name, entry in declared.items():
+        if entry is None:
+            continue
         launch = entry.get("launch") if isinstance(entry, Mapping) else entry
         paths = [launch_path(workspace, str(item)) for item in launch or ()]
         for item, path in zip(launch or (), paths, strict=True):
             if path is None:
                 said = f"configuration {name}: no launch file {item} in the workspace; correct 'launch'"
                 problems.append(Problem(where, said))
-        arguments = entry.get("args") if isinstance(entry, Mapping) else None
-        given = {str(k): written(v) for k, v in arguments.items()} if isinstance(arguments, Mapping) else {}
         wanted.append(
             Wanted(
                 name=str(name),
                 launch=tuple(path for path in paths if path is not None),
-                arguments=given,
+                arguments=_scalars(entry, "args"),
+                environment=_scalars(entry, "environment"),
                 user_data=entry.get("user_data") if isinstance(entry, Mapping) else None,
             )
         )
     return tuple(wanted)
+
+
+def _scalars(entry: object, key: str) -> dict[str, str]:
+    given = entry.get(key) if isinstance(entry, Mapping) else None
+    return {str(name): written(value) for name, value in given.items()} if isinstance(given, Mapping) else {}
 
 
 def written(value: object) -> str:

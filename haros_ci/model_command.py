@@ -18,6 +18,7 @@ from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem
 from haros_ci.output import write
+from haros_ci.report.escape import terminal
 from haros_ci.workspace.discover import discover
 
 #: Problems that are told one by one.
@@ -56,6 +57,8 @@ def model(flags: Mapping[str, Any]) -> int:
     found = selected(found, flags["configuration"])
     problems = (*workspace.problems, *workspace.faults, *found.problems)
     found = replace(found, problems=tuple(dict.fromkeys(problems)))
+    for note in settings.notes:
+        click.echo(f"note: {terminal(note)}", err=True)
     tell(found.problems)
     path = Path(flags["output"]) if flags["output"] else None
     content = rendered(found, flags["format"])
@@ -74,8 +77,6 @@ def model(flags: Mapping[str, Any]) -> int:
 
 def tell(problems: tuple[Problem, ...]) -> None:
     """The first problems on stderr, and how many there are beside them."""
-    from haros_ci.report.escape import terminal
-
     for problem in problems[:SHOWN]:
         at = f"{problem.path}:{problem.line}" if problem.line else problem.path
         click.echo(f"warning: {terminal(at)}: {terminal(problem.message)}", err=True)
@@ -123,7 +124,6 @@ def expected(found: Architecture, path: str) -> int:
     import yaml
 
     from haros_ci.link.expectation import compare, problems
-    from haros_ci.report.escape import terminal
 
     try:
         declared = yaml.safe_load(read_input(Path(path), path))

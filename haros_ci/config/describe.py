@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 from haros_ci.config.settings import LinterSettings, Policy, Settings
 
@@ -48,10 +48,22 @@ def _values(settings: Settings) -> Iterator[str]:
     if settings.baseline_rev:
         yield line("baseline-rev", settings.baseline_rev)
     yield line("plugins", settings.plugins)
+    yield from (line(key, names) for key, names in _model(settings.project))
     yield f"trust-config: {_shown(settings.trust_config)}"
     if settings.linters:
         yield f"linters:  # {_quoted(origins.get('linters', origins.get('plugin_blacklist', DEFAULT)))[1:-1]}"
         yield from (f"  {_key(tool)}: {_linter(linter)}" for tool, linter in settings.linters)
+
+
+def _model(project: Mapping[str, object]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """What the architecture is made with: the names in each key that is there."""
+    for key in ("configurations", "nodes", "known_nodes"):
+        value = project.get(key)
+        if isinstance(value, Mapping) and value:
+            yield key, tuple(str(name) for name in value)
+    rows = project.get("apis")
+    if isinstance(rows, Sequence) and rows:
+        yield "apis", tuple(str(row.get("call", row.get("class"))) for row in rows if isinstance(row, Mapping))
 
 
 def _policy(indent: str, policy: Policy) -> Iterator[str]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The HAROS part of a project file: keys of HAROS's project files and of its configs.yaml.
+"""The HAROS part of a project file: keys of HAROS's project files and of its configs.yaml, and what we add to them.
 
 Whatever HAROS reads without an error is read without an error. What HAROS refuses (a configuration without launch
 files, a rule without tags) is an error here, too. Keys as read by HAROS 3.10: ``extractor.py:ProjectExtractor._setup``,
@@ -9,6 +9,7 @@ files, a rule without tags) is an error here, too. Keys as read by HAROS 3.10: `
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from haros_ci.config.shapes import File, Named, kind
 from haros_ci.config.suggestion import did_you_mean, quoted
@@ -18,7 +19,11 @@ from haros_ci.config.yaml_lines import Value
 PROJECT_KEYS = ("project", "packages", "repositories", "configurations", "nodes", "rules", "analysis")
 HOME_KEYS = ("workspace", "environment", "plugin_blacklist", "cpp")
 IGNORE_KEYS = ("tags", "rules", "metrics", "files")
-NEEDS_MODEL = ("configurations", "nodes", "repositories", "rules")
+#: Keys of one configuration; HAROS has no arguments or environment of launch files, they are ours.
+CONFIGURATION_KEYS = ("launch", "hints", "hpl", "user_data", "args", "environment")
+
+#: Repositories that one note names.
+MAX_NAMED = 10
 
 #: The HAROS rules on each HAROS metric (HAROS definitions.yaml); a metric without rules has nothing to ignore.
 METRIC_RULES: dict[str, tuple[str, ...]] = {
@@ -68,9 +73,7 @@ def read_haros(file: File, top: dict[str, Value]) -> HarosPart:
         _check_required(file, top["repositories"], "repositories", ("type", "url", "version", "packages"))
     if "rules" in top:
         _check_required(file, top["rules"], "rules", ("name", "description", "tags"))
-    idle = [key for key in NEEDS_MODEL if key in top and top[key].data]
-    if idle:
-        file.note(f"read, but without effect yet, as they need the architecture model: {', '.join(idle)}")
+    _say_idle(file, top)
     home = [key for key in ("workspace", "environment", "cpp") if key in top]
     if home:
         file.note(f"of no use here, where neither ROS nor a build is needed: {', '.join(home)}")
@@ -117,15 +120,47 @@ def _blacklist(file: File, value: Value | None) -> tuple[Named, ...]:
     return tuple(plugin for plugin in plugins if plugin.text in PLUGIN_TOOLS)
 
 
+def _say_idle(file: File, top: dict[str, Value]) -> None:
+    """Notes on what is read and has no effect: queries, properties, and repositories to clone."""
+    entries = [
+        entry.data
+        for key in ("configurations", "nodes")
+        for entry in _entries(top, key).values()
+        if isinstance(entry.data, dict)
+    ]
+    has_properties = any("hpl" in entry and entry["hpl"].data for entry in entries)
+    idle = [*(["rules"] if _entries(top, "rules") else []), *(["hpl"] if has_properties else [])]
+    if idle:
+        file.note(f"read, but without effect yet: {', '.join(idle)}")
+    if names := [quoted(str(name)) for name in _entries(top, "repositories")]:
+        more = f" and {len(names) - MAX_NAMED} more" if len(names) > MAX_NAMED else ""
+        file.note(
+            f"repositories are never cloned: {', '.join(names[:MAX_NAMED])}{more}",
+            help="check them out into the workspace",
+        )
+
+
+def _entries(top: dict[str, Value], key: str) -> dict[Any, Value]:
+    """What stands under a key whose value is known to be a map, if it is there."""
+    value = top[key].data if key in top else None
+    return value if isinstance(value, dict) else {}
+
+
 def _check_configurations(file: File, value: Value) -> None:
     form = "configurations: {robot: {launch: [package/launch/file.launch]}}"
     for name, item in file.map(value, "'configurations'", form).items():
         launch = item
         if not isinstance(item.data, tuple):
-            entries = file.map(item, f"configuration {quoted(name)}", form)
+            what = f"configuration {quoted(name)}"
+            entries = file.map(item, what, form, CONFIGURATION_KEYS)
             if "launch" not in entries:
-                raise file.error(item.key_line, f"configuration {quoted(name)} has no 'launch'", f"write {form}")
+                raise file.error(item.key_line, f"{what} has no 'launch'", f"write {form}")
             launch = entries["launch"]
+            if "hints" in entries:
+                file.map(entries["hints"], f"'hints' of {what}", "hints: {nodes: {/node: {…}}}")
+            for key, example in (("args", "args: {robot: kobuki}"), ("environment", "environment: {ROBOT: kobuki}")):
+                if key in entries:
+                    _check_scalars(file, entries[key], f"'{key}' of {what}", example)
         if not isinstance(launch.data, tuple):
             raise file.error(launch.line, f"'launch' must be a list, not {kind(launch)}", f"write {form}")
         for entry in launch.data:
@@ -133,6 +168,18 @@ def _check_configurations(file: File, value: Value) -> None:
                 raise file.error(
                     entry.line, "a launch file is named as package/path", "for example robot/launch/a.launch"
                 )
+
+
+def _check_scalars(file: File, value: Value, what: str, example: str) -> None:
+    """A map of texts, numbers, true and false; an empty value would be text that nobody wrote."""
+    file.map(value, what, example)
+    for key, item in value.data.items() if isinstance(value.data, dict) else ():
+        if item.data is None or isinstance(item.data, (dict, tuple)):
+            raise file.error(
+                item.key_line,
+                f"{quoted(str(key))} in {what} must be text, a number, true or false, not {kind(item)}",
+                f"write {example}, and '' for an empty text",
+            )
 
 
 def _check_nodes(file: File, value: Value) -> None:

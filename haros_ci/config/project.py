@@ -9,15 +9,16 @@ from typing import Any
 
 from haros_ci.config.haros import HOME_KEYS, PROJECT_KEYS, read_haros
 from haros_ci.config.settings import PROFILES, LinterSettings, PathPolicy, Policy
-from haros_ci.config.shapes import File, Named
+from haros_ci.config.shapes import MAX_ENTRIES, File, Named, kind
 from haros_ci.config.suggestion import quoted
 from haros_ci.config.yaml_lines import Value, parse, plain
 from haros_ci.errors import UserError
+from haros_ci.model.api import RowError, load_row
 from haros_ci.results.rule import Level
 
 OWN_KEYS = (
     "profile", "select", "ignore", "levels", "per-path", "exclude", "linters", "fail-on", "max-file-size",
-    "compile-database", "baseline", "plugins",
+    "compile-database", "baseline", "plugins", "apis", "known_nodes",
 )  # fmt: skip
 KNOWN_KEYS = (*OWN_KEYS, *PROJECT_KEYS, *HOME_KEYS)
 POLICY_KEYS = ("select", "ignore", "levels")
@@ -26,6 +27,7 @@ LEVELS = ("error", "warning", "note", "off")
 FAIL_ON = ("error", "warning", "note", "never")
 MAX_SELECTORS = 500
 MAX_PATH_GLOBS = 200
+MAX_ROW_TEXT = 500  # characters of one text in an API row; selectors are taken apart in quadratic time
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,6 +62,9 @@ def read_project(data: bytes, name: str, *, trust_config: bool = False) -> Proje
     policy = own.policy(top)
     per_path = own.per_path(top)
     own.check_numbers(per_path)
+    own.check_apis(top)
+    if "known_nodes" in top:
+        file.map(top["known_nodes"], "'known_nodes'", "known_nodes: {package: {executable: {publishers: […]}}}")
     values: dict[str, Any] = {
         "policy": Policy(
             select=policy.select,
@@ -116,6 +121,21 @@ class _Own:
             raise UserError(f"{self.file.name}: more than {MAX_SELECTORS} selectors", help="use globs or tags")
         if sum(len(entry.globs) for entry in per_path) > MAX_PATH_GLOBS:
             raise UserError(f"{self.file.name}: more than {MAX_PATH_GLOBS} globs in 'per-path'", help="use wider globs")
+
+    def check_apis(self, top: dict[str, Value]) -> None:
+        """Every API row is one that ``model.api.load_row`` takes."""
+        if "apis" not in top:
+            return
+        rows = top["apis"]
+        if not isinstance(rows.data, tuple):
+            form = "write apis: [{call: 'robot::advertise', args: [1], makes: […]}]"
+            raise self.file.error(rows.line, f"'apis' must be a list, not {kind(rows)}", form)
+        if len(rows.data) > MAX_ENTRIES:
+            raise self.file.error(rows.line, f"'apis' has more than {MAX_ENTRIES} rows", "leave out what is not called")
+        for number, row in enumerate(rows.data, start=1):
+            if fault := row_fault(row):
+                line, said = fault
+                raise self.file.error(line, f"row {number} of 'apis': {said}", "docs/adding-an-api.md has examples")
 
     def policy(self, entries: dict[str, Value]) -> Policy:
         return Policy(
@@ -199,3 +219,45 @@ class _Own:
             else None,
             arguments=arguments,
         )
+
+
+def row_fault(row: Value) -> tuple[int, str] | None:
+    """Line and text of the first thing that is wrong with an API row; None if it is right.
+
+    Keys, and the entries of ``makes``, are looked at one by one, so that each has its own line.
+    """
+    if not isinstance(row.data, dict):
+        return row.line, f"a row is a map with a 'call', not {kind(row)}"
+    if (odd := _odd(row)) is not None:
+        return odd
+    name = {key: plain(item) for key, item in row.data.items() if key in ("call", "class")}
+    parts: list[tuple[int, dict[Any, object]]] = [(row.line, name)]
+    for key, item in row.data.items():
+        if key == "makes" and isinstance(item.data, tuple):
+            parts += ((entry.line, {**name, key: [plain(entry)]}) for entry in item.data)
+        elif key not in name:
+            parts.append((item.key_line, {**name, key: plain(item)}))
+    for line, part in parts:
+        try:
+            load_row(part)
+        except RowError as err:
+            in_quotes = "; put it in quotes" if str(err).endswith(" is text") else ""
+            return line, f"{err}{in_quotes}"
+    return None
+
+
+def _odd(value: Value, named: bool = True) -> tuple[int, str] | None:
+    """A text without end in an API row, or a key of the row or of an entry (*named* maps) that is no text."""
+    if isinstance(value.data, str):
+        too_long = len(value.data) > MAX_ROW_TEXT
+        return (value.line, f"a text has more than {MAX_ROW_TEXT} characters") if too_long else None
+    if isinstance(value.data, tuple):
+        return next((odd for item in value.data if (odd := _odd(item, named)) is not None), None)
+    for key, item in value.data.items() if isinstance(value.data, dict) else ():
+        if named and not isinstance(key, str):
+            return item.key_line, f"key {quoted(key)} must be text"
+        if len(str(key)) > MAX_ROW_TEXT:
+            return item.key_line, f"a key has more than {MAX_ROW_TEXT} characters"
+        if (odd := _odd(item, key == "makes")) is not None:
+            return odd
+    return None

@@ -32,6 +32,7 @@ class Wanted:
     name: str
     launch: tuple[str, ...]
     arguments: Mapping[str, str] = field(default_factory=dict)
+    environment: Mapping[str, str] = field(default_factory=dict)
     user_data: Any = None
 
 
@@ -61,7 +62,8 @@ def link(
         chosen = wanted
     started: set[tuple[str, str]] = set()
     for item in chosen:
-        launched = evaluate(item.launch, workspace, load, item.arguments, environment or {})
+        seen = {**item.environment, **(environment or {})}
+        launched = evaluate(item.launch, workspace, load, item.arguments, seen)
         problems.update(dict.fromkeys(launched.problems))
         server = ParameterServer(launched.parameters)
         nodes: list[Node] = []

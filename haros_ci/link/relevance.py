@@ -27,15 +27,17 @@ READING = frozenset(
 CONTAINERS = (
     READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
 )
+#: Words for methods of all sorts of classes.
+EVERYDAY = frozenset("start add call create configure init del search".split())
 
 
 class Relevance:
     """For each block of code, whether an API call may be reached from it. Names stand for all functions so called."""
 
     def __init__(self, index: Index, rows: Iterable[Row]) -> None:
-        made = [row.call for row in rows if _makes(row)]
-        plain = {_last(name) for name in made} - COLLECTING
-        self._api = plain | {f".{name}" for name in plain - CONTAINERS}
+        rows = tuple(rows)
+        self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row.call))
+        self._registering = frozenset(name for row in rows if row.calls for name in _spellings(row.call)) - self._api
         self._index = index
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):
@@ -60,7 +62,10 @@ class Relevance:
         known = self._blocks.get(id(block))
         if known is None:
             found: set[str] = set()
-            _walk(block, found, source, set())
+            mentioned: set[str] = set()
+            _walk(block, found, mentioned, source)
+            if not self._registering.isdisjoint(found):
+                found |= mentioned  # any of them may be what is called back
             known = self._blocks[id(block)] = (block, frozenset(found))
         return known[1]
 
@@ -138,11 +143,28 @@ class Relevance:
         return names | self.names(item.inits, source) if item.inits else names
 
 
+def _spellings(name: str) -> Iterable[str]:
+    """How a call of the row's function looks: a class by its name, a method after a dot, a function with its namespace.
+
+    Words that any class may have as a method are left out: what they make is callbacks at most.
+    """
+    parts = name.replace(".", "::").split("::")
+    last = parts[-1]
+    if last[:1].isupper() or len(parts) == 1:
+        return (last, f".{last}")
+    if parts[-2][:1].isupper():
+        return () if last in CONTAINERS or last in EVERYDAY else (last, f".{last}")
+    # A function of a namespace or module: Python's are called on the module.
+    return ("::".join(parts[-2:]), f".{last}") if "." in name else ("::".join(parts[-2:]),)
+
+
 def _makes(row: Row) -> bool:
-    return bool(row.calls or row.entry) or any(entry.kind in KINDS for entry in row.makes)
+    return bool(row.entry) or any(entry.kind in KINDS for entry in row.makes)
 
 
-def _walk(item: Any, found: set[str], source: Source, lambdas: set[int]) -> None:
+def _walk(item: Any, found: set[str], mentioned: set[str], source: Source) -> None:
+    """Collect what is called or constructed in *item*, and what is mentioned in any other way."""
+    lambdas: set[int] = set()
     waiting = [item]
     while waiting:
         node = waiting.pop()
@@ -153,10 +175,9 @@ def _walk(item: Any, found: set[str], source: Source, lambdas: set[int]) -> None
             callee = node[1]
             if callee[0] == "name":
                 found.add(_last(callee[1]))
+                found.add("::".join(callee[1].split("::")[-2:]))
             elif callee[0] == "field":
                 found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2]}")
-        elif tag == "op" and len(node) == 3:
-            found.add(f"operator{node[1]}")
         elif tag == "set" and len(node) == 4 and node[2][0] == "index":
             found.add(ELEMENT)
         elif (tag == "new" and len(node) == 5) or (tag == "var" and len(node) == 6):
@@ -166,6 +187,8 @@ def _walk(item: Any, found: set[str], source: Source, lambdas: set[int]) -> None
             lambdas.add(node[-1])
             if 0 <= node[-1] < len(source.program.functions):
                 waiting.append(source.program.functions[node[-1]].body)
+        elif tag in ("name", "field") and isinstance(node[-1], str):
+            mentioned.add(_last(node[-1]))
         elif tag in ("str", "num", "bool", "none", "?") and len(node) <= 2:
             continue
         waiting.extend(node)

@@ -21,7 +21,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function, Type
 
 #: Statements and calls that one node may take; what is beyond is named in a notification.
-STEPS = 150_000
+STEPS = 80_000
 #: Calls inside calls.
 DEPTH = 28
 #: Turns of a loop whose condition is known.

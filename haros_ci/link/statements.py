@@ -16,6 +16,10 @@ from haros_ci.model.program import Block, Statement
 NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
 
 
+#: What holds in the script that is started, and in no other module: no condition at all.
+MAIN_GUARD = ('__name__ == "__main__"', '"__main__" == __name__', '(__name__ == "__main__")')
+
+
 def execute(run: Run, frame: Frame, block: Block) -> str:
     """Follow the statements of *block* in a scope of their own; say how it ends."""
     frame.scopes.append({})
@@ -54,6 +58,8 @@ def _variable(run: Run, frame: Frame, statement: Statement) -> str:
 
 def _if(run: Run, frame: Frame, statement: Statement) -> str:
     _, line, column, text, test, then, else_line, else_column, other = statement
+    if text.replace("'", '"') in MAIN_GUARD and frame.source.program.language == "python":
+        return execute(run, frame, then) if frame.source.path in run.files else NEXT
     holds = truth(expressions.evaluate(run, frame, test))
     branches = []
     mark = run.state.mark()

@@ -13,11 +13,12 @@ import pytest
 import haros_ci.config
 from haros_ci import PROJECT_URL
 from haros_ci.config import project, shapes
-from haros_ci.config.haros import IGNORE_KEYS
+from haros_ci.config.haros import CONFIGURATION_KEYS, IGNORE_KEYS
 from haros_ci.config.project import read_project
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.config.yaml_lines import parse, plain
 from haros_ci.errors import UserError
+from haros_ci.model.api import ENTRY_KEYS, ENTRY_KINDS, ROW_KEYS
 
 SCHEMA: dict[str, Any] = json.loads((Path(haros_ci.config.__file__).parent / "schema.json").read_text(encoding="utf-8"))
 DEFS = SCHEMA["$defs"]
@@ -28,9 +29,17 @@ def test_the_same_keys() -> None:
     assert set(DEFS["perPath"]["properties"]) == {"profile", *project.POLICY_KEYS}
     assert set(DEFS["linter"]["properties"]) == set(project.LINTER_KEYS)
     assert set(SCHEMA["properties"]["analysis"]["properties"]["ignore"]["properties"]) == set(IGNORE_KEYS)
+    configuration = SCHEMA["properties"]["configurations"]["additionalProperties"]["anyOf"][1]
+    assert set(configuration["properties"]) == set(CONFIGURATION_KEYS)
+    row = DEFS["apiRow"]["properties"]
+    assert set(row) == set(ROW_KEYS)
+    assert set(row["makes"]["items"]["properties"]) == set(ENTRY_KEYS)
 
 
 def test_the_same_words_and_limits() -> None:
+    assert DEFS["apiRow"]["properties"]["makes"]["items"]["properties"]["kind"]["enum"] == list(ENTRY_KINDS)
+    assert DEFS["template"]["maxLength"] == DEFS["apiName"]["maxLength"] == project.MAX_ROW_TEXT
+    assert SCHEMA["properties"]["apis"]["maxItems"] == shapes.MAX_ENTRIES
     assert DEFS["profile"]["enum"] == list(PROFILES)
     assert set(DEFS["levels"]["additionalProperties"]["enum"]) - {False, None} == set(project.LEVELS)
     assert set(SCHEMA["properties"]["fail-on"]["enum"]) - {None} == set(project.FAIL_ON)
@@ -54,6 +63,14 @@ VALID = [
     "fail-on: never\nmax-file-size: 10\ncompile-database: build\nbaseline: a.jsonl\nplugins: [mine]",
     "project: x\npackages: [a, 1]\nanalysis: {ignore: {tags: x, rules: [y], metrics: [ploc], files: ['*']}}",
     "configurations: {a: [p/x.launch], b: {launch: [p/y.launch], hints: {}}}\nnodes: {p/x: {hpl: {}}, p/y: }",
+    "configurations: {a: {launch: [p/x.launch], args: {a: b, c: 1, d: 1.5, e: true}, environment: {HOME: /h}}}",
+    "configurations: {a: {launch: [p/x.launch], hints: , hpl: , user_data: , args: , environment: }}",
+    "apis: []\nknown_nodes: {}",
+    "apis:\nknown_nodes:",
+    "apis: [{call: a, args: [1, 2], when: {1: x}, sets: {1: '{parameter}'}, makes: [{kind: getters, value: 1}]}]",
+    "apis: [{class: a::B, bases: [c::D], entry: [onInit]}, {call: a, transparent: '{0}'}, {call: b, returns: c}]",
+    "apis: [{call: a, calls: ['0'], fills: {topic: '{0}'}, makes: [{kind: servers, latched: true, implicit: true}]}]",
+    "known_nodes: {p: {n: {publishers: [{name: a, type: b/C}]}}, q: }",
     "rules: {a: {name: n, description: d, tags: [t], query: q}}",
     "repositories: {a: {type: git, url: u, version: v, packages: [p]}}",
     "workspace: /x\nenvironment: copy\nplugin_blacklist: [radon]\ncpp: {parser_lib: x}",
@@ -95,7 +112,31 @@ INVALID = [
     "packages: [[a]]",
     "configurations: {a: {hints: {}}}",
     "configurations: {a: [x]}",
+    "configurations: {a: {launch: [p/x], hint: {}}}",
+    "configurations: {a: {launch: [p/x], hints: [b]}}",
+    "configurations: {a: {launch: [p/x], args: [b]}}",
+    "configurations: {a: {launch: [p/x], args: {b: }}}",
+    "configurations: {a: {launch: [p/x], args: {b: [c]}}}",
+    "configurations: {a: {launch: [p/x], environment: {B: {c: d}}}}",
+    "configurations: {a: {launch: [p/x], environment: copy}}",
     "nodes: {a: {b: c}}",
+    "apis: {call: a}",
+    "apis: [a]",
+    "apis: [null]",
+    "apis: [{}]",
+    "apis: [{call: }]",
+    "apis: [{call: a, class: b}]",
+    "apis: [{call: a, return: b}]",
+    "apis: [{call: a, args: 1}]",
+    "apis: [{call: a, args: ['1']}]",
+    "apis: [{call: a, makes: {kind: publishers}}]",
+    "apis: [{call: a, makes: [{name: b}]}]",
+    "apis: [{call: a, makes: [{kind: publisher}]}]",
+    "apis: [{call: a, makes: [{kind: publishers, name: {0}}]}]",
+    "apis: [{call: a, makes: [{kind: timer, period: 0.5}]}]",
+    "apis: [{call: a, makes: [{kind: publishers, topic: b}]}]",
+    "known_nodes: [a]",
+    "known_nodes: a",
     "rules: {a: {name: n}}",
     "repositories: {a: {type: git}}",
     "analysis: {ignored: {}}",

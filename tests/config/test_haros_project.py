@@ -73,8 +73,8 @@ def test_every_key() -> None:
     assert read.values["ignore_files"] == ("*/src/gen/*", "*/vendor/*", "/x", "?y", "[ab]*")
     assert read.values["project"]["configurations"]["long"]["hints"]["nodes"]["/base"]["remaps"] == {"/a": "/b"}
     assert read.notes == (
-        "haros.yaml: read, but without effect yet, as they need the architecture model: "
-        "configurations, nodes, repositories, rules",
+        "haros.yaml: read, but without effect yet: rules, hpl",
+        "haros.yaml: repositories are never cloned: 'rover'; check them out into the workspace",
     )
     assert ("haros formatting", "haros.yaml:40") in read.origins
 
@@ -97,6 +97,26 @@ def test_the_same_keys_in_our_own_file() -> None:
         ("analysis: {ignore: {}}", []),
         ("analysis: {ignore: {tags: [], rules: , metrics: [ploc, sloc], files: ''}}", []),
         ("analysis: {ignore: {tags: formatting}}", []),
+        ("configurations: {a: [p/x.launch], b: {launch: [p/y.launch], user_data: {x: [1]}}}", []),
+        ("configurations: {a: {launch: [p/x.launch], hints: {fix: {advertise@name1: /a}}}}", []),
+        ("configurations: {a: {launch: [p/x.launch], hints: , hpl: , user_data: , args: , environment: }}", []),
+        ("configurations: {a: {launch: [p/x.launch], hpl: {}}}\nnodes: {p/x: {hpl: {}}, p/y: {fix: {}}}", []),
+        (
+            "configurations: {a: {launch: [p/x.launch], hpl: {properties: [x]}}}",
+            [": read, but without effect yet: hpl"],
+        ),
+        ("nodes: {p/x: {hpl: {assumptions: [x]}}}", [": read, but without effect yet: hpl"]),
+        (
+            "configurations: {a: {launch: [p/x.launch], hint: {}, launch_commands: [x]}}",
+            [":1: key 'hint' has no effect; did you mean 'hints'?", ":1: key 'launch_commands' has no effect"],
+        ),
+        (
+            "repositories:" + "".join(f"\n  r{n:02}: {{type: a, url: b, version: c, packages: d}}" for n in range(12)),
+            [
+                ": repositories are never cloned: 'r00', 'r01', 'r02', 'r03', 'r04', 'r05', 'r06', 'r07', 'r08', 'r09' "
+                "and 2 more; check them out into the workspace"
+            ],
+        ),
         ("environment: null", []),
         ("plugin_blacklist: []", []),
         (
@@ -131,6 +151,10 @@ def test_accepted(text: str, notes: list[str]) -> None:
         ("configurations: {a: {launch: p/x.launch}}", "1: 'launch' must be a list, not a text"),
         ("configurations:\n  a:\n    - x.launch", "3: a launch file is named as package/path"),
         ("configurations: {a: [3]}", "1: a launch file is named as package/path"),
+        (
+            "configurations: {a: {launch: [p/x], hints: [b]}}",
+            "1: 'hints' of configuration 'a' must be a map, not a list",
+        ),
         ("nodes: [a]", "1: 'nodes' must be a map, not a list"),
         ("nodes: {driver: {a: b}}", "1: node 'driver' must be named as package/executable"),
         ("nodes: {a/b/c: {a: b}}", "1: node 'a/b/c' must be named as package/executable"),
