@@ -128,9 +128,9 @@ def _loop(run: Run, frame: Frame, statement: Statement) -> str:
 
 def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
-    if run.turns >= 8:
-        return False
-    return run.relevance.matters(body, frame.source) or run.relevance.collects(body, frame.source)
+    if run.relevance.matters(body, frame.source):
+        return run.turns < 8
+    return run.turns == 1 and run.relevance.collects(body, frame.source)
 
 
 def _dry(run: Run, frame: Frame, body: Block) -> None:
