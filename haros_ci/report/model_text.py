@@ -49,7 +49,7 @@ def render(architecture: Architecture) -> str:
     """A block for each configuration: its launch files, counts, nodes, and the rate of unknown names and types."""
     blocks = [tuple(_block(item)) for item in sorted(architecture.configurations, key=lambda item: item.name)]
     if not blocks:
-        return "No configurations: there is no launch file and no node in the workspace.\n"
+        return "No configurations: no ROS 1 launch file and no ROS 1 node was found; ROS 2 is not modelled yet.\n"
     return "\n".join("".join(f"{line}\n" for line in block) for block in blocks)
 
 

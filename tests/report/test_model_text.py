@@ -76,7 +76,7 @@ def test_no_endpoints_no_rate_and_no_configurations() -> None:
     text = model_text.render(Architecture(configurations=(replace(ROBOT, launch=(), arguments=(), nodes=()),)))
     assert text == "configuration robot: 0 nodes, 0 topics, 0 services, 0 actions, 1 parameter set\n"
     assert model_text.render(Architecture()) == (
-        "No configurations: there is no launch file and no node in the workspace.\n"
+        "No configurations: no ROS 1 launch file and no ROS 1 node was found; ROS 2 is not modelled yet.\n"
     )
 
 
