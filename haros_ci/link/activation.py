@@ -183,7 +183,9 @@ def follow_body(run: Run, inner: Frame, function: Function) -> Value:
         run.state.undo(mark)
         run.state.merge(branches)
     if not inner.returned:
-        return NONE
+        return (
+            NONE if ended == statements.NEXT else run.opaque("it does not return as things are", inner, function.line)
+        )
     value = inner.returned[0]
     for other in inner.returned[1:]:
         value = join(value, other)

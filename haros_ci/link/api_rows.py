@@ -202,7 +202,7 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] |
         if isinstance(value, Mapped) and isinstance(value.content.value, dict):
             return [{"name": Known(str(k)), "default": c.value} for k, c in value.content.value.items()]
         return []
-    name = selectors.config_name(value)
+    name = selectors.config_name(value, applied.run)
     config = applied.run.configs.get(name)
     if config is None:
         return []

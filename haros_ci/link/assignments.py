@@ -102,8 +102,9 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
         method = construct.method_of(run, container, "operator[]")
         if method is not None:
             return activation.invoke(run, frame, method, (call_arguments.Argument(key),), None)
-    if isinstance(container, Sequence) and isinstance(container.content.value, tuple) and container.content.value:
-        return any_of(cell.value for cell in container.content.value)
+    cells = container.content.value if isinstance(container, Sequence) else ()
+    if isinstance(cells, tuple) and cells and not isinstance(key, Known):
+        return any_of(cell.value for cell in cells)
     kind = None
     if isinstance(container, Sequence) and container.type is not None and container.type[1]:
         kind = container.type[1][0]

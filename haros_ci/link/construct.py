@@ -315,7 +315,8 @@ def initialise(
         elif "*" in kind[2] or "&" in kind[2]:
             cell.value = run.opaque(f"the member {member.name} is not set before", declared, member.line, pointee(kind))
         elif _has_default(run, kind, source):
-            cell.value = initial(run, declared, kind, None, body_at)
+            at = body_at if function is not None else Location(source.path, member.line, member.column)
+            cell.value = initial(run, declared, kind, None, at)
         else:
             cell.value = Opaque(f"the member {member.name} is not set before", Location(source.path, member.line), kind)
     if function is not None and function.body is not None:

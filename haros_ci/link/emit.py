@@ -36,6 +36,8 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
         return None
     unknowns: Unknowns = []
     name = _name(applied, entry, unknowns)
+    if name == "" and not unknowns:
+        return None  # no name, no topic: a filter's subscriber that is to be told later
     value, default = _value(applied, entry, unknowns)
     endpoint_type = _type(applied, entry, unknowns, default)
     queue = latched = None
@@ -85,7 +87,7 @@ def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
     from haros_ci.link.selectors import config_name, select_value
 
     assert entry.each is not None and applied.item is not None
-    name = config_name(select_value(applied, entry.each[7:-1]))
+    name = config_name(select_value(applied, entry.each[7:-1]), applied.run)
     config = applied.run.config_objects.setdefault(name, Object(name))
     member = applied.item["name"].value
     config.fields[member] = Cell(value if value is not None else Opaque("a parameter that is not set"))
@@ -112,6 +114,8 @@ def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> str:
     elif isinstance(applied.receiver, Object) and applied.receiver.name in ("ros::NodeHandle",):
         space = namespace_of(applied, applied.receiver)
     prefix, space_why, space_where = pattern(space)
+    if why is None and not text and entry.kind in ("publishers", "subscribers"):
+        return ""
     if why is not None:
         unknowns.append(("name", why, where or applied.location))
     elif space_why is not None and text[:1] not in ("/", "~"):

@@ -57,7 +57,7 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
     """An instance of a modelled class."""
     name = kind[0]
     if name in STREAMS:
-        text = args[0].value if args and isinstance(args[0].value, (Known, Text)) else Known("")
+        text = args[0].value if args else Known("")
         return Object(name, fields={"[text]": Cell(text)})
     if name in FILES:
         return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})

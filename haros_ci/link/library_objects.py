@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link import api_rows, call_arguments, construct, library
+from haros_ci.link import api_rows, call_arguments, callbacks, construct, library
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     Callable,
@@ -45,10 +45,12 @@ def library_object(
         return args[0].value if args else run.opaque("it is not known", frame)
     if len(args) == 1 and isinstance(args[0].value, Object) and args[0].value.name == kind[0]:
         return args[0].value  # a copy
-    if len(args) == 1 and isinstance(args[0].value, Callable):
+    if len(args) == 1 and isinstance(args[0].value, Callable) and kind[0] not in run.rows:
         return args[0].value  # boost::function and its kin
     this = Object(kind[0], kind[1], location=location)
     construct_library(run, frame, this, kind, args, location)
+    for argument in args:
+        callbacks.register(run, argument.value, args)
     return this
 
 

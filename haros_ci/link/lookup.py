@@ -155,9 +155,11 @@ def python_name(run: Run, frame: Frame, name: str) -> Value:
 def _starred(run: Run, source: Source, name: str) -> str | None:
     """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
     outside = []
-    for alias in source.program.aliases:
+    for alias in reversed(source.program.aliases):  # of several the last counts
         module = alias.type[0].removesuffix(".*")
         package, _, kind = module.rpartition(".")
+        if alias.name == "*" and f"{module}.{name}" in run.rows:
+            return f"{module}.{name}"
         if alias.name != "*" or kind not in ("msg", "srv"):
             continue
         if f"{package}/{name}" in run.index.interfaces:

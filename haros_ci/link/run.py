@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable as Function_
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from haros_ci.link.index import Index, Source
@@ -21,7 +21,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function, Type
 
 #: Statements and calls that one node may take; what is beyond is named in a notification.
-STEPS = 80_000
+STEPS = 20_000
 #: Calls inside calls.
 DEPTH = 28
 #: Turns of a loop whose condition is known.
@@ -46,6 +46,7 @@ class Frame:
     mark: int = 0
     returned: list[Value] = field(default_factory=list)
     exits: list[dict[Cell, Any]] = field(default_factory=list)
+    #: Whether what is followed cannot be reached as things are: it is gone through for what it makes only.
     is_dead: bool = False
 
     def find(self, name: str) -> Cell | None:
@@ -106,6 +107,16 @@ class Context:
     process_namespace: str = "/"
 
 
+def either(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> tuple[Condition, ...]:
+    """The conditions of what is made on two ways: none from where one takes the ``if`` and the other its ``else``."""
+    for number, (left, right) in enumerate(zip(one, other, strict=False)):
+        if left != right:
+            if {left.statement, right.statement} == {"if", "else"} and left.condition == right.condition:
+                return one[:number]
+            break
+    return other if len(other) < len(one) else one
+
+
 @dataclass(slots=True)
 class Run:
     """The interpreter's state for one node."""
@@ -150,8 +161,8 @@ class Run:
             return
         key = (made.kind, made.name, made.type, made.location, made.queue_size, made.latched, repr(made.value))
         known = self.made.get(key)
-        if known is None or len(made.conditions) < len(known.conditions):
-            self.made[key] = made
+        conditions = made.conditions if known is None else either(known.conditions, made.conditions)
+        self.made[key] = replace(made, conditions=conditions)
 
     @contextmanager
     def under(self, statement: str, text: str, frame: Frame, line: int, column: int) -> Iterator[None]:

@@ -61,8 +61,11 @@ def given(args: tuple[Argument, ...], where: str) -> Argument | None:
     return next((argument for argument in args if argument.keyword == where), None)
 
 
-def config_name(value: Any) -> str:
-    """``pkg::NameConfig`` of a dynamic_reconfigure type, in C++ and in Python (``pkg.cfg.NameConfig``)."""
+def config_name(value: Any, run: Run) -> str:
+    """``pkg::NameConfig`` of a dynamic_reconfigure type, in C++ and in Python (``pkg.cfg.NameConfig``).
+
+    A name without its package (its header is included by another) is the one of that name in the workspace.
+    """
     if isinstance(value, TypeValue):
         name = value.type[0]
     elif isinstance(value, Library):
@@ -72,7 +75,12 @@ def config_name(value: Any) -> str:
     else:
         return ""
     parts = name.replace(".", "::").split("::")
-    return "::".join((parts[0], parts[-1])) if len(parts) > 2 and "cfg" in parts else name
+    name = "::".join((parts[0], parts[-1])) if len(parts) > 2 and "cfg" in parts else name
+    if name not in run.configs:
+        last = name.rpartition("::")[2]
+        named = [known for known in run.configs if known.endswith(f"::{last}")]
+        return named[0] if len(named) == 1 else name
+    return name
 
 
 def value_of(applied: Applied, template: Template) -> Any:

@@ -17,7 +17,7 @@ NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "t
 
 
 #: What holds in the script that is started, and in no other module: no condition at all.
-MAIN_GUARD = ('__name__ == "__main__"', '"__main__" == __name__', '(__name__ == "__main__")')
+MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
 
 
 def execute(run: Run, frame: Frame, block: Block) -> str:
@@ -58,21 +58,31 @@ def _variable(run: Run, frame: Frame, statement: Statement) -> str:
 
 def _if(run: Run, frame: Frame, statement: Statement) -> str:
     _, line, column, text, test, then, else_line, else_column, other = statement
-    if text.replace("'", '"') in MAIN_GUARD and frame.source.program.language == "python":
+    if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
         return execute(run, frame, then) if frame.source.path in run.files else NEXT
     holds = truth(expressions.evaluate(run, frame, test))
     branches = []
     mark = run.state.mark()
     with run.under("if", text, frame, line, column):
-        ended = execute(run, frame, then)
+        ended = _followed(run, frame, then, holds is not False)
     branches.append((ended, run.state.undo(mark)))
     if else_line:
         with run.under("else", text, frame, else_line, else_column):
-            ended = execute(run, frame, other)
+            ended = _followed(run, frame, other, holds is not True)
         branches.append((ended, run.state.undo(mark)))
     else:
         branches.append((NEXT, {}))
     return _merge(run, frame, branches, None if holds is None else [0 if holds else 1])
+
+
+def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
+    """Follow a branch; what one that cannot be taken returns does not count."""
+    before = frame.is_dead
+    frame.is_dead = before or not can_be
+    try:
+        return execute(run, frame, block)
+    finally:
+        frame.is_dead = before
 
 
 def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
@@ -110,7 +120,7 @@ def _loop(run: Run, frame: Frame, statement: Statement) -> str:
                         break
                     if not holds:
                         if not turn:  # not taken as things are: what it would make counts all the same
-                            _dry(run, frame, body)
+                            _dry(run, frame, test, body)
                         return NEXT
                 run.turns *= 2
                 ended = execute(run, frame, body)
@@ -133,9 +143,27 @@ def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 
 
-def _dry(run: Run, frame: Frame, body: Block) -> None:
+def _dry(run: Run, frame: Frame, test: Any, body: Block) -> None:
+    """Follow a loop's body although its test fails now: what the test itself would have written is not known."""
     mark = run.state.mark()
-    execute(run, frame, body)
+    waiting = [test]
+    while waiting:
+        node = waiting.pop()
+        if not isinstance(node, (tuple, list)) or not node:
+            continue
+        targets: list[Any] = []
+        if node[0] == "op" and len(node) == 3 and node[1] == ">>" and len(node[2]) == 2:
+            targets = [node[2][1]]
+        elif node[0] == "set" and len(node) == 4:
+            targets = [node[2]]
+        elif node[0] == "call" and len(node) == 6:
+            targets = [argument for argument in node[2] if argument and argument[0] in ("name", "field")]
+        for target in targets:
+            cell = expressions.cell_of(run, frame, target)
+            if cell is not None and not isinstance(cell.value, Object):
+                run.state.write(cell, Opaque("the loop's test sets it", Location(frame.source.path), cell.type))
+        waiting.extend(node)
+    _followed(run, frame, body, False)
     run.state.undo(mark)
 
 
@@ -284,7 +312,7 @@ def _preprocessor(run: Run, frame: Frame, statement: Statement) -> str:
 
 def _return(run: Run, frame: Frame, statement: Statement) -> str:
     value = expressions.evaluate(run, frame, statement[1]) if statement[1] is not None else Known(None)
-    if not frame.is_dead or not frame.exits:
+    if not frame.is_dead:
         frame.returned.append(value)
         frame.exits.append(run.state.since(frame.mark))
     return RETURN

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from haros_ci.link.entries import Programs
@@ -32,6 +32,16 @@ LOAD, STANDALONE, MANAGER = "load", "standalone", "manager"
 
 
 @dataclass(frozen=True, slots=True)
+class Followed:
+    """What one node has made, what went wrong, the names it gives itself; and each parameter that it asked for."""
+
+    made: tuple[Made, ...]
+    problems: tuple[Problem, ...]
+    names: list[tuple[Value, bool]]
+    asked: Mapping[str, Value | None]
+
+
+@dataclass(frozen=True, slots=True)
 class Types:
     """The node types of the workspace, and all that following them needs."""
 
@@ -45,6 +55,8 @@ class Types:
     read_yaml: Any
     #: What is known of node types outside the workspace, by package and type.
     known: Callable[[str, str], KnownNode | None]
+    #: What following has given so far, with the parameters that it depended on.
+    followed: dict[Any, list[Followed]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,8 +114,8 @@ def instantiate(types: Types, started: Started, server: ParameterServer) -> tupl
     if found is None:
         return _known(types, node, namespace, tuple(rest), parameter, remaps), ()
     instance = Instance(started.name, namespace, None if words is None else tuple(rest), remaps, process)
-    made, problems, _ = run_node(types, *found, instance, parameter)
-    return replace(node, endpoints=endpoints(made, remaps, server)), problems
+    followed = run_node(types, *found, instance, parameter)
+    return replace(node, endpoints=endpoints(followed.made, remaps, server)), followed.problems
 
 
 def _known(
@@ -171,16 +183,16 @@ def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, .
     server = ParameterServer(())
     chosen = f"/{name.partition('.')[0]}"
     instance = Instance(chosen, "/", (), {}, chosen)
-    made, problems, names = run_node(types, entry, files, instance, server.get)
-    for value, _ in names[:1]:
+    followed = run_node(types, entry, files, instance, server.get)
+    for value, _ in followed.names[:1]:
         text, why, _ = pattern(value)
         if why is None and text and clean(text) != chosen:
             chosen = clean(text)
             instance = Instance(chosen, "/", (), {}, chosen)
-            made, problems, names = run_node(types, entry, files, instance, server.get)
+            followed = run_node(types, entry, files, instance, server.get)
     location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
     node = Node(name=chosen, kind="node", package=package, type=name, location=location, process=chosen)
-    return replace(node, endpoints=endpoints(made, {}, server)), problems
+    return replace(node, endpoints=endpoints(followed.made, {}, server)), followed.problems
 
 
 def standalone(types: Types, look_up: str) -> tuple[Node, tuple[Problem, ...]]:
@@ -189,7 +201,7 @@ def standalone(types: Types, look_up: str) -> tuple[Node, tuple[Problem, ...]]:
     name = "/" + look_up.replace("/", "_")
     instance = Instance(name, "/", (), {}, name)
     server = ParameterServer(())
-    made, problems, _ = run_node(types, entry, files, instance, server.get)
+    followed = run_node(types, entry, files, instance, server.get)
     package, _, last = look_up.partition("/")
     line = entry.definition.line if entry.definition is not None else 1
     node = Node(
@@ -201,7 +213,7 @@ def standalone(types: Types, look_up: str) -> tuple[Node, tuple[Problem, ...]]:
         process=name,
         class_name=described.type.strip(),
     )
-    return replace(node, endpoints=endpoints(made, {}, server)), problems
+    return replace(node, endpoints=endpoints(followed.made, {}, server)), followed.problems
 
 
 def run_node(
@@ -210,23 +222,34 @@ def run_node(
     files: frozenset[str],
     instance: Instance,
     parameter: Callable[[str], Value | None],
-) -> tuple[tuple[Made, ...], tuple[Problem, ...], list[tuple[Value, bool]]]:
-    """Follow one node; what it makes, what went wrong, the names that it gives itself."""
+) -> Followed:
+    """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
+    wiring = tuple(sorted(instance.remaps.items()))
+    key = (id(entry), instance.name, instance.namespace, instance.arguments, wiring, instance.process)
+    earlier = types.followed.setdefault(key, [])
+    for done in earlier:
+        if all(parameter(name) == value for name, value in done.asked.items()):
+            return done
+    asked: dict[str, Value | None] = {}
+
+    def ask(name: str) -> Value | None:
+        value = asked[name] = parameter(name)
+        return value
+
     context = Context(
         name=instance.name,
         namespace=instance.namespace,
         arguments=instance.arguments,
         plugins=types.plugins,
-        parameter=parameter,
+        parameter=ask,
         read_yaml=types.read_yaml,
         remap=lambda name: instance.remaps.get(name, name),
         process_name=instance.process,
         process_namespace=instance.process.rpartition("/")[0] or "/",
     )
     language = "python" if entry.source.program.language == "python" else "cpp"
-    run = Run(
-        types.programs.index_of(entry), types.rows[language], context, types.configs, types.relevance[language], files
-    )
+    index = types.programs.index_of(entry)
+    run = Run(index, types.rows[language], context, types.configs, types.relevance[language], files)
     problems: tuple[Problem, ...] = ()
     try:
         if not follow(run, entry):
@@ -237,7 +260,8 @@ def run_node(
             f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         )
         problems = (Problem(entry.source.path, said),)
-    return tuple(run.made.values()), problems, run.names
+    earlier.append(Followed(tuple(run.made.values()), problems, run.names, asked))
+    return earlier[-1]
 
 
 def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: ParameterServer) -> tuple[Endpoint, ...]:

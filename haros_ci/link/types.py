@@ -99,7 +99,7 @@ def resolve_type(
         if not colons:
             name = _by_include(index, name, source, scope)
         else:
-            whole = _by_include(index, head, source, scope)
+            whole = _by_include(index, head, source, scope) if head[:1].isupper() else head
             name = f"{whole}::{tail}" if whole != head else name
         return _pointer(name, resolved, marks)
     return (name, resolved, marks)
@@ -126,7 +126,7 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
     spaces = {namespace for _, namespace in source.program.scopes} | {scope.partition("::")[0]} - {""}
     if not spaces:
         return name
-    included = index.included.get(source.path, {})
+    included = index.included.get(source.path, {}) if name[:1].isupper() else {}
     for suffix in ("", "ConstPtr", "Ptr"):
         found = included.get(name.removesuffix(suffix))
         if found and found.partition("::")[0] in spaces:

@@ -8,6 +8,12 @@ from __future__ import annotations
 
 # fmt: off
 ROWS: tuple[dict[str, object], ...] = (
+    # Threads: what they run is called later (docs.python.org/3/library/threading.html).
+    {"class": "threading.Thread", "entry": ["run"]},
+    {"call": "threading.Thread", "calls": ["target", "1"]},
+    {"call": "thread.start_new_thread", "calls": ["0"]},
+    {"call": "_thread.start_new_thread", "calls": ["0"]},
+
     # rospy/client.py, wiki.ros.org/rospy/Overview/Initialization and Shutdown
     {"call": "rospy.init_node",
      "makes": [{"kind": "node", "name": "{0|name}", "anonymous": "{2|anonymous?false}"}]},

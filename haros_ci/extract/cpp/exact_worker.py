@@ -2,7 +2,7 @@
 """The process in which libclang reads hostile source: one JSON request on standard input, one JSON answer on output.
 
 Started as ``python -I -m haros_ci.extract.cpp.exact_worker``. ``exact`` writes the request and reads the answer. Exit
-code 2 is a request that makes no sense; a crash, or a time or memory limit, ends the process.
+code 2 is a request that makes no sense, 3 that libclang is missing; a crash, or a limit reached, ends the process.
 """
 
 from __future__ import annotations
@@ -27,6 +27,9 @@ SECONDS = 60
 SYSTEM_PREFIXES = ("/usr", "/opt", "/lib", "/Library", "/Applications")
 DIRECTORY_FLAGS = ("-isystem", "-iquote", "-I")
 _PLAIN = re.compile(r"-D[A-Za-z_]\w*(?:\([\w, .]*\))?(?:=.*)?|-U[A-Za-z_]\w*|-std=(?:c|gnu)\+\+[0-9a-z]{2}")
+_ABSENT = re.compile(r"#\s*(?:ifndef\s+(\w+)|if\s*!\s*defined\b[\s(]*(\w+))")
+_DEFINE = re.compile(r"#\s*define\s")
+_ENDIF = re.compile(r"#\s*endif\b")
 _OPTIONS = (
     "-x", "c++", "-nostdinc", "-nostdinc++", "-w", "-ferror-limit=0", "-fno-spell-checking", "-ftemplate-depth=512",
 )  # fmt: skip
@@ -66,6 +69,11 @@ def main(stdin: BinaryIO) -> int:
         found = answer(os.path.realpath(root), files, [h for h in headers if isinstance(h, str)]) if well else None
     except (ValueError, TypeError, KeyError, RecursionError):
         found = None
+    except Exception as err:
+        if not isinstance(err, ImportError) and type(err).__name__ != "LibclangError":
+            raise
+        print(f"libclang cannot be loaded: {err}", file=sys.stderr)
+        return 3
     if found is None:
         print("not a request: an object with root, headers and files is expected", file=sys.stderr)
         return 2
@@ -98,18 +106,42 @@ def answer(root: str, files: Sequence[object], headers: Sequence[str]) -> dict[s
         from haros_ci.extract.cpp import exact_clang
 
         try:
+            unknown = undecided([path], given)
+            unit = exact_clang.read(path, [*base, *standard, *unknown, *given, *system], unsaved)
             # An #include may name any file. What came from outside must not show in an answer: the file then has none.
-            unit = exact_clang.read(path, [*base, *standard, *given, *system], unsaved)
-            known = exact_clang.included(unit).difference(name for name, _ in unsaved)
-            if not all(_is_inside(p, [root, *prefixes, *SYSTEM_PREFIXES]) for p in known):
+            seen = exact_clang.included(unit).difference(stub for stub, _ in unsaved)
+            if not all(_is_inside(p, [root, *prefixes, *SYSTEM_PREFIXES]) for p in seen):
                 failed[name] = "includes a file from outside of the workspace and the installed headers"
                 continue
+            again = undecided([path, *(p for p in seen if _is_inside(p, [root]))], given)
+            if again != unknown:
+                unit = None
+                unit = exact_clang.read(path, [*base, *standard, *again, *given, *system], unsaved)
             found[name] = exact_clang.calls(unit, path, calls)
         except exact_clang.Unreadable as err:
             failed[name] = str(err)
         finally:
             unit = None
     return {"files": found, "failed": failed}
+
+
+def undecided(paths: Sequence[str], flags: Sequence[str]) -> list[str]:
+    """Flags for the macros that the files at *paths* define only where the build does not: nobody knows their value.
+
+    ``#ifndef X``, ``#define X value``, ``#endif``: X becomes an undeclared name, and with it whatever it is used for.
+    """
+    given = {flag[2:].partition("=")[0] for flag in flags if flag.startswith(("-D", "-U"))}
+    names: set[str] = set()
+    for path in paths:
+        with contextlib.suppress(OSError), open(path, encoding="utf-8", errors="replace") as stream:
+            lines = [line.strip() for line in stream if line.strip()]
+            for first, second, third in zip(lines, lines[1:], lines[2:], strict=False):
+                name = _ABSENT.match(first)
+                if name and _DEFINE.match(second) and _ENDIF.match(third):
+                    defined = second.partition("define")[2].split()
+                    if len(defined) > 1 and defined[0] == (name[1] or name[2]):
+                        names.add(defined[0])
+    return [f"-D{name}=_unknown_value_of_{name}" for name in sorted(names - given)]
 
 
 def places(value: object) -> set[tuple[int, int]]:
