@@ -5,12 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from haros_ci import __version__
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.extract.apis.tables import rows
+from haros_ci.extract.cpp.exact import ExactCall, Place, pick
 from haros_ci.extract.program_json import from_json, to_json
 from haros_ci.link import hints
 from haros_ci.link.index import Source
@@ -36,25 +38,38 @@ def architecture(
     wanted: tuple[Wanted, ...] | None = None,
     environment: Mapping[str, str] | None = None,
     known_nodes: bool = True,
+    exact: bool = False,
 ) -> Architecture:
     """The architecture of *workspace* as *settings* (hints, API rows, configurations of the project file) want it.
 
-    *wanted* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees.
+    *wanted* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees. With *exact*
+    libclang fills what is not known, where headers are installed.
     """
     built = builds(workspace)
     problems: list[Problem] = []
     where = settings.project_file or "the project file"
     project = settings.project
-    found = link(
+    chosen_ones = configurations(workspace, project, problems, where) if wanted is None else wanted
+    known = known_types(project.get("known_nodes"), where, problems) if known_nodes else None
+    link_all = partial(
+        link,
         workspace,
         programs(workspace, built, store, problems),
         launch_reader(workspace, store),
         built,
         api_rows(project.get("apis"), where, problems),
-        wanted=configurations(workspace, project, problems, where) if wanted is None else wanted,
+        wanted=chosen_ones,
         environment=environment,
-        known=known_types(project.get("known_nodes"), where, problems) if known_nodes else None,
+        known=known,
     )
+    found = link_all()
+    if exact:
+        from haros_ci.exactness import ask, doubtful
+
+        told, said = ask(workspace, settings, doubtful(found))
+        problems += said
+        if told:
+            found = link_all(exact=partial(filled, told))
     hinted: list[Configuration] = []
     declared = project.get("configurations")
     for configuration in found.configurations:
@@ -73,6 +88,16 @@ def architecture(
         configurations=tuple(hinted),
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
     )
+
+
+def filled(
+    told: Mapping[Place, tuple[ExactCall, ...]], path: str, line: int, column: int, name: str, count: int
+) -> tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None:
+    """What the exact tier has *told* of a call's arguments (type, value) and template arguments; None if nothing."""
+    call = pick(told.get((path, line, column), ()), name, count)
+    if call is None:
+        return None
+    return tuple((argument.written or argument.type, argument.value) for argument in call.arguments), call.templates
 
 
 def programs(

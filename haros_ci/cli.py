@@ -191,6 +191,7 @@ def show(**flags: Any) -> int:
 @click.option("--env", metavar="NAME=VALUE", multiple=True, help="What $(env NAME) is in launch files.")
 @click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
 @click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace.")
+@click.option("--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed.")
 @click.option("--expect", type=click.Path(dir_okay=False), help="Compare with the architecture that this file declares.")
 @click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
 @click.option("--isolated", is_flag=True, help="Read no project file.")

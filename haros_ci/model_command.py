@@ -49,6 +49,7 @@ def model(flags: Mapping[str, Any]) -> int:
         wanted=wanted,
         environment=environment,
         known_nodes=not flags["no_known_nodes"],
+        exact=flags["exact"],
     )
     clock.append((time.perf_counter() - started, "linked"))
     trouble = store.flush()

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -66,7 +67,8 @@ def call(
     is_class = re.split(r"::|\.", name)[-1][:1].isupper()
     if made is None and is_class and receiver is None and row.transparent is None and returns is None:
         made = Object(name, types, location=location)
-    applied = selectors.Applied(run, frame, row, receiver, args, types, location)
+    args, types, is_exact = _filled(run, name, args, types, location)
+    applied = selectors.Applied(run, frame, row, receiver, args, types, location, is_exact=is_exact)
     parameter = _apply(applied, made)
     if row.transparent is not None:
         through: Value | None = selectors.value_of(applied, row.transparent)
@@ -99,6 +101,27 @@ def construct(run: Run, frame: Frame, this: Object, kind: Type, args: tuple[Argu
     row = select(run, kind[0], args)
     if row is not None:
         _apply(selectors.Applied(run, frame, row, this, args, kind[1], location), this, kind)
+
+
+def _filled(
+    run: Run, name: str, args: tuple[Argument, ...], types: tuple[Any, ...], location: Location
+) -> tuple[tuple[Argument, ...], tuple[Any, ...], bool]:
+    """The arguments with what only the exact tier knows of them; what is known already stays as it is."""
+    if run.exact is None or location.line is None or location.column is None:
+        return args, types, False
+    told = run.exact(location.path, location.line, location.column, name.rpartition("::")[2], len(args))
+    if told is None:
+        return args, types, False
+    filled = []
+    for argument, (kind, value) in zip(args, told[0], strict=False):
+        known = argument.value
+        if isinstance(known, Opaque) and value is not None:
+            known = Known(value)
+        blank = argument.type is None or argument.type[0] in ("", "auto")
+        filled.append(replace(argument, value=known, type=(kind, (), "") if blank and kind else argument.type))
+    if not types and all(kind is not None for kind in told[1]):
+        types = tuple((kind, (), "") for kind in told[1])
+    return (*filled, *args[len(filled) :]), types, True
 
 
 def select(run: Run, name: str, args: tuple[Argument, ...]) -> Row | None:
@@ -151,9 +174,7 @@ def _apply(applied: selectors.Applied, made: Object | None, kind: Type | None = 
                 target.namespace = handles.handle(applied, entry)
             continue
         for item in _items(applied, entry):
-            inner = selectors.Applied(
-                run, applied.frame, row, applied.receiver, applied.args, applied.types, applied.location, item
-            )
+            inner = replace(applied, item=item)
             found = emit(inner, entry, kind)
             if entry.kind == "getters" and item is None:
                 parameter, known = found, True
@@ -167,9 +188,7 @@ def _apply(applied: selectors.Applied, made: Object | None, kind: Type | None = 
                     run.state.write(target.fields[name], filled)
                 else:
                     target.fields[name] = Cell(filled)
-    with_parameter = selectors.Applied(
-        run, applied.frame, row, applied.receiver, applied.args, applied.types, applied.location, None, parameter
-    )
+    with_parameter = replace(applied, parameter=parameter)
     for where, template in row.sets:
         argument = selectors.given(applied.args, where)
         if argument is None:

@@ -56,6 +56,7 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
             latched=latched,
             value=None if entry.each is not None else value,
             implicit=entry.implicit,
+            is_exact=applied.is_exact,
             unknowns=tuple(unknowns),
         )
     )

@@ -14,6 +14,7 @@ from haros_ci.link.parameters import ParameterServer, yaml_reader
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.roslaunch import entry_files, evaluate
 from haros_ci.link.roslaunch_files import files_of
+from haros_ci.link.run import Exact
 from haros_ci.link.system import Types, alone, instantiate, standalone
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Architecture, Configuration, Node
@@ -46,14 +47,16 @@ def link(
     wanted: tuple[Wanted, ...] | None = None,
     environment: Mapping[str, str] | None = None,
     known: KnownNodes | None = None,
+    exact: Exact | None = None,
 ) -> Architecture:
     """The architecture of *workspace*.
 
     *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
     *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
-    is one alone. *known* tells what is known of node types that are not of the workspace.
+    is one alone. *known* tells what is known of node types that are not of the workspace, *exact* what the exact
+    tier knows of calls.
     """
-    types = types_of(workspace, sources, builds, rows, known or (lambda package, name: None))
+    types = types_of(workspace, sources, builds, rows, known or (lambda package, name: None), exact)
     problems: dict[Problem, None] = {}
     configurations: list[Configuration] = []
     if wanted is None:
@@ -112,6 +115,7 @@ def types_of(
     builds: Mapping[str, Build],
     rows: Mapping[str, Iterable[Row]],
     known: KnownNodes,
+    exact: Exact | None = None,
 ) -> Types:
     """The node types of a workspace, ready to be followed."""
     by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
@@ -146,6 +150,7 @@ def types_of(
         configs,
         reader,
         known,
+        exact=exact,
     )
 
 

@@ -28,6 +28,11 @@ DEPTH = 28
 TURNS = 64
 
 
+#: From a call's place, the last part of its function's name and the number of its arguments to the arguments' types and
+#: values and the template arguments' types, each None where it is not told.
+Exact = Function_[[str, int, int, str, int], tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None]
+
+
 class OutOfSteps(Exception):
     """The node is larger than the budget."""
 
@@ -76,6 +81,7 @@ class Made:
     latched: bool | None = None
     value: Any = None
     implicit: bool = False
+    is_exact: bool = False
     unknowns: tuple[tuple[str, str, Location | None], ...] = ()
 
 
@@ -127,6 +133,8 @@ class Run:
     configs: Mapping[str, ConfigFile]
     relevance: Relevance
     files: frozenset[str] = frozenset()
+    #: What the exact tier tells of calls, by path, line and column: types and constants of arguments by function and count.
+    exact: Exact | None = None
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
     made: dict[Any, Made] = field(default_factory=dict)

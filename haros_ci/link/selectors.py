@@ -52,6 +52,8 @@ class Applied:
     location: Location
     item: Mapping[str, Any] | None = None
     parameter: Value | None = None
+    #: Whether the exact tier has filled a blank of the call.
+    is_exact: bool = False
 
 
 def given(args: tuple[Argument, ...], where: str) -> Argument | None:

@@ -119,8 +119,6 @@ def _loop(run: Run, frame: Frame, statement: Statement) -> str:
                     if holds is None:
                         break
                     if not holds:
-                        if not turn:  # not taken as things are: what it would make counts all the same
-                            _dry(run, frame, test, body)
                         return NEXT
                 run.turns *= 2
                 ended = execute(run, frame, body)
@@ -141,30 +139,6 @@ def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
     if run.relevance.matters(body, frame.source):
         return run.turns < 8
     return run.turns == 1 and run.relevance.collects(body, frame.source)
-
-
-def _dry(run: Run, frame: Frame, test: Any, body: Block) -> None:
-    """Follow a loop's body although its test fails now: what the test itself would have written is not known."""
-    mark = run.state.mark()
-    waiting = [test]
-    while waiting:
-        node = waiting.pop()
-        if not isinstance(node, (tuple, list)) or not node:
-            continue
-        targets: list[Any] = []
-        if node[0] == "op" and len(node) == 3 and node[1] == ">>" and len(node[2]) == 2:
-            targets = [node[2][1]]
-        elif node[0] == "set" and len(node) == 4:
-            targets = [node[2]]
-        elif node[0] == "call" and len(node) == 6:
-            targets = [argument for argument in node[2] if argument and argument[0] in ("name", "field")]
-        for target in targets:
-            cell = expressions.cell_of(run, frame, target)
-            if cell is not None and not isinstance(cell.value, Object):
-                run.state.write(cell, Opaque("the loop's test sets it", Location(frame.source.path), cell.type))
-        waiting.extend(node)
-    _followed(run, frame, body, False)
-    run.state.undo(mark)
 
 
 def _widened(run: Run, frame: Frame, body: Any, line: int, matters: bool) -> str:
@@ -217,10 +191,6 @@ def _each(run: Run, frame: Frame, statement: Statement) -> str:
             kind_ = static_types.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
             return _widened(run, frame, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
-        if not items:
-            mark = run.state.mark()
-            turn(Opaque("an element of an empty list", Location(frame.source.path, line), resolved))
-            run.state.undo(mark)
         if run.turns >= 8:
             unknown = Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
             return _widened(run, frame, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))

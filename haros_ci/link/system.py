@@ -16,7 +16,7 @@ from haros_ci.link.known.instantiate import instantiate as instantiate_known
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
-from haros_ci.link.run import Context, Made, Run
+from haros_ci.link.run import Context, Exact, Made, Run
 from haros_ci.link.types import data_type
 from haros_ci.link.values import Known, Value, data_of, opaque_of
 from haros_ci.model.api import Row
@@ -57,6 +57,7 @@ class Types:
     known: Callable[[str, str], KnownNode | None]
     #: What following has given so far, with the parameters that it depended on.
     followed: dict[Any, list[Followed]] = field(default_factory=dict)
+    exact: Exact | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -249,7 +250,7 @@ def run_node(
     )
     language = "python" if entry.source.program.language == "python" else "cpp"
     index = types.programs.index_of(entry)
-    run = Run(index, types.rows[language], context, types.configs, types.relevance[language], files)
+    run = Run(index, types.rows[language], context, types.configs, types.relevance[language], files, types.exact)
     problems: tuple[Problem, ...] = ()
     try:
         if not follow(run, entry):
@@ -282,6 +283,7 @@ def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: Paramet
             latched=item.latched,
             value=item.value,
             implicit=item.implicit,
+            source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
                 *_remapped_away(item.name, remaps),

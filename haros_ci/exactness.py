@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The exact second tier: libclang is asked, in processes of its own, about the calls that the first left unknown."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from haros_ci.config.settings import Settings
+from haros_ci.extract.cpp.exact import ExactCall, ExactFile, Place, default_headers, failures, parse, requests
+from haros_ci.linters.compile_db import flags_by_file
+from haros_ci.linters.linter import Command, LintOptions
+from haros_ci.linters.process import Processes, TimedOut, Unstartable
+from haros_ci.model.architecture import Architecture
+from haros_ci.model.workspace import Problem, Workspace
+
+#: Seconds that one file may take.
+PATIENCE = 90.0
+MISSING = 3  # the worker's exit code where libclang is not installed
+
+
+def doubtful(architecture: Architecture) -> dict[str, set[tuple[int, int]]]:
+    """The places of C++ calls whose name or type is not known, by file."""
+    found: dict[str, set[tuple[int, int]]] = {}
+    for configuration in architecture.configurations:
+        for node in configuration.nodes:
+            for end in node.endpoints:
+                at = end.location
+                if at is None or at.line is None or at.column is None or at.path.endswith(".py"):
+                    continue
+                if any(why.field in ("name", "type") for why in end.unknowns):
+                    found.setdefault(at.path, set()).add((at.line, at.column))
+    return found
+
+
+def ask(
+    workspace: Workspace, settings: Settings, places: Mapping[str, Iterable[tuple[int, int]]]
+) -> tuple[Mapping[Place, tuple[ExactCall, ...]], tuple[Problem, ...]]:
+    """What libclang tells of the calls at *places*, and which files it could not look at."""
+    options = LintOptions(compile_database=settings.compile_database, root=settings.root)
+    known = flags_by_file(workspace, options)
+    files = [
+        ExactFile(path, known.get(path) or _flags(workspace, path), tuple(sorted(calls)))
+        for path, calls in sorted(places.items())
+    ]
+    told: dict[Place, tuple[ExactCall, ...]] = {}
+    problems: list[Problem] = []
+    asked = requests(str(workspace.root), files, default_headers())
+    processes = Processes()
+    with tempfile.TemporaryDirectory(prefix="haros-ci-") as scratch:
+
+        def one(item: tuple[int, str]) -> tuple[str, int]:
+            number, request = item
+            program = (sys.executable, "-I", "-X", "utf8", "-m", "haros_ci.extract.cpp.exact_worker")
+            command = Command(program, stdin=request.encode())
+            try:
+                output = processes.run(
+                    command, root=workspace.root, scratch=Path(scratch, str(number)), timeout=PATIENCE
+                )
+            except (TimedOut, Unstartable):
+                return "", 1
+            return output.stdout.decode("utf-8", "replace"), output.code
+
+        with ThreadPoolExecutor(max(settings.jobs, 1)) as pool:
+            for file, (answer, code) in zip(files, pool.map(one, enumerate(asked)), strict=False):
+                if code == MISSING:
+                    said = "libclang is not installed, so nothing was asked of it: pip install 'haros-ci[exact]'"
+                    return {}, (Problem(".", said),)
+                if code:
+                    problems.append(Problem(file.path, "libclang did not get through the file; its blanks stay"))
+                told.update(parse(answer))
+                problems += failures(answer)
+    return told, tuple(dict.fromkeys(problems))
+
+
+def _flags(workspace: Workspace, path: str) -> tuple[str, ...]:
+    """Without a compile database: every package's include directory, and the definition that roscpp's macros need."""
+    root = workspace.root
+    flags = []
+    for package in workspace.packages:
+        include = root / package.path / "include"
+        if include.is_dir():
+            flags.append(f"-I{include}")
+        if path.startswith(f"{package.path}/") or package.path == ".":
+            flags.append(f'-DROS_PACKAGE_NAME="{package.name}"')
+    return ("-std=c++17", *flags)
