@@ -71,6 +71,7 @@ def invoke(
         found = library.unknown_call(run, frame, definition.name, args)
         return conversions.converted(found, returns) if returns[0] not in ("", "void", "auto") else found
     if len(run.active) >= DEPTH or run.active.count(definition) > 1:
+        library.unknown_call(run, frame, definition.name, args)
         return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
     given = _with_bound(function.bound, args)
     makes_nothing = run.relevance.changes(definition, function.source) is not None

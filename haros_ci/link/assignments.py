@@ -103,6 +103,8 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
         if method is not None:
             return activation.invoke(run, frame, method, (call_arguments.Argument(key),), None)
     cells = container.content.value if isinstance(container, Sequence) else ()
+    if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
+        return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
     if isinstance(cells, tuple) and cells and not isinstance(key, Known):
         return any_of(cell.value for cell in cells)
     kind = None

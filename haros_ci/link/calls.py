@@ -16,7 +16,7 @@ from haros_ci.link import (
     members,
 )
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import STRINGS, is_smart_pointer, is_type, pointee
+from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, is_type, pointee
 from haros_ci.link.values import (
     NONE,
     Callable,
@@ -223,6 +223,8 @@ def library_call(
     found = api_rows.call(run, frame, name, function.this, args, targs, location, kinds)
     if found is not None:
         return found
+    if name in STRINGS or name in SEQUENCES or name in MAPS:
+        return construct.create(run, frame, (name, kinds, ""), args, location)
     modelled = library.instance(run, frame, (name, kinds, ""), args)
     if modelled is not None:
         return modelled

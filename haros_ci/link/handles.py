@@ -24,26 +24,29 @@ if TYPE_CHECKING:
 
 
 def handle(applied: selectors.Applied, entry: Entry) -> Value:
-    """The namespace of a node handle: its parent's, and the text below it."""
+    """The namespace of a node handle: its parent's, and the text below it.
+
+    A handle that a nodelet makes itself is its process's, the manager's, and not its own (wiki.ros.org/nodelet).
+    """
     context = applied.run.context
-    parent: Value = Known(context.namespace)
+    made_here = applied.row.call == "ros::NodeHandle"
+    parent: Value = Known(context.process_namespace if made_here else context.namespace)
     if "parent" in entry.values:
         found = selectors.value_of(applied, entry.values["parent"])
         parent = namespace_of(applied, found) if found is not None else parent
     text = selectors.value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else Known("")
     if text is None or text == Known("") or text == NONE:
         return parent
-    return below(applied, parent, text)
+    return below(applied, parent, text, context.process_name if made_here else context.name)
 
 
-def below(applied: selectors.Applied, parent: Value, text: Value) -> Value:
-    """The namespace *text* seen from *parent*."""
-    context = applied.run.context
+def below(applied: selectors.Applied, parent: Value, text: Value, node: str) -> Value:
+    """The namespace *text* seen from *parent*, where *node* is what ``~`` stands for."""
     name, why, where = pattern(text)
     space, space_why, space_where = pattern(parent)
     if name == "~":
-        return Known(context.name)
-    full = resolve(name, space, context.name)
+        return Known(node)
+    full = resolve(name, space, node)
     if why is None and (space_why is None or name[:1] in "/~"):
         return Known(full)
     return Text((full.partition("?")[0], Opaque(why or space_why or "", where or space_where), full.partition("?")[2]))
@@ -61,7 +64,7 @@ def namespace_of(applied: selectors.Applied, value: Any) -> Value:
         return Opaque(f"the node handle is not known: {value.reason}", value.location)
     if isinstance(value, (Known, Text, Opaque)):
         return (
-            below(applied, Known(applied.run.context.namespace), value)
+            below(applied, Known(applied.run.context.namespace), value, applied.run.context.name)
             if value != Known("")
             else Known(applied.run.context.namespace)
         )

@@ -99,7 +99,9 @@ def link(
                 node, said = standalone(types, described.name)
                 if node.endpoints:
                     problems.update(dict.fromkeys(said))
-                    configurations.append(Configuration(name=described.name, nodes=(node,)))
+                    taken = any(c.name == described.name for c in configurations)
+                    name = f"{described.name} (nodelet)" if taken else described.name
+                    configurations.append(Configuration(name=name, nodes=(node,)))
     for build in builds.values():
         problems.update(dict.fromkeys(build.problems))
     return Architecture(

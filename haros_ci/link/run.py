@@ -113,11 +113,18 @@ class Context:
     process_namespace: str = "/"
 
 
-def either(one: tuple[Condition, ...], other: tuple[Condition, ...]) -> tuple[Condition, ...]:
-    """The conditions of what is made on two ways: none from where one takes the ``if`` and the other its ``else``."""
+def either(
+    one: tuple[Condition, ...], other: tuple[Condition, ...], pairs: Mapping[Location, Location]
+) -> tuple[Condition, ...]:
+    """The conditions of what is made on two ways: none from where one takes an ``if`` and the other its ``else``.
+
+    *pairs* has the place of each ``else``'s ``if``.
+    """
     for number, (left, right) in enumerate(zip(one, other, strict=False)):
         if left != right:
-            if {left.statement, right.statement} == {"if", "else"} and left.condition == right.condition:
+            if left.statement == "else":
+                left, right = right, left
+            if left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location:
                 return one[:number]
             break
     return other if len(other) < len(one) else one
@@ -147,6 +154,8 @@ class Run:
     server: Cell = field(default_factory=lambda: Cell({}))
     config_objects: dict[str, Object] = field(default_factory=dict)
     names: list[tuple[Value, bool]] = field(default_factory=list)
+    #: The place of the ``if`` that each ``else`` belongs to.
+    pairs: dict[Location, Location] = field(default_factory=dict)
     quiet: int = 0
     steps: int = 0
     turns: int = 1
@@ -169,7 +178,7 @@ class Run:
             return
         key = (made.kind, made.name, made.type, made.location, made.queue_size, made.latched, repr(made.value))
         known = self.made.get(key)
-        conditions = made.conditions if known is None else either(known.conditions, made.conditions)
+        conditions = made.conditions if known is None else either(known.conditions, made.conditions, self.pairs)
         self.made[key] = replace(made, conditions=conditions)
 
     @contextmanager

@@ -16,6 +16,8 @@ from haros_ci.model.program import Block, Statement
 NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
 
 
+#: Turns that are tried to find what a loop changes.
+REHEARSALS = 3
 #: What holds in the script that is started, and in no other module: no condition at all.
 MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
 
@@ -67,6 +69,8 @@ def _if(run: Run, frame: Frame, statement: Statement) -> str:
         ended = _followed(run, frame, then, holds is not False)
     branches.append((ended, run.state.undo(mark)))
     if else_line:
+        path = frame.source.path
+        run.pairs[Location(path, else_line, else_column)] = Location(path, line, column)
         with run.under("else", text, frame, else_line, else_column):
             ended = _followed(run, frame, other, holds is not True)
         branches.append((ended, run.state.undo(mark)))
@@ -144,27 +148,32 @@ def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
 def _widened(run: Run, frame: Frame, body: Any, line: int, matters: bool) -> str:
     """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
 
-    A body that makes nothing (*matters* is False) is followed once, to see what it changes.
+    Rehearsed until a turn changes nothing more that was known; then, if the body *matters*, followed for what it makes.
     """
-    run.quiet += 1
-    mark = run.state.mark()
-    try:
-        body()
-    finally:
-        run.quiet -= 1
-    for cell, value in run.state.undo(mark).items():
-        after = joined(cell.value, value)
-        if isinstance(after, (tuple, dict)) or after is cell.value:
-            continue
-        if isinstance(after, (Known, Object, Sequence, Mapped)) or opaque_of(after) is None:
-            continue
-        reason = "it changes in a loop"
-        run.state.write(cell, Opaque(reason, Location(frame.source.path, line), cell.type))
-    if not matters:
-        return NEXT
-    mark = run.state.mark()
-    ended = body()
-    writes = run.state.undo(mark)
+    ended, writes = NEXT, {}
+    for _ in range(REHEARSALS):
+        run.quiet += 1
+        mark = run.state.mark()
+        try:
+            ended = body()
+        finally:
+            run.quiet -= 1
+        writes = run.state.undo(mark)
+        changed = False
+        for cell, value in writes.items():
+            after = joined(cell.value, value)
+            if after is cell.value or isinstance(after, (tuple, dict)) or opaque_of(after) is None:
+                continue
+            if isinstance(after, (Known, Object, Sequence, Mapped)) or isinstance(cell.value, Opaque):
+                continue
+            changed = True
+            run.state.write(cell, Opaque("it changes in a loop", Location(frame.source.path, line), cell.type))
+        if not changed:
+            break
+    if matters:
+        mark = run.state.mark()
+        ended = body()
+        writes = run.state.undo(mark)
     run.state.merge([{}, writes] if ended in (NEXT, CONTINUE, BREAK) else [{}])
     return NEXT
 

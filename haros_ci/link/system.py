@@ -116,7 +116,9 @@ def instantiate(types: Types, started: Started, server: ParameterServer) -> tupl
         return _known(types, node, namespace, tuple(rest), parameter, remaps), ()
     instance = Instance(started.name, namespace, None if words is None else tuple(rest), remaps, process)
     followed = run_node(types, *found, instance, parameter)
-    return replace(node, endpoints=endpoints(followed.made, remaps, server)), followed.problems
+    unknowns = (*node.unknowns, *_incomplete(followed.problems, found[0], node.location))
+    ends = endpoints(followed.made, remaps, server)
+    return replace(node, endpoints=ends, unknowns=unknowns), followed.problems
 
 
 def _known(
@@ -185,14 +187,23 @@ def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, .
     chosen = f"/{name.partition('.')[0]}"
     instance = Instance(chosen, "/", (), {}, chosen)
     followed = run_node(types, entry, files, instance, server.get)
-    for value, _ in followed.names[:1]:
+    for value, is_anonymous in followed.names[:1]:
         text, why, _ = pattern(value)
+        text = f"{text}_?" if is_anonymous else text
         if why is None and text and clean(text) != chosen:
             chosen = clean(text)
             instance = Instance(chosen, "/", (), {}, chosen)
             followed = run_node(types, entry, files, instance, server.get)
     location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
-    node = Node(name=chosen, kind="node", package=package, type=name, location=location, process=chosen)
+    node = Node(
+        name=chosen,
+        kind="node",
+        package=package,
+        type=name,
+        location=location,
+        process=chosen,
+        unknowns=_incomplete(followed.problems, entry, location),
+    )
     return replace(node, endpoints=endpoints(followed.made, {}, server)), followed.problems
 
 
@@ -286,7 +297,7 @@ def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: Paramet
             source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
-                *_remapped_away(item.name, remaps),
+                *_told_by_others(item, remaps),
             ),
         )
         for item in made
@@ -306,10 +317,22 @@ def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: Paramet
     )
 
 
-def _remapped_away(name: str, remaps: Mapping[str, str]) -> tuple[Unknown, ...]:
-    if "?" not in name and "?" in remaps.get(name, ""):
+def _told_by_others(item: Made, remaps: Mapping[str, str]) -> tuple[Unknown, ...]:
+    """Why a name is unknown that the code itself knows."""
+    if "?" in item.name and not any(field == "name" for field, _, _ in item.unknowns):
+        return (Unknown("name", "the name of the node or of its namespace is not known"),)
+    if "?" not in item.name and "?" in remaps.get(item.name, ""):
         return (Unknown("name", "the launch file remaps it to a name that is not known"),)
     return ()
+
+
+def _incomplete(problems: tuple[Problem, ...], entry: Entry, location: Location | None) -> tuple[Unknown, ...]:
+    """Why a node may have more endpoints than are known."""
+    found = [Unknown("endpoints", problem.message, location) for problem in problems]
+    if entry.definition is None and not entry.source.program.functions and entry.source.program.problems:
+        line, message = entry.source.program.problems[0]
+        found.append(Unknown("endpoints", message, Location(entry.source.path, line)))
+    return tuple(found)
 
 
 def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:

@@ -112,6 +112,9 @@ def _node(node: Node) -> str:
     kind = "" if node.kind == "node" else f" ({terminal(node.kind)})"
     condition = " [conditional]" if node.conditions else ""
     what = f"{terminal(node.name)} {terminal(f'{node.package}/{node.type}')}{kind}{condition}"
+    missing = next((why.reason for why in node.unknowns if why.field == "endpoints"), None)
+    if missing is not None:
+        return f"{what}: {', '.join(has) or '?'} ({terminal(missing)})"
     return f"{what}: {', '.join(has) or 'no endpoints'}"
 
 

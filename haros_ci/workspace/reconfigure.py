@@ -86,7 +86,9 @@ class _Reader:
             self.statement(statement, depth)
 
     def statement(self, node: ast.stmt, depth: int) -> None:
-        if isinstance(node, ast.Assign):
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            self.imported(node)
+        elif isinstance(node, ast.Assign):
             self.assign(node.targets, node.value)
         elif isinstance(node, ast.AnnAssign) and node.value is not None:
             self.assign([node.target], node.value)
@@ -103,6 +105,14 @@ class _Reader:
                 self.problem(node, "parameters declared under a condition or in a function are not followed")
             if not isinstance(node, ast.FunctionDef):
                 self.forget(node)
+
+    def imported(self, node: ast.Import | ast.ImportFrom) -> None:
+        """``import dynamic_reconfigure.parameter_generator_catkin as g``: the types are ``g.double_t`` and so on."""
+        for alias in node.names:
+            bound = alias.asname or alias.name
+            if alias.name in _TYPES:
+                self.names[bound] = _TYPES[alias.name]
+            self.names.update({f"{bound}.{name}": kind for name, kind in _TYPES.items()})
 
     def look(self, node: ast.stmt) -> _Inside:
         """What is in a statement; looked up once, as loops come back to it."""
