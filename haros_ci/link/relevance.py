@@ -165,11 +165,9 @@ def _makes(row: Row) -> bool:
 def _walk(item: Any, found: set[str], mentioned: set[str], source: Source) -> None:
     """Collect what is called or constructed in *item*, and what is mentioned in any other way."""
     lambdas: set[int] = set()
-    waiting = [item]
+    waiting = _inner((item,))
     while waiting:
         node = waiting.pop()
-        if not isinstance(node, (tuple, list)) or not node:
-            continue
         tag = node[0]
         if tag == "call" and len(node) == 6:
             callee = node[1]
@@ -186,21 +184,22 @@ def _walk(item: Any, found: set[str], mentioned: set[str], source: Source) -> No
         elif tag in ("lambda", "def") and isinstance(node[-1], int) and node[-1] not in lambdas:
             lambdas.add(node[-1])
             if 0 <= node[-1] < len(source.program.functions):
-                waiting.append(source.program.functions[node[-1]].body)
+                waiting += _inner((source.program.functions[node[-1]].body,))
         elif tag in ("name", "field") and isinstance(node[-1], str):
             mentioned.add(_last(node[-1]))
-        elif tag in ("str", "num", "bool", "none", "?") and len(node) <= 2:
-            continue
-        waiting.extend(node)
+        waiting += _inner(node)
+
+
+def _inner(node: Any) -> list[Any]:
+    """The parts of a node that have parts themselves."""
+    return [part for part in node if (part.__class__ is list or part.__class__ is tuple) and part]
 
 
 def _targets(item: Any, found: set[str], source: Source) -> None:
     """The last names of all that is assigned to, read into or built up in a block."""
-    waiting = [item]
+    waiting = _inner((item,))
     while waiting:
         node = waiting.pop()
-        if not isinstance(node, (tuple, list)) or not node:
-            continue
         target = None
         if node[0] == "set" and len(node) == 4:
             target = node[2]
@@ -215,7 +214,7 @@ def _targets(item: Any, found: set[str], source: Source) -> None:
             target = (
                 target[1] if target[0] in ("index", "*", "&", "call") else target[2] if target[0] == "cast" else None
             )
-        waiting.extend(node)
+        waiting += _inner(node)
 
 
 def _type_names(kind: Any) -> Iterable[str]:

@@ -289,15 +289,18 @@ def _place_key(location: Location | None) -> tuple[str, int, int, int, int]:
     return location.sort_key if location else ("", 0, 0, 0, 0)
 
 
+_ENCODE = json.JSONEncoder(ensure_ascii=True, allow_nan=False).encode
+
+
 def _laid_out(value: Any, level: int) -> Iterator[str]:
     """JSON text with a line for each member of the upper levels, so that two models compare line by line."""
     if level >= _BROKEN_LEVELS or not value or not isinstance(value, (dict, list)):
-        yield json.dumps(value, ensure_ascii=True, allow_nan=False)
+        yield _ENCODE(value)
         return
     opening, closing = "{}" if isinstance(value, dict) else "[]"
     pairs = value.items() if isinstance(value, dict) else ((None, item) for item in value)
     for number, (key, item) in enumerate(pairs):
-        head = "" if key is None else json.dumps(key) + ": "
+        head = "" if key is None else f"{_ENCODE(key)}: "
         yield f"{',' if number else opening}\n{' ' * (level + 1)}{head}"
         yield from _laid_out(item, level + 1)
     yield f"\n{' ' * level}{closing}"
