@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``haros-ci model`` on hostile workspaces and caches: it ends, says what it could not read, and keeps the rest."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from commandline import haros, write
+
+GOOD = {
+    "good/package.xml": '<package format="2"><name>good</name><version>1.0.0</version></package>',
+    "good/CMakeLists.txt": "project(good)\nadd_executable(talker src/talker.cpp)\n",
+    "good/src/talker.cpp": """#include <ros/ros.h>
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "talker");
+  ros::NodeHandle nh;
+  ros::Publisher out = nh.advertise<std_msgs::String>("chatter", 1);
+}
+""",
+}
+EVIL = "a`$(touch x)\u202e</script>\n::error::b"
+CASES: dict[str, dict[str, str]] = {
+    "include loop": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/launch/a.launch": '<launch><include file="$(find bad)/launch/b.launch"/></launch>',
+        "bad/launch/b.launch": '<launch><include file="$(find bad)/launch/a.launch"/><node name="x" pkg="y" type="z"/></launch>',
+    },
+    "include bomb": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        **{
+            f"bad/launch/l{n}.launch": "<launch>" + f'<include file="$(find bad)/launch/l{n + 1}.launch"/>' * 8 + "</launch>"
+            for n in range(12)
+        },
+        "bad/launch/l12.launch": '<launch><node name="x" pkg="y" type="z"/></launch>',
+    },
+    "entities": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/launch/a.launch": '<!DOCTYPE l [<!ENTITY a SYSTEM "file:///etc/passwd">]><launch>&a;</launch>',
+    },
+    "deep xml": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/launch/a.launch": "<launch>" + "<group>" * 5000 + "</group>" * 5000 + "</launch>",
+    },
+    "names": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/launch/a.launch": f'<launch><node name="{EVIL.replace("<", "&lt;")}" pkg="p" type="t" args="{EVIL.replace("<", "&lt;")}"/></launch>',
+    },
+    "cmake": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/CMakeLists.txt": "project(bad)\nwhile(1)\n  list(APPEND L a)\nendwhile()\nfunction(f)\n  f()\nendfunction()\nf()\n",
+    },
+    "c++": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/CMakeLists.txt": "project(bad)\nadd_executable(n src/n.cpp)\n",
+        "bad/src/n.cpp": "int f(int x) { return f(x) + f(x + 1); }\nint main() {\n"
+        + "{" * 3000
+        + "f(1);"
+        + "}" * 3000
+        + "for (int i = 0; i < 1000000000; ++i) for (int j = 0; j < 1000000000; ++j) f(i);\n}\n",
+    },
+    "python": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/n.py": "#!/usr/bin/env python3\nimport os\nos.system('touch ran')\nx = " + "(" * 3000 + ")" * 3000 + "\n",
+        "bad/m.py": "#!/usr/bin/env python3\nimport rospy\ndef f(n):\n    return f(n - 1) + f(n + 1)\nrospy.Publisher(f(3), None)\nopen('ran', 'w')\n",
+    },
+    "yaml": {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/launch/a.launch": '<launch><rosparam file="$(find bad)/p.yaml"/><rosparam>!!python/object/apply:os.system ["touch ran"]</rosparam></launch>',
+        "bad/p.yaml": "a: &a [x, x, x, x, x, x, x, x, x]\n"
+        + "".join(f"{chr(98 + n)}: &{chr(98 + n)} [" + ", ".join([f"*{chr(97 + n)}"] * 9) + "]\n" for n in range(9)),
+    },
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_hostile_package(name: str, tmp_path: Path) -> None:
+    root = write(tmp_path / "ws", {**GOOD, **CASES[name]})
+    for format in ("json", "text", "dot", "mermaid"):
+        done = haros("model", ".", f"--format={format}", "--no-cache", cwd=root)
+        assert done.returncode == 0, done.stderr
+        assert "Traceback" not in done.stderr and "fault of haros-ci" not in done.stderr
+        assert "root:x:0" not in done.stdout and "\u202e" not in done.stdout
+        assert not any(line.lstrip().startswith("::") for line in (done.stdout + done.stderr).splitlines())
+        if format == "json":
+            assert "/chatter" in {
+                end["name"]
+                for configuration in json.loads(done.stdout)["configurations"]
+                for node in configuration["nodes"]
+                for end in node["publishers"]
+            }
+    assert not [path for path in root.rglob("ran")]
+
+
+def spoil(value: object, turn: int) -> object:
+    """*value* with every third leaf replaced by something of another shape."""
+    if isinstance(value, list):
+        return [spoil(item, turn + number) for number, item in enumerate(value)]
+    return ({"a": 1}, [], None, "call", -1, 1e300)[turn % 6] if turn % 3 == 0 else value
+
+
+def test_a_planted_cache(tmp_path: Path) -> None:
+    root = write(tmp_path / "ws", GOOD)
+    cache = tmp_path / "cache"
+    haros("model", ".", f"--cache-dir={cache}", cwd=root)
+    shards = [path for path in cache.iterdir() if path.name.startswith("facts-")]
+    assert shards
+    for turn in range(12):
+        for path in shards:
+            document = json.loads(path.read_text())
+            entries = document["entries"] if isinstance(document.get("entries"), dict) else document
+            for key, entry in list(entries.items()):
+                if isinstance(entry, list):
+                    entries[key] = spoil(entry, turn)
+            (tmp_path / "spoilt").mkdir(exist_ok=True)
+            (tmp_path / "spoilt" / path.name).write_text(json.dumps(document))
+        done = haros("model", ".", "--format=json", f"--cache-dir={tmp_path / 'spoilt'}", cwd=root)
+        assert done.returncode == 0, done.stderr
+        assert "Traceback" not in done.stderr
