@@ -4,10 +4,13 @@
 from __future__ import annotations
 
 import json
+from dataclasses import fields
 from pathlib import Path
 
 import pytest
 from commandline import haros, write
+
+from haros_ci.model.program import Function
 
 GOOD = {
     "good/package.xml": '<package format="2"><name>good</name><version>1.0.0</version></package>',
@@ -93,6 +96,10 @@ def test_a_hostile_package(name: str, tmp_path: Path) -> None:
     assert not [path for path in root.rglob("ran")]
 
 
+#: Where a function's body stands among its values in the cache.
+BODY = [field.name for field in fields(Function)].index("body")
+
+
 def spoil(value: object, turn: int) -> object:
     """*value* with every third leaf replaced by something of another shape."""
     if isinstance(value, list):
@@ -106,15 +113,17 @@ def test_a_planted_cache(tmp_path: Path) -> None:
     haros("model", ".", f"--cache-dir={cache}", cwd=root)
     shards = [path for path in cache.iterdir() if path.name.startswith("facts-")]
     assert shards
+    spoilt = 0
     for turn in range(12):
         for path in shards:
             document = json.loads(path.read_text())
-            entries = document["entries"] if isinstance(document.get("entries"), dict) else document
-            for key, entry in list(entries.items()):
-                if isinstance(entry, list):
-                    entries[key] = spoil(entry, turn)
+            for entry in document["entries"].values():
+                for function in entry[1][1]:  # the program's functions
+                    function[BODY] = spoil(function[BODY], turn)
+                    spoilt += 1
             (tmp_path / "spoilt").mkdir(exist_ok=True)
             (tmp_path / "spoilt" / path.name).write_text(json.dumps(document))
         done = haros("model", ".", "--format=json", f"--cache-dir={tmp_path / 'spoilt'}", cwd=root)
         assert done.returncode == 0, done.stderr
         assert "Traceback" not in done.stderr
+    assert spoilt
