@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Conditions: the statements around a call on the whole way from the entry, with their exact places."""
+
+from __future__ import annotations
+
+import pytest
+from follow_kit import CMAKE, because, conditions, ends, follow, node, python
+
+HEAD = """#include <ros/ros.h>
+#include <std_msgs/String.h>
+bool cond();
+bool other();
+ros::NodeHandle* h;
+void make() { ros::NodeHandle nh; nh.advertise<std_msgs::String>("a", 1); }
+"""
+#: What goes before main, main's body (from line 10 on, column 1), and the conditions of the only publisher.
+CPP = (
+    ("guarded function", "\n#ifdef X\nvoid f() { make(); }\n#endif", "f();", [("#if", "#ifdef X", 9, 1)]),
+    (
+        "guarded class",
+        "\n#ifdef X\nstruct C { C() { make(); } };\n#endif",
+        "C c;",
+        [("#if", "#ifdef X", 9, 1)],
+    ),
+    ("none", "", "make();", []),
+    ("if", "", "if (cond())\n  make();", [("if", "cond()", 10, 1)]),
+    ("else", "", "if (cond()) {\n} else {\n  make(); }", [("else", "cond()", 11, 3)]),
+    (
+        "else if",
+        "",
+        "if (cond()) {\n} else if (other()) {\n  make(); }",
+        [("else", "cond()", 11, 3), ("if", "other()", 11, 8)],
+    ),
+    ("for", "", "for (int i = 0; cond(); ++i) make();", [("for", "cond()", 10, 1)]),
+    ("range-for", "", "for (auto x : xs) make();", [("for", "auto x : xs", 10, 1)]),
+    ("while", "", "while (cond()) make();", [("while", "cond()", 10, 1)]),
+    ("do", "", "do { make(); } while (cond());", [("do", "cond()", 10, 1)]),
+    ("switch", "", "switch (number()) {\n case 1: make(); }", [("switch", "number()", 10, 1)]),
+    (
+        "catch",
+        "",
+        "try { cond(); }\ncatch (const std::exception& e) { make(); }",
+        [("catch", "const std::exception& e", 11, 1)],
+    ),
+    ("try", "", "try { make(); } catch (...) {}", []),
+    ("#ifdef", "", "\n#ifdef X\nmake();\n#endif", [("#if", "#ifdef X", 11, 1)]),
+    ("#else", "", "\n#ifdef X\n#else\nmake();\n#endif", [("#if", "#else", 12, 1)]),
+    (
+        "nested",
+        "",
+        "if (cond()) {\n while (other()) {\n make(); } }",
+        [("if", "cond()", 10, 1), ("while", "other()", 11, 2)],
+    ),
+    ("through a caller", "void f() { if (cond()) make(); }", "f();", [("if", "cond()", 8, 12)]),
+    (
+        "through two callers",
+        "void f() { if (cond()) make(); }",
+        "if (other()) f();",
+        [("if", "other()", 10, 1), ("if", "cond()", 8, 12)],
+    ),
+    ("through a constructor", "struct C { C() { if (cond()) make(); } };", "C c;", [("if", "cond()", 8, 18)]),
+    ("constructed under one", "struct C { C() { make(); } };", "if (cond()) { C c; }", [("if", "cond()", 10, 1)]),
+    (
+        "through a callback",
+        "void cb(const std_msgs::String& m) { make(); }",
+        'if (cond()) nh.subscribe("x", 1, cb);',
+        [("if", "cond()", 10, 1)],
+    ),
+    (
+        "in a callback",
+        'void cb(const std_msgs::String& m) { if (m.data == "") make(); }',
+        'nh.subscribe("x", 1, cb);',
+        [("if", 'm.data == ""', 8, 38)],
+    ),
+    ("known, too", "", "if (true) make();", [("if", "true", 10, 1)]),
+    ("twice, once without", "", "if (cond()) make();\nmake();", []),
+    ("twice, first without", "", "make();\nif (cond()) make();", []),
+    ("by a lambda", "", "auto f = [] { make(); };\nif (cond()) f();", [("if", "cond()", 11, 1)]),
+    ("ternary", "", "cond() ? make() : (void) 0;", None),
+    ("and", "", "cond() && (make(), true);", None),
+    ("and with a name", "", 'cond() && nh.advertise<std_msgs::String>("b", 1);', None),
+    (
+        "ternary with a name",
+        "",
+        'ros::Publisher p = cond() ? nh.advertise<std_msgs::String>("b", 1) : ros::Publisher();',
+        None,
+    ),
+    ("spaces", "", "if ( cond( )\n   && other() )\n  make();", [("if", "cond( ) && other()", 10, 1)]),
+    ("early return of a caller", "void f() { if (cond()) return; make(); }", "f();", []),
+)
+#: Why a row does not hold yet.
+DEFECTS = because(
+    "guards of functions and classes are no conditions (Function.guards is not read in link)",
+    "guarded function",
+    "guarded class",
+) | because(
+    ("&&, || and ?: are no conditions, so what they make looks unconditional (_logical, _conditional)"),
+    "ternary",
+    "and",
+    "and with a name",
+    "ternary with a name",
+    "python: conditional expression",
+    "python: or",
+)
+
+
+def publisher(before: str, body: str) -> list[tuple[str, str, int | None, int | None]]:
+    text = (
+        HEAD
+        + "int number();\n"
+        + before
+        + '\nint main(int c, char** v) { ros::init(c, v, "n"); ros::NodeHandle nh;\n'
+        + body
+        + "\n}\n"
+    )
+    made = ends(node(follow({"p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n m.cpp)\n", "p/m.cpp": text})))
+    assert len(made) == 1
+    return conditions(made[0])
+
+
+@pytest.mark.parametrize(("name", "before", "body", "expected"), CPP)
+def test_conditions_of_cpp(
+    name: str, before: str, body: str, expected: list[tuple[str, str, int, int]] | None, request: pytest.FixtureRequest
+) -> None:
+    if name in DEFECTS:
+        request.applymarker(pytest.mark.xfail(strict=True, reason=DEFECTS[name]))
+    got = publisher(before, body)
+    if expected is None:
+        assert got, "made on some paths only"
+    else:
+        assert got == expected
+
+
+#: A script's text from line 5 on, and the conditions of the only publisher.
+PYTHON = (
+    ("none", "make()", []),
+    ("if", "if cond():\n    make()", [("if", "cond()", 7, 1)]),
+    ("else", "if cond():\n    pass\nelse:\n    make()", [("else", "cond()", 9, 1)]),
+    ("elif", "if cond():\n    pass\nelif other():\n    make()", [("else", "cond()", 9, 1), ("if", "other()", 9, 1)]),
+    ("for", "for x in xs:\n    make()", [("for", "x in xs", 7, 1)]),
+    ("while", "while not rospy.is_shutdown():\n    make()", [("while", "not rospy.is_shutdown()", 7, 1)]),
+    ("except", "try:\n    cond()\nexcept ValueError:\n    make()", [("catch", "ValueError", 9, 1)]),
+    ("in a function", "def f():\n    if cond():\n        make()\nf()", [("if", "cond()", 8, 5)]),
+    ("under a call", "def f():\n    make()\nif cond():\n    f()", [("if", "cond()", 9, 1)]),
+    (
+        "in a callback",
+        'def cb(m):\n    if m.data:\n        make()\nrospy.Subscriber("x", String, cb)',
+        [("if", "m.data", 8, 5)],
+    ),
+    ("conditional expression", "make() if cond() else None", None),
+    ("or", "cond() or make()", None),
+    ("twice", "if cond():\n    make()\nmake()", []),
+)
+
+
+@pytest.mark.parametrize(("name", "body", "expected"), PYTHON)
+def test_conditions_of_python(
+    name: str, body: str, expected: list[tuple[str, str, int, int]] | None, request: pytest.FixtureRequest
+) -> None:
+    if f"python: {name}" in DEFECTS:
+        request.applymarker(pytest.mark.xfail(strict=True, reason=DEFECTS[f"python: {name}"]))
+    made = ends(python(f'def make():\n    PUB("a")\n{body}\n'))
+    assert len(made) == 1
+    if expected is None:
+        assert conditions(made[0]), "made on some paths only"
+    else:
+        assert conditions(made[0]) == expected
+
+
+def test_the_guard_of_a_main_block_is_no_condition() -> None:
+    made = ends(python('if __name__ == "__main__":\n    PUB("a")\n'))
+    assert [conditions(end) for end in made] == [[]]
+
+
+def test_two_names_at_one_place_have_their_own_conditions() -> None:
+    made = ends(python('def f(n):\n    PUB(n)\nf("a")\nif cond():\n    f("b")\n'))
+    assert [(end.name, conditions(end)) for end in made] == [("/a", []), ("/b", [("if", "cond()", 8, 1)])]
+    assert len({end.location for end in made}) == 1
