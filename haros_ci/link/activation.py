@@ -19,6 +19,7 @@ from haros_ci.link.values import (
     Value,
     join,
 )
+from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.model.program import Expression, Function, Type
 
@@ -72,9 +73,10 @@ def invoke(
         return conversions.converted(found, returns) if returns[0] not in ("", "void", "auto") else found
     if len(run.active) >= DEPTH or run.active.count(definition) > 1:
         library.unknown_call(run, frame, definition.name, args)
+        inert.skipped(run, inner, function, definition, returns, _with_bound(function.bound, args))
         return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
     given = _with_bound(function.bound, args)
-    makes_nothing = run.relevance.changes(definition, function.source) is not None
+    makes_nothing = not run.relevance.makes(definition, function.source)
     if makes_nothing and (
         run.spent.get(id(definition), 0) > SPENT or inert.is_inert(run, function, definition, returns, given)
     ):
@@ -171,12 +173,18 @@ def follow_body(run: Run, inner: Frame, function: Function) -> Value:
 
     run.active.append(function)
     mark = inner.mark
+    path = inner.source.path
+    guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]
+    run.conditions += guards
+    loops, run.loops = run.loops, []
     try:
         ended = statements.execute(run, inner, function.body or ())
     except RecursionError:
         return run.opaque("the code is nested too deeply to be followed", inner, function.line)
     finally:
+        run.loops = loops
         run.active.pop()
+        del run.conditions[len(run.conditions) - len(guards) :]
     if inner.exits:
         branches = list(inner.exits)
         if ended == statements.NEXT and not inner.is_dead:

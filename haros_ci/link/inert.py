@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.link import call_arguments
@@ -24,12 +25,22 @@ from haros_ci.link.values import (
 from haros_ci.model.program import Function, Type
 
 
+#: Objects inside objects that are looked into.
+NESTED = 3
+
+
 def is_inert(
     run: Run, function: Callable, definition: Function, returns: Type, args: tuple[call_arguments.Argument, ...]
 ) -> bool:
     """Whether a function need not be followed: it makes nothing, and gives and changes numbers only."""
+    if run.relevance.makes(definition, function.source) or definition.kind == "constructor":
+        return False
+    if returns[0] and not call_arguments.is_scalar(returns) and returns[0] != "bool":
+        return False
     changed = run.relevance.changes(definition, function.source)
-    if changed is None or (returns[0] and not call_arguments.is_scalar(returns) and returns[0] != "bool"):
+    if not changed.isdisjoint(run.relevance.shared):
+        return False
+    if function.frame is not None and any(function.frame.find(name) is not None for name in changed):
         return False
     if not returns[0] and function.source.program.language == "python" and _returns_value(definition.body):
         return False
@@ -44,10 +55,14 @@ def is_inert(
     return function.this is None or _only_numbers(function.this, changed)
 
 
-def _only_numbers(this: Object, changed: frozenset[str]) -> bool:
-    for name in changed:
-        cell = this.fields.get(name)
-        if cell is None:
+def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool:
+    if depth > NESTED:
+        return False
+    for name, cell in this.fields.items():
+        if name not in changed:
+            if isinstance(cell.value, Object) and cell.value.definition is not None and cell.value is not this:
+                if not _only_numbers(cell.value, changed, depth + 1):
+                    return False
             continue
         if isinstance(cell.value, Known) and isinstance(cell.value.value, (int, float)):
             continue
@@ -81,13 +96,24 @@ def skipped(
     args: tuple[call_arguments.Argument, ...],
 ) -> Value:
     """What is known after a function that was not followed: the numbers that it may change are not."""
-    changed = run.relevance.changes(definition, function.source) or frozenset[str]()
+    changed = run.relevance.changes(definition, function.source)
     reason = f"{definition.name} may change it"
+    unknown = run.opaque(reason, inner, definition.line)
     objects = [a.value.cell.value if isinstance(a.value, Pointer) else a.value for a in args] + [function.this]
     for this in objects:
         if isinstance(this, Object):
-            for name in changed & this.fields.keys():
-                _forget(run, this.fields[name], run.opaque(reason, inner, definition.line, this.fields[name].type))
+            _forget_members(run, this, changed, unknown, 0)
+    for (_, name), cell in run.globals.items():
+        if name.rpartition("::")[2].rpartition(".")[2] in changed:
+            _forget(run, cell, replace(unknown, type=cell.type))
+    for module in run.modules.values():
+        for name in changed & module.scopes[0].keys():
+            _forget(run, module.scopes[0][name], unknown)
+    if function.frame is not None:
+        for name in changed:
+            outer = function.frame.find(name)
+            if outer is not None:
+                _forget(run, outer, replace(unknown, type=outer.type))
     for parameter, argument in zip(definition.parameters, args, strict=False):
         marks = parameter.type[2]
         if parameter.name in changed and "c" not in marks and ("&" in marks or "*" in marks):
@@ -99,6 +125,14 @@ def skipped(
     return run.opaque(
         f"what {definition.name} returns is computed", inner, definition.line, returns if returns[0] else None
     )
+
+
+def _forget_members(run: Run, this: Object, changed: frozenset[str], unknown: Opaque, depth: int) -> None:
+    for name, cell in this.fields.items():
+        if name in changed:
+            _forget(run, cell, replace(unknown, type=cell.type))
+        elif isinstance(cell.value, Object) and cell.value.definition is not None and depth < NESTED:
+            _forget_members(run, cell.value, changed, unknown, depth + 1)
 
 
 def _forget(run: Run, cell: Cell, unknown: Opaque) -> None:

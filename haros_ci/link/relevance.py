@@ -45,7 +45,13 @@ class Relevance:
                 self._by_name.setdefault(_last(name), []).extend(found)
         self._blocks: dict[int, tuple[Any, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
-        self._changes: dict[int, tuple[Function, frozenset[str] | None]] = {}
+        self._changes: dict[int, tuple[Function, frozenset[str]]] = {}
+        self._makes: dict[int, tuple[Function, bool]] = {}
+        #: The last parts of the names of all global variables, module variables and static members.
+        self.shared = frozenset(
+            [_last(name) for name in index.variables]
+            + [f.name for found in index.classes.values() for _, c in found for f in c.fields if f.is_static]
+        )
         self._targets: dict[int, tuple[Any, frozenset[str]]] = {}
 
     def matters(self, block: Any, source: Source) -> bool:
@@ -69,12 +75,20 @@ class Relevance:
             known = self._blocks[id(block)] = (block, frozenset(found))
         return known[1]
 
-    def changes(self, function: Function, source: Source) -> frozenset[str] | None:
-        """The names that a function that makes nothing, or anything that it calls, assigns to; None if it may make something."""
+    def makes(self, function: Function, source: Source) -> bool:
+        """Whether a function may make something; one without a body is not known to."""
+        known = self._makes.get(id(function))
+        if known is None:
+            found = function.body is not None and self.matters((function.body, function.inits), source)
+            known = self._makes[id(function)] = (function, found)
+        return known[1]
+
+    def changes(self, function: Function, source: Source) -> frozenset[str]:
+        """The names that a function, or anything that it calls, assigns to."""
         if id(function) in self._changes:
             return self._changes[id(function)][1]
-        result: frozenset[str] | None = None
-        if function.body is not None and not self.matters((function.body, function.inits), source):
+        result = frozenset[str]()
+        if function.body is not None:
             reached: set[str] = set()
             assigned = set(self._assigned(function.body, source))
             waiting = list(self.names(function.body, source))

@@ -68,6 +68,16 @@ class Frame:
         return cell
 
 
+@dataclass(slots=True)
+class Loop:
+    """A loop (or switch) that is being followed: what the ways that break or continue have written since *mark*."""
+
+    mark: int
+    is_switch: bool = False
+    breaks: list[dict[Cell, Any]] = field(default_factory=list)
+    continues: list[dict[Cell, Any]] = field(default_factory=list)
+
+
 @dataclass(frozen=True, slots=True)
 class Made:
     """What a call made, before remapping: *name* is absolute, with ``?`` for unknown parts."""
@@ -156,6 +166,9 @@ class Run:
     names: list[tuple[Value, bool]] = field(default_factory=list)
     #: The place of the ``if`` that each ``else`` belongs to.
     pairs: dict[Location, Location] = field(default_factory=dict)
+    loops: list[Loop] = field(default_factory=list)
+    #: Why what is made now may not be made at all, where no statement is the condition.
+    doubts: list[str] = field(default_factory=list)
     quiet: int = 0
     steps: int = 0
     turns: int = 1
@@ -178,6 +191,8 @@ class Run:
             return
         key = (made.kind, made.name, made.type, made.location, made.queue_size, made.latched, repr(made.value))
         known = self.made.get(key)
+        if self.doubts:
+            made = replace(made, unknowns=(*made.unknowns, ("conditions", self.doubts[-1], made.location)))
         conditions = made.conditions if known is None else either(known.conditions, made.conditions, self.pairs)
         self.made[key] = replace(made, conditions=conditions)
 

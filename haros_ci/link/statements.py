@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from haros_ci.link import construct, expressions, lookup, static_types
-from haros_ci.link.run import TURNS, Frame, Run
+from haros_ci.link.run import TURNS, Frame, Loop, Run
 from haros_ci.link.state import Writes, joined
 from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Sequence, Value, opaque_of
 from haros_ci.model.location import Location
@@ -102,17 +103,13 @@ def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: lis
         run.state.merge(rest)
         return NEXT
     ends = {ended for ended, _ in chosen}
-    for ended in (CONTINUE, BREAK, RETURN, THROW):
-        if ended in ends:
-            if ended in (CONTINUE, BREAK):
-                run.state.merge([writes for how, writes in chosen if how in (CONTINUE, BREAK)])
-            return ended
-    return NEXT
+    return next((ended for ended in (CONTINUE, BREAK, RETURN, THROW) if ended in ends), NEXT)
 
 
 def _loop(run: Run, frame: Frame, statement: Statement) -> str:
     _, keyword, line, column, text, first, test, body = statement
     frame.scopes.append({})
+    loop = Loop(run.state.mark())
     try:
         for item in first:
             STATEMENTS[item[0]](run, frame, item)
@@ -123,19 +120,56 @@ def _loop(run: Run, frame: Frame, statement: Statement) -> str:
                     if holds is None:
                         break
                     if not holds:
-                        return NEXT
+                        return _leave(run, loop, goes_on=True)
                 run.turns *= 2
-                ended = execute(run, frame, body)
+                ended = _turn(run, frame, loop, lambda: execute(run, frame, body))
                 run.turns //= 2
-                if ended in (RETURN, THROW):
-                    return ended
-                if ended == BREAK:
-                    return NEXT
-            return _widened(
-                run, frame, lambda: execute(run, frame, body), line, run.relevance.matters(body, frame.source)
+                if ended != NEXT:
+                    return _leave(run, loop, goes_on=False, ended=ended)
+            _widened(
+                run, frame, loop, lambda: execute(run, frame, body), line, run.relevance.matters(body, frame.source)
             )
+            return _leave(run, loop, goes_on=True)
     finally:
         frame.scopes.pop()
+
+
+def _turn(run: Run, frame: Frame, loop: Loop, body: Any) -> str:
+    """One turn of a loop: the ways that continue are joined with the one that comes to its end."""
+    was_dead = frame.is_dead
+    loop.continues = []
+    broken = len(loop.breaks)
+    run.loops.append(loop)
+    try:
+        ended = body()
+    finally:
+        run.loops.pop()
+    died = frame.is_dead and not was_dead
+    frame.is_dead = was_dead
+    if loop.continues:
+        ways = list(loop.continues)
+        if ended == NEXT and not died:
+            ways.append(run.state.since(loop.mark))
+        run.state.undo(loop.mark)
+        run.state.merge(ways)
+        return NEXT
+    if ended in (NEXT, CONTINUE) and not died:
+        return NEXT
+    if len(loop.breaks) == broken and died:
+        frame.is_dead = True  # what can be taken has returned
+    return BREAK if died else ended
+
+
+def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
+    """The end of a loop: what was left by break is joined with what came to the end."""
+    if not loop.breaks:
+        return NEXT if goes_on or ended == BREAK else ended
+    ways = list(loop.breaks)
+    if goes_on:
+        ways.append(run.state.since(loop.mark))
+    run.state.undo(loop.mark)
+    run.state.merge(ways)
+    return NEXT
 
 
 def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
@@ -145,22 +179,23 @@ def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 
 
-def _widened(run: Run, frame: Frame, body: Any, line: int, matters: bool) -> str:
+def _widened(run: Run, frame: Frame, loop: Loop, body: Any, line: int, matters: bool) -> None:
     """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
 
     Rehearsed until a turn changes nothing more that was known; then, if the body *matters*, followed for what it makes.
     """
+    inner = Loop(run.state.mark())
     ended, writes = NEXT, {}
     for _ in range(REHEARSALS):
+        inner = Loop(run.state.mark())
         run.quiet += 1
-        mark = run.state.mark()
         try:
-            ended = body()
+            ended = _turn(run, frame, inner, body)
         finally:
             run.quiet -= 1
-        writes = run.state.undo(mark)
+        writes = run.state.undo(inner.mark)
         changed = False
-        for cell, value in writes.items():
+        for cell, value in [item for way in (writes, *inner.breaks) for item in way.items()]:
             after = joined(cell.value, value)
             if after is cell.value or isinstance(after, (tuple, dict)) or opaque_of(after) is None:
                 continue
@@ -171,11 +206,12 @@ def _widened(run: Run, frame: Frame, body: Any, line: int, matters: bool) -> str
         if not changed:
             break
     if matters:
-        mark = run.state.mark()
-        ended = body()
-        writes = run.state.undo(mark)
-    run.state.merge([{}, writes] if ended in (NEXT, CONTINUE, BREAK) else [{}])
-    return NEXT
+        inner = Loop(run.state.mark())
+        ended = _turn(run, frame, inner, body)
+        writes = run.state.undo(inner.mark)
+    before = run.state.since(loop.mark)
+    loop.breaks += [{**before, **way} for way in inner.breaks]
+    run.state.merge([{}, writes] if ended == NEXT else [{}])
 
 
 def _each(run: Run, frame: Frame, statement: Statement) -> str:
@@ -195,23 +231,24 @@ def _each(run: Run, frame: Frame, statement: Statement) -> str:
         finally:
             frame.scopes.pop()
 
+    loop = Loop(run.state.mark())
     with run.under("for", text, frame, line, column):
         if items is None:
             kind_ = static_types.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
-            return _widened(run, frame, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
-        if run.turns >= 8:
+            _widened(run, frame, loop, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
+            return _leave(run, loop, goes_on=True)
+        if run.turns >= 8 or len(items) > TURNS * 4:
             unknown = Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
-            return _widened(run, frame, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
-        for item in items[: TURNS * 4]:
+            _widened(run, frame, loop, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
+            return _leave(run, loop, goes_on=True)
+        for item in items:
             run.turns *= 2
-            ended = turn(item)
+            ended = _turn(run, frame, loop, partial(turn, item))
             run.turns //= 2
-            if ended in (RETURN, THROW):
-                return ended
-            if ended == BREAK:
-                break
-    return NEXT
+            if ended != NEXT:
+                return _leave(run, loop, goes_on=False, ended=ended)
+    return _leave(run, loop, goes_on=True)
 
 
 def _switch(run: Run, frame: Frame, statement: Statement) -> str:
@@ -220,46 +257,68 @@ def _switch(run: Run, frame: Frame, statement: Statement) -> str:
     branches: list[tuple[str, Writes]] = []
     live: list[int] = []
     default = None
+    known = isinstance(value, Known)
     for index, (label, _) in enumerate(cases):
-        mark = run.state.mark()
+        was_dead = frame.is_dead
+        loop = Loop(run.state.mark(), is_switch=True)
+        run.loops.append(loop)
         ended = NEXT
         with run.under("switch", text, frame, line, column):
             for _, block in cases[index:]:
                 ended = execute(run, frame, block)
                 if ended != NEXT:
                     break
-        branches.append((NEXT if ended == BREAK else ended, run.state.undo(mark)))
+        run.loops.pop()
+        frame.is_dead = was_dead
+        ways = list(loop.breaks)
+        if ended == NEXT:
+            ways.append(run.state.since(loop.mark))
+        writes = run.state.undo(loop.mark)
+        if ways:
+            run.state.merge(ways)
+            writes = run.state.undo(loop.mark)
+        branches.append((NEXT if ways or ended == BREAK else ended, writes))
         if label is None:
             default = index
         elif isinstance(value, Known):
             wanted = expressions.evaluate(run, frame, label)
-            if isinstance(wanted, Known) and wanted.value == value.value:
+            if not isinstance(wanted, Known):
+                known = False
+            elif wanted.value == value.value:
                 live.append(index)
     if default is None:
         branches.append((NEXT, {}))
         default = len(branches) - 1
     if not branches:
         return NEXT
-    known = isinstance(value, Known)
     return _merge(run, frame, branches, (live or [default]) if known else None)
 
 
 def _try(run: Run, frame: Frame, statement: Statement) -> str:
+    """A handler begins with anything that the block may have done by then; afterwards counts what it assigns itself.
+
+    What else the block has left undone where it threw is not thought of: most never throw.
+    """
     _, block, handlers = statement
+    mark = run.state.mark()
     ended = execute(run, frame, block)
-    branches: list[tuple[str, Writes]] = [(ended, {})]
+    after = run.state.undo(mark)
+    branches: list[tuple[str, Writes]] = [(ended, after)]
     for line, column, text, name, kind, handler in handlers:
-        mark = run.state.mark()
+        start = run.state.mark()
+        for cell, value in after.items():
+            run.state.write(cell, joined(cell.value, value))
+        begun = run.state.mark()
         frame.scopes.append({})
         if name:
             frame.declare(name, Cell(run.opaque("an exception", frame, line, run.type_in(kind, frame))))
         with run.under("catch", text, frame, line, column):
             how = execute(run, frame, handler)
         frame.scopes.pop()
-        branches.append((how, run.state.undo(mark)))
-    if ended == NEXT:
-        return _merge(run, frame, branches, None)
-    return _merge(run, frame, [branches[0], *(b for b in branches[1:] if b[0] == NEXT)], None)
+        own = run.state.since(begun)
+        run.state.undo(start)
+        branches.append((how, {**after, **own}))
+    return _merge(run, frame, branches, None)
 
 
 def _preprocessor(run: Run, frame: Frame, statement: Statement) -> str:
@@ -303,6 +362,21 @@ def _throw(run: Run, frame: Frame, statement: Statement) -> str:
     return THROW
 
 
+def _break(run: Run, frame: Frame, statement: Statement) -> str:
+    if run.loops and not frame.is_dead:
+        run.loops[-1].breaks.append(run.state.since(run.loops[-1].mark))
+    return BREAK
+
+
+def _continue(run: Run, frame: Frame, statement: Statement) -> str:
+    if not frame.is_dead:
+        for loop in reversed(run.loops):
+            if not loop.is_switch:
+                loop.continues.append(run.state.since(loop.mark))
+                break
+    return CONTINUE
+
+
 def _define(run: Run, frame: Frame, statement: Statement) -> str:
     from haros_ci.link.values import Callable
 
@@ -336,8 +410,8 @@ STATEMENTS = {
     "pre": _preprocessor,
     "block": lambda run, frame, s: execute(run, frame, s[1]),
     "return": _return,
-    "break": lambda run, frame, s: BREAK,
-    "continue": lambda run, frame, s: CONTINUE,
+    "break": _break,
+    "continue": _continue,
     "throw": _throw,
     "def": _define,
     "class": _class,

@@ -545,17 +545,9 @@ NOT_SURE = (
 DEFECTS = (
     because(
         ("the turns after a break or continue that is sure are followed as if live (statements._merge, is_dead)"),
-        "search that is known",
-        "continue that is known",
     )
     | because(
         "a function that assigns to text outside its own members is skipped as inert (inert.py)",
-        "setter of a global",
-        "setter of a global number",
-        "setter of a global pointer",
-        "setter of a static member",
-        "filler of a struct in a struct",
-        "changed before a return",
     )
     | because(
         "a static local is made anew at every call (statements._variable)",
@@ -563,16 +555,7 @@ DEFECTS = (
     )
     | because(
         "what a branch that ends in break or continue has written is dropped (statements._merge)",
-        "break in one turn of three",
-        "assigned before break",
-        "assigned before continue",
-        "turns passed over",
-        "left by a counted loop",
-        "endless loop left before",
         "endless loop left in the branch",
-        "loop around a search",
-        "break inside if of switch",
-        "continue in a switch",
     )
     | because(
         ("a handler starts from the end of the try block only, and a function's throw ends there (statements._try)"),
@@ -584,12 +567,9 @@ DEFECTS = (
     )
     | because(
         "a label whose value is not known is taken for another (statements._switch)",
-        "switch by what is not known",
     )
     | because(
         "what a call that is not followed for its depth might change is left as it was (activation.invoke)",
-        "recursion that sets a global",
-        "mutual recursion",
         "very deep chain to a global",
     )
     | because(

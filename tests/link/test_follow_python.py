@@ -483,13 +483,8 @@ DEFECTS = (
         "set by a method that makes nothing",
         "global set",
         "module that sets its own",
-        "class",
         "attribute of the object before the class's",
-        "nonlocal",
-        "global dict set",
-        "object set in a function",
         "set by a callback",
-        "two callbacks of one list",
     )
     | because(
         "keyword arguments that are unpacked do not reach parameters with a default (activation.bind)",
@@ -622,8 +617,6 @@ DEFECTS = (
     )
     | because(
         "what a branch that ends in break or continue has written is dropped (statements._merge)",
-        "break in a loop",
-        "continue in a loop",
     )
     | because(
         ("a handler starts from the end of the try block only, and a function's throw ends there (statements._try)"),
@@ -634,7 +627,6 @@ DEFECTS = (
     )
     | because(
         "what a call that is not followed for its depth might change is left as it was (activation.invoke)",
-        "recursion",
     )
     | because(
         "callbacks are not thought to run before the end of main (follow._call_back)",
