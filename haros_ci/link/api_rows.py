@@ -234,7 +234,7 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] |
 def parameter_value(applied: selectors.Applied, name: str, default: Value | None) -> Value | None:
     """What reading parameter *name* gives: what the configuration sets, else the default; None if there is neither."""
     if "?" in name:
-        return default if default is None else join(default, Opaque("the parameter's name is not known"))
+        return Opaque("the parameter's name is not known")
     found = applied.run.parameter(clean(name))
     if found is None:
         return default

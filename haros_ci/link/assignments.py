@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from haros_ci.link import activation, call_arguments, construct, conversions, expressions, operators
+from haros_ci.link import activation, call_arguments, construct, conversions, expressions, operators, texts
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES
 from haros_ci.link.values import (
@@ -93,6 +93,10 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
     if cell is not None:
         return cell.value
     if isinstance(container, Known) and isinstance(key, Known):
+        if isinstance(container.value, str) and frame.source.program.language != "python":
+            if isinstance(key.value, int) and 0 <= key.value < len(container.value):
+                return texts.number(Known(container.value[key.value]))
+            return run.opaque("a character that is not known", frame)
         try:
             return Known(container.value[key.value])
         except (LookupError, TypeError):

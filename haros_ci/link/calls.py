@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from haros_ci.link import (
@@ -11,6 +12,7 @@ from haros_ci.link import (
     call_arguments,
     construct,
     expressions,
+    follow,
     library,
     library_objects,
     members,
@@ -18,17 +20,17 @@ from haros_ci.link import (
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, is_type, pointee
 from haros_ci.link.values import (
-    NONE,
     Callable,
     Cell,
     Choice,
     ClassValue,
+    Known,
     Library,
     Object,
     Opaque,
     Pointer,
+    Text,
     Value,
-    join,
 )
 from haros_ci.model.location import Location
 from haros_ci.model.program import Expression
@@ -55,11 +57,12 @@ def call(run: Run, frame: Frame, expression: Expression) -> Value:
         if isinstance(receiver, Pointer):
             receiver_cell, receiver = receiver.cell, receiver.cell.value
         if isinstance(receiver, Choice):
-            result: Value | None = None
-            for option in receiver.options:
-                found = method_call(run, frame, option, None, name, args, targs, location)
-                result = found if result is None else join(result, found)
-            return result if result is not None else NONE
+            ways = [
+                partial(method_call, run, frame, option, cell, name, args, targs, location)
+                for option in receiver.options
+                for cell in [receiver_cell if isinstance(option, (Known, Text)) else None]
+            ]
+            return run.either_way(ways, "it is called on one of several objects")
         return method_call(run, frame, receiver, receiver_cell, name, args, targs, location)
     function = expressions.evaluate(run, frame, callee)
     if isinstance(function, Pointer):
@@ -179,11 +182,8 @@ def apply(
         if method is not None:
             return activation.invoke(run, frame, method, args, location, targs)
     if isinstance(function, Choice):
-        result: Value | None = None
-        for option in function.options:
-            found_ = apply(run, frame, option, args, targs, location, callee)
-            result = found_ if result is None else join(result, found_)
-        return result if result is not None else NONE
+        ways = [partial(apply, run, frame, option, args, targs, location, callee) for option in function.options]
+        return run.either_way(ways, "one of several functions is called")
     return library.unknown_call(run, frame, members.dotted(callee) or "a function", args)
 
 
@@ -200,6 +200,12 @@ def _takes_self(function: Callable, args: tuple[call_arguments.Argument, ...]) -
     )
 
 
+#: Functions in which callbacks are called.
+SPINNING = frozenset(
+    "ros::spin ros::spinOnce ros::waitForShutdown rospy.spin rospy.sleep rospy.wait_for_message rospy.wait_for_service".split()
+)
+
+
 def library_call(
     run: Run,
     frame: Frame,
@@ -211,6 +217,8 @@ def library_call(
 ) -> Value:
     """A function, method or constructor of a library."""
     name = function.name
+    if name in SPINNING:
+        follow.interlude(run, frame)
     if function.this is None and frame.this is not None and callee[0] == "name" and "::" not in callee[1]:
         for owner in library_objects.owners(run, frame.this):  # an inherited method without ``this->``
             found = api_rows.call(run, frame, f"{owner}::{callee[1]}", frame.this, args, targs, location)

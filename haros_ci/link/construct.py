@@ -15,6 +15,7 @@ from haros_ci.link import (
     library_objects,
     lookup,
     members,
+    texts,
 )
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
@@ -206,7 +207,7 @@ def create(
         return arguments[0].value if arguments else NONE
     name = kind[0]
     if name in STRINGS:
-        return conversions.converted(arguments[0].value, kind) if arguments else Known("")
+        return conversions.converted(texts.constructed(arguments), kind)
     if name in SEQUENCES:
         return _vector(run, frame, kind, arguments)
     if name in MAPS:

@@ -8,6 +8,7 @@ import ast
 from haros_ci.link.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
 from haros_ci.link.values import (
     Callable,
+    Character,
     Choice,
     Known,
     Mapped,
@@ -20,6 +21,23 @@ from haros_ci.link.values import (
     data_of,
 )
 from haros_ci.model.program import Type
+
+
+#: Types of one byte, which streams write as characters.
+CHARACTERS = frozenset(("char", "int8_t", "uint8_t", "byte"))
+#: The bits of integer types by a word of their names, as on 64-bit systems; 32 for all others.
+WIDTHS = (
+    ("long", 64),
+    ("size_t", 64),
+    ("ssize_t", 64),
+    ("short", 16),
+    ("int16_t", 16),
+    ("uint16_t", 16),
+    ("int64_t", 64),
+    ("uint64_t", 64),
+)
+#: What ``std::string::find`` returns where there is nothing.
+NPOS = 2**64 - 1
 
 
 def converted(value: Value, kind: Type | None) -> Value:
@@ -35,13 +53,39 @@ def converted(value: Value, kind: Type | None) -> Value:
         data, name = value.value, kind[0]
         if name in REALS and isinstance(data, (int, bool)):
             return Known(float(data))
-        if name in INTEGERS and isinstance(data, float) and abs(data) < 2**63:
-            return Known(int(data))
-        if name in INTEGERS and isinstance(data, bool) and "*" not in kind[2]:
-            return Known(int(data))
+        if "*" not in kind[2] and isinstance(data, (int, float)) and (name in INTEGERS or set(name.split()) <= INTEGERS):
+            return _integer(value, data, name)
+        if name in STRINGS and name != "str" and isinstance(data, Character):
+            return Known(chr(data))
+        if name in STRINGS and name != "str" and "*" not in kind[2] and isinstance(data, (int, float)):
+            return Opaque("a number in a text", None, kind)
         if name == "bool" and isinstance(data, (int, float)):
             return Known(bool(data))
     return value
+
+
+def _integer(value: Known, data: float, name: str) -> Value:
+    """A number in an integer variable: its fraction is dropped, and what is too large is only known where C++ says so."""
+    if isinstance(data, float) and not abs(data) < 2**63:
+        return Opaque("the number is too large", None, (name, (), ""))
+    number = int(data)
+    words = name.rpartition("::")[2].split()
+    is_signed = not any(word.startswith(("u", "size_t", "byte")) for word in words)
+    if any(word in CHARACTERS for word in words):
+        if is_signed and number not in range(-128 if words != ["char"] else 0, 128):
+            return Opaque("the number is too large for a character", None, (name, (), ""))
+        return Known(Character(number % 256 if not is_signed else number))
+    bits = next((size for end, size in WIDTHS if words[-1].startswith(end) or end in words), 32)
+    if is_signed:
+        if not -(1 << bits - 1) <= number < 1 << bits - 1:
+            if number == NPOS:
+                return Known(-1)
+            return Opaque("the number is too large", None, (name, (), ""))
+    elif not 0 <= number < 1 << bits:
+        if isinstance(data, float):
+            return Opaque("the number is too large", None, (name, (), ""))
+        number %= 1 << bits
+    return value if type(value.value) is int and value.value == number else Known(number)
 
 
 def _is_class(kind: Type) -> bool:

@@ -73,14 +73,17 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
 
 
 def _set(applied: Applied, name: str, value: Value) -> None:
-    """The node finds afterwards what it has set, ``NONE`` for deleted; a name that is not known is passed over."""
+    """The node finds afterwards what it has set, ``NONE`` for deleted; after a name that is not known, nothing for sure."""
     run = applied.run
     own: Any = run.server.value
     if isinstance(own, Opaque):
         return
-    if "?" not in name:
-        known, data = data_of(value)
-        run.state.write(run.server, {**own, name: Known(data) if known else value})
+    if "?" in name:
+        run.state.write(run.server, Opaque("a parameter is set under a name that is not known", applied.location))
+        return
+    known, data = data_of(value)
+    below = {other: NONE for other in own if other.startswith(f"{name}/")}
+    run.state.write(run.server, {**own, **below, name: Known(data) if known else value})
 
 
 def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.link import assignments, calls, conversions, lookup, members, operators
+from haros_ci.link import assignments, calls, conversions, lookup, members, operators, statements
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_smart_pointer, pointee
 from haros_ci.link.values import (
@@ -19,7 +19,7 @@ from haros_ci.link.values import (
     Sequence,
     Value,
     concatenate,
-    join,
+    printed,
 )
 from haros_ci.model.program import Expression
 
@@ -64,11 +64,15 @@ def _this(run: Run, frame: Frame, expression: Expression) -> Value:
 
 
 def _conditional(run: Run, frame: Frame, expression: Expression) -> Value:
-    from haros_ci.link.statements import truth
-
-    holds = truth(evaluate(run, frame, expression[1]))
-    one, other = evaluate(run, frame, expression[2]), evaluate(run, frame, expression[3])
-    return join(one, other) if holds is None else one if holds else other
+    holds = statements.truth(evaluate(run, frame, expression[1]))
+    ways = [lambda side=side: evaluate(run, frame, side) for side in expression[2:4]]
+    if holds is None:
+        return run.either_way(ways, "it stands in one side of a conditional expression")
+    mark = run.state.mark()
+    with run.doubted("the other side of a conditional expression is taken as things are"):
+        ways[1 if holds else 0]()
+    run.state.undo(mark)
+    return ways[0 if holds else 1]()
 
 
 def _list(run: Run, frame: Frame, expression: Expression) -> Value:
@@ -120,7 +124,8 @@ def _cast(run: Run, frame: Frame, expression: Expression) -> Value:
 
 
 def _format(run: Run, frame: Frame, expression: Expression) -> Value:
-    return concatenate(tuple(evaluate(run, frame, part) for part in expression[1]))
+    show = printed if frame.source.program.language == "python" else None
+    return concatenate(tuple(evaluate(run, frame, part) for part in expression[1]), show)
 
 
 def _unknown(run: Run, frame: Frame, expression: Expression) -> Value:

@@ -14,6 +14,8 @@ from haros_ci.link.values import Callable, Cell, Known, Object, Opaque, Sequence
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function
 
+#: Steps that a second rehearsal of all callbacks may take.
+CHEAP = 2_000
 #: Callbacks of one node that are followed.
 ROOTS = 400
 
@@ -68,14 +70,14 @@ def _call_back(run: Run, frame: Frame) -> None:
     effects: list[Writes] = []
     while done < min(len(run.roots), ROOTS):
         batch = run.roots[done:ROOTS]
-        run.quiet += 1
-        for root in batch:
-            mark = run.state.mark()
-            _invoke(run, frame, root)
-            effects.append(run.state.undo(mark))
-        run.quiet -= 1
+        before = run.steps
+        _rehearse_all(run, frame)
+        effects = list(run.effects)
+        if run.steps - before < CHEAP:  # what one leaves behind may change what another does
+            for number, root in enumerate(batch, start=done):
+                effects[number] = _rehearsed(run, frame, root, run.effects, number)
         for number, root in enumerate(batch, start=done):
-            if not run.relevance.matters(root.function.function.body, root.function.source):
+            if not run.relevance.makes(root.function.function, root.function.source):
                 continue
             mark = run.state.mark()
             _disturb(run, effects, number)
@@ -84,7 +86,41 @@ def _call_back(run: Run, frame: Frame) -> None:
         done += len(batch)
 
 
+def _rehearse_all(run: Run, frame: Frame) -> None:
+    """What each callback writes by itself, for those that have not been asked yet."""
+    for number in range(len(run.effects), min(len(run.roots), ROOTS)):
+        run.effects.append(_rehearsed(run, frame, run.roots[number], [], number))
+
+
+def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
+    """What a callback writes, from a state that the *others* have disturbed."""
+    start = run.state.mark()
+    _disturb(run, others, number)
+    mark = run.state.mark()
+    run.quiet += 1
+    try:
+        _invoke(run, frame, root)
+    finally:
+        run.quiet -= 1
+    writes = run.state.since(mark)
+    run.state.undo(start)
+    return writes
+
+
+def interlude(run: Run, frame: Frame) -> None:
+    """Callbacks are called here (``ros::spinOnce``): what they may write is joined with what holds."""
+    if run.is_interlude:
+        return
+    run.is_interlude = True
+    try:
+        _rehearse_all(run, frame)
+    finally:
+        run.is_interlude = False
+    _disturb(run, run.effects, -1)
+
+
 def _disturb(run: Run, effects: Iterable[Writes], own: int) -> None:
+    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
     for number, writes in enumerate(effects):
         for cell, value in writes.items():
             if number == own and not isinstance(value, (Known, Text)):

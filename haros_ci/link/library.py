@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import callbacks, conversions, library_cpp, library_python
+from haros_ci.link import callbacks, harmless, havoc, library_cpp, library_python
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.values import NONE, Cell, Known, Object, Opaque, Pointer, Sequence, Value
+from haros_ci.link.values import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Type
 
@@ -15,22 +15,6 @@ if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
 
 POINTER_METHODS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
-#: Functions that leave their arguments alone, by the beginning of their name.
-HARMLESS = (
-    "ROS_",
-    "NODELET_",
-    "std::",
-    "ros::",
-    "printf",
-    "fprintf",
-    "assert",
-    "boost::",
-    "rospy.",
-    "print",
-    "tf",
-    "YAML::",
-)
-
 
 def pointer_method(run: Run, cell: Cell, name: str, args: tuple[Argument, ...]) -> Value:
     """A method of a smart pointer itself; its value is the object that it points to."""
@@ -53,8 +37,14 @@ def method(
 ) -> Value | None:
     """A modelled method; None if there is no model of it."""
     if frame.source.program.language == "python":
-        return library_python.method(run, frame, receiver, name, args)
-    return library_cpp.method(run, frame, receiver, cell, name, args)
+        found = library_python.method(run, frame, receiver, name, args)
+    else:
+        found = library_cpp.method(run, frame, receiver, cell, name, args)
+    if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:
+        return found
+    if isinstance(receiver, Known) and not isinstance(receiver.value, (str, list, dict)):
+        return None
+    return havoc.method(run, frame, receiver, cell, name, args)
 
 
 def function(
@@ -78,31 +68,13 @@ def unknown_call(
 ) -> Value:
     """A call of which nothing is known: what it is given by address or reference is not known afterwards, functions
     that it is given may be called, and so is its result."""
-
-    harmless = name.startswith(HARMLESS) or name.isupper()
     for argument in args:
         callbacks.register(run, argument.value, args)
-        if harmless:
-            continue
-        if isinstance(argument.value, Pointer):
-            target: Cell | None = argument.value.cell
-        elif argument.cell is not None and frame.source.program.language != "python":
-            target = argument.cell
-        else:
-            target = None
-        if target is not None and isinstance(target.value, (Known, Sequence)) and not _is_constant(target):
-            if isinstance(target.value, Sequence):
-                run.state.write(target.value.content, run.opaque(f"the list is given to {name}", frame))
-                continue
-            kind = target.type or conversions.value_type(target.value)
-            run.state.write(target, run.opaque(f"{name} may change it", frame, None, kind))
+    havoc.called(run, frame, name, args)
+    havoc.given(run, frame, name, args)
     if isinstance(receiver, Opaque):
         return Opaque(receiver.reason, receiver.location)
     return run.opaque(f"what {name} returns is not known", frame)
-
-
-def _is_constant(cell: Cell) -> bool:
-    return cell.type is not None and "c" in cell.type[2]
 
 
 def instance_of(name: str, **fields: Value) -> Object:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.link import assignments, construct, conversions
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
+    LIST_LIMIT,
     NONE,
     Cell,
     Known,
@@ -27,10 +28,10 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
     known = isinstance(cells, tuple)
     inner = receiver.type[1][0] if receiver.type is not None and receiver.type[1] else None
     if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
-        if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < 1000:
+        if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < LIST_LIMIT:
             value = conversions.converted(args[0].value, inner)
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
-        elif known and name == "emplace_back" and inner is not None:
+        elif known and name == "emplace_back" and inner is not None and len(cells) < LIST_LIMIT:
             value = construct.create(run, frame, inner, args, Location(frame.source.path))
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
         else:
@@ -65,10 +66,18 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
         return run.opaque("an element that is not known", frame, None, inner)
     if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
         if receiver.end is None:
-            receiver.end = Object("[end]")
+            receiver.end = Object("[end]", fields={"[of]": Cell(receiver)})
         if name.endswith("end") or (known and not cells):
             return receiver.end
-        return Object("[iterator]")
+        return Object("[iterator]", fields={"[of]": Cell(receiver)})
+    if name == "pop_back" and known and cells:
+        run.state.write(receiver.content, cells[:-1])
+        return NONE
+    if name == "swap" and args and isinstance(args[0].value, Sequence):
+        other = args[0].value.content
+        run.state.write(receiver.content, other.value)
+        run.state.write(other, cells)
+        return NONE
     return None
 
 
@@ -79,6 +88,11 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
             key = args[0].value if args else NONE
             return Known(int(key.value in pairs)) if isinstance(key, Known) else run.opaque("a key is not known", frame)
         return Known(not pairs) if name == "empty" else Known(len(pairs))
+    if name == "swap" and args and isinstance(args[0].value, Mapped):
+        other = args[0].value.content
+        run.state.write(receiver.content, other.value)
+        run.state.write(other, pairs)
+        return NONE
     if name in ("insert", "emplace", "erase", "clear", "swap"):
         run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
         return NONE

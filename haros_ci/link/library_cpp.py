@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import construct, conversions, library_containers, library_yaml
+from haros_ci.link import construct, conversions, library_containers, library_yaml, texts
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import STRINGS
 from haros_ci.link.values import (
@@ -14,6 +14,7 @@ from haros_ci.link.values import (
     TRUE,
     Callable,
     Cell,
+    Character,
     Choice,
     Known,
     Library,
@@ -25,6 +26,7 @@ from haros_ci.link.values import (
     Text,
     Value,
     concatenate,
+    converted_to_text,
 )
 from haros_ci.model.location import Location
 from haros_ci.model.program import Type
@@ -37,6 +39,7 @@ STREAMS = frozenset(
     ("std::stringstream", "std::ostringstream", "std::istringstream", "stringstream", "ostringstream", "istringstream")
 )
 FILES = frozenset(("std::ifstream", "std::fstream", "ifstream", "fstream"))
+MANIPULATORS = frozenset(("setw", "setfill", "setprecision", "setbase", "setiosflags", "resetiosflags", "put_time"))
 BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
 MAKERS = frozenset(
     f"{space}::{name}"
@@ -57,8 +60,10 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
     """An instance of a modelled class."""
     name = kind[0]
     if name in STREAMS:
-        text = args[0].value if args else Known("")
-        return Object(name, fields={"[text]": Cell(text)})
+        stream = Object(name, fields={"[text]": Cell(Known(""))})
+        if args:
+            texts.start(run, stream, args[0].value)
+        return stream
     if name in FILES:
         return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})
     if name == "YAML::Parser":
@@ -83,6 +88,8 @@ def function(
 ) -> Value | None:
     """A modelled free function or constructor by its name."""
     name = name.removeprefix("::")
+    if name.removeprefix("std::") in MANIPULATORS:
+        return Library(name)
     if name in BINDERS and args:
         return _bind(args)
     if name in MAKERS:
@@ -94,11 +101,18 @@ def function(
         return None
     if name in TRANSPARENT and len(args) in (1, 2):
         value = args[0].value
-        if name.endswith(("to_string", "lexical_cast")) and name != "boost::lexical_cast":
-            return concatenate((value,))
+        if name.endswith("to_string"):
+            return concatenate((value,), converted_to_text)
+        if name in ("std::string", "string"):
+            return texts.constructed(args)
         if name == "boost::lexical_cast" and targs:
             wanted = run.type_in(targs[0], frame)
-            return concatenate((value,)) if wanted[0] in STRINGS else conversions.converted(_number(value), wanted)
+            if wanted[0] not in STRINGS:
+                return conversions.converted(_number(value), wanted)
+            if isinstance(value, Known) and isinstance(value.value, float):
+                is_double = args[0].type is not None and args[0].type[0] == "double"
+                return Known(f"{value.value:.17g}") if is_double else run.opaque("its digits are not known", frame)
+            return concatenate((value,))
         if name in ("std::max", "std::abs"):
             return None
         return value
@@ -115,7 +129,9 @@ def function(
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
         run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
         return NONE
-    if name in ("sprintf", "snprintf", "std::sprintf") and args and args[0].cell is not None:
+    if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
+        return _swap(run, args)
+    if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
         run.state.write(args[0].cell, run.opaque("it is formatted by sprintf", frame, None, ("std::string", (), "")))
         return NONE
     return None
@@ -126,6 +142,27 @@ def protected(run: Run, this: Object, name: str) -> Cell | None:
     if name == "_value" and this.definition is not None and XMLRPC in construct.library_bases(run, *this.definition):
         cell = this.fields[name] = Cell(Object("[any]"))
         return cell
+    return None
+
+
+def _swap(run: Run, args: tuple[Argument, ...]) -> Value | None:
+    """``swap(a, b)`` of texts, numbers and whole containers; None for all else."""
+    one, other = args[0].cell, args[1].cell
+    plain = (Known, Text, Choice, Opaque)
+    if one is None or other is None:
+        return None
+    if isinstance(one.value, plain) and isinstance(other.value, plain):
+        before = one.value
+        run.state.write(one, other.value)
+        run.state.write(other, before)
+        return NONE
+    for kind in (Sequence, Mapped):
+        if isinstance(one.value, kind) and isinstance(other.value, kind):
+            content, with_ = one.value.content, other.value.content
+            before = content.value
+            run.state.write(content, with_.value)
+            run.state.write(with_, before)
+            return NONE
     return None
 
 
@@ -176,12 +213,20 @@ def method(
     if isinstance(receiver, Text) and name in ("size", "length"):
         return run.opaque("the length of a text", frame)
     if isinstance(receiver, Text) and name == "empty":
-        return FALSE
+        if any(isinstance(part, str) for part in receiver.parts):
+            return FALSE
+        return run.opaque("whether a text is empty", frame, None, ("bool", (), ""))
     if isinstance(receiver, (Known, Text, Opaque)) and name in ("append", "push_back") and cell is not None and args:
         kind = cell.type
         if kind is not None and kind[0] in STRINGS:
-            run.state.write(cell, concatenate((receiver, args[0].value)))
+            run.state.write(cell, concatenate((receiver, texts.constructed(args))))
             return cell.value
+    if isinstance(receiver, Text) and cell is not None and args and name == "assign":
+        run.state.write(cell, conversions.converted(concatenate((texts.constructed(args),)), cell.type))
+        return cell.value
+    if isinstance(receiver, (Text, Choice)) and cell is not None and name == "clear":
+        run.state.write(cell, Known(""))
+        return NONE
     if isinstance(receiver, Opaque) and name in ("c_str", "str", "data", "get"):
         return receiver
     if isinstance(receiver, Sequence):
@@ -205,24 +250,41 @@ def _data(
         if name == "empty":
             return Known(not data)
         values: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+        if name == "substr" and not args:
+            return receiver
         if name == "substr" and values and all(isinstance(v, int) for v in values):
-            end = values[0] + values[1] if len(values) > 1 else len(data)
-            return Known(data[values[0] : end]) if 0 <= values[0] <= len(data) else None
-        if name in ("find", "rfind") and len(values) == 1 and isinstance(values[0], str):
-            found = data.find(values[0]) if name == "find" else data.rfind(values[0])
-            return Known(found)
+            count = values[1] if len(values) > 1 else len(data)
+            count = len(data) if count < 0 else count  # npos
+            return Known(data[values[0] : values[0] + count]) if 0 <= values[0] <= len(data) else None
+        if name in ("find", "rfind") and len(values) == 1 and isinstance(values[0], (str, Character)):
+            wanted = values[0] if isinstance(values[0], str) else chr(values[0])
+            found = data.find(wanted) if name == "find" else data.rfind(wanted)
+            return Known(conversions.NPOS if found < 0 else found)
         if name == "compare" and len(values) == 1 and isinstance(values[0], str):
             return Known((data > values[0]) - (data < values[0]))
         if name in ("at",) and values and isinstance(values[0], int) and 0 <= values[0] < len(data):
-            return Known(ord(data[values[0]]))
+            return texts.number(Known(data[values[0]]))
+        if name in ("front", "back") and data:
+            return texts.number(Known(data[0 if name == "front" else -1]))
+        if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend") and cell is not None:
+            return Object("[iterator]", fields={"[of]": Cell(Pointer(cell))})
+        if name == "pop_back" and cell is not None and data:
+            run.state.write(cell, Known(data[:-1]))
+            return NONE
+        if name == "swap" and cell is not None and args and args[0].cell is not None:
+            run.state.write(cell, args[0].value)
+            run.state.write(args[0].cell, receiver)
+            return NONE
         if name in ("append", "push_back", "assign") and cell is not None and args:
             before: tuple[Value, ...] = () if name == "assign" else (receiver,)
-            run.state.write(cell, concatenate((*before, args[0].value)))
+            run.state.write(cell, concatenate((*before, texts.constructed(args))))
             return cell.value
         if name == "clear" and cell is not None:
             run.state.write(cell, Known(""))
             return NONE
         if cell is not None and name in ("insert", "erase", "replace", "swap", "resize", "pop_back"):
+            if name == "swap" and args and args[0].cell is not None:
+                run.state.write(args[0].cell, run.opaque("it is swapped", frame, None, args[0].cell.type))
             run.state.write(cell, run.opaque(f"it is changed by {name}", frame, None, cell.type))
             return cell.value
         return None
@@ -274,10 +336,14 @@ def _object(
         text = receiver.fields["[text]"]
         if name == "str":
             if args:
-                run.state.write(text, args[0].value)
+                texts.start(run, receiver, args[0].value)
             return text.value
         if name in ("clear", "flush"):
             return NONE
+        if name in ("width", "precision", "fill", "setf", "unsetf", "flags", "imbue", "copyfmt") and args:
+            texts.change(run, receiver)
+        elif name not in ("good", "fail", "bad", "eof", "width", "precision", "fill", "flags", "rdstate", "tellp"):
+            run.state.write(text, run.opaque(f"{name} may change it", frame))
     if receiver.name in FILES and name == "open" and args:
         run.state.write(receiver.fields["[path]"], args[0].value)
         return NONE

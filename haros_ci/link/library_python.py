@@ -5,10 +5,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import activation, call_arguments, library_yaml, members
+from haros_ci.link import activation, call_arguments, formats, library_yaml, members
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
+    LIST_LIMIT,
     NONE,
+    TEXT_LIMIT,
     Callable,
     Cell,
     Known,
@@ -17,10 +19,10 @@ from haros_ci.link.values import (
     Object,
     Opaque,
     Sequence,
-    Text,
     Value,
     concatenate,
     data_of,
+    printed,
 )
 
 if TYPE_CHECKING:
@@ -36,7 +38,7 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
     """A modelled function."""
     first = args[0].value if args else None
     if name == "str" and first is not None:
-        return concatenate((first,)) if not (isinstance(first, Known) and first.value is None) else Known("None")
+        return concatenate((first,), printed)
     if name in ("int", "float", "bool") and isinstance(first, Known) and len(args) == 1:
         try:
             return Known({"int": int, "float": float, "bool": bool}[name](first.value))
@@ -62,13 +64,26 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
             if len(numbers) <= 1000:
                 return Known(list(numbers))
         return run.opaque("a range that is not known", frame)
-    if name in ("list", "tuple", "sorted", "set") and first is not None:
-        if isinstance(first, (Sequence, Known)):
-            return first
+    if name in ("list", "tuple", "sorted", "set", "frozenset") and first is not None:
+        items = _items(first)
+        if items is None and isinstance(first, Known) and isinstance(first.value, (str, dict)):
+            items = [Known(item) for item in list(first.value)[:LIST_LIMIT]]
+        if items is None and isinstance(first, Mapped) and isinstance(first.content.value, dict):
+            items = [Known(item) for item in first.content.value]
+        if name in ("sorted", "set", "frozenset") and items is not None:
+            items = _ordered(items) if len(args) == 1 else None
+            if items is not None and name != "sorted":
+                items = [item for number, item in enumerate(items) if item not in items[:number]]
+            if items is not None and name != "sorted" and len(items) > 1:
+                items = None  # in no order that is known
+        if items is not None:
+            return Sequence(Cell(tuple(Cell(item) for item in items)))
+        return Sequence(Cell(run.opaque(f"a list made by {name}", frame)))
     if name == "enumerate" and isinstance(first, (Sequence, Known)):
         items = _items(first)
-        if items is not None:
-            pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items)]
+        begin = args[1].value if len(args) > 1 else Known(0)
+        if items is not None and isinstance(begin, Known) and isinstance(begin.value, int):
+            pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items, begin.value)]
             return Sequence(Cell(tuple(Cell(pair) for pair in pairs)))
     if name == "zip":
         columns = [_items(a.value) for a in args]
@@ -76,15 +91,17 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
             rows = list(zip(*(c for c in columns if c is not None), strict=False))
             made = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
             return Sequence(Cell(made))
-    if name == "dict" and not args:
-        return Mapped(Cell({}))
+    if name == "dict":
+        made_of: Any = first.content.value if isinstance(first, Mapped) and len(args) == 1 else None if args else {}
+        if args and all(argument.keyword and argument.keyword != "**" for argument in args):
+            made_of = {argument.keyword: Cell(argument.value) for argument in args}
+        if isinstance(made_of, dict):
+            return Mapped(Cell({key: Cell(cell.value, cell.type) for key, cell in made_of.items()}))
+        return Mapped(Cell(run.opaque("a dictionary made from what is not known", frame)))
     if name == "[for]" and len(args) == 2 and isinstance(args[1].value, Callable):
         return _comprehension(run, frame, args[0].value, args[1].value)
     if name in ("os.path.join", "posixpath.join") and args:
-        parts: list[Value] = []
-        for argument in args:
-            parts += [Known("/"), argument.value] if parts else [argument.value]
-        return concatenate(tuple(parts))
+        return formats.path(run, frame, args)
     if name in ("open", "io.open", "file") and first is not None:
         return Object("file", fields={"[path]": Cell(first)})
     if name in YAML and first is not None:
@@ -99,7 +116,7 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
         bound = tuple(a.value for a in args[1:] if not a.keyword)
         return Callable(first.source, first.function, first.this, (*first.bound, *bound), first.frame, first.templates)
     if name in ("rospy.myargv", "sys.argv") and run.context.arguments is not None:
-        return argv(run)
+        return argv(run, name == "rospy.myargv")
     if name == "getattr" and len(args) >= 2 and isinstance(args[1].value, Known):
         return members.attribute(run, args[0].value, str(args[1].value.value), frame)
     if name == "super":
@@ -107,12 +124,19 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
     return None
 
 
-def argv(run: Run) -> Value:
-    """The command line that the launch file gives."""
+def argv(run: Run, is_own: bool = False) -> Value:
+    """The command line that the launch file gives, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node).
+
+    ``rospy.myargv`` is without them, and without all other remappings.
+    """
     if run.context.arguments is None:
         return Opaque("the command line")
-    cells = [Cell(Opaque("the program's name")), *(Cell(Known(a)) for a in run.context.arguments)]
-    return Sequence(Cell(tuple(cells)))
+    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in run.context.arguments)]
+    if is_own:
+        words = [word for word in words if not (isinstance(word, Known) and ":=" in word.value)]
+    else:
+        words += [Opaque(f"{word} as roslaunch gives it", None, ("str", (), "")) for word in ("__name:=", "__log:=")]
+    return Sequence(Cell(tuple(Cell(word) for word in words)))
 
 
 def _items(value: Value) -> list[Value] | None:
@@ -136,34 +160,60 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
     """A modelled method."""
     if isinstance(receiver, Known) and isinstance(receiver.value, str):
         if name == "format":
-            return _format(run, frame, receiver.value, args)
+            return formats.braces(run, frame, receiver.value, args)
         if name == "join" and args:
             items = _items(args[0].value)
             if items is not None:
                 parts: list[Value] = []
                 for item in items:
                     parts += [receiver, item] if parts else [item]
-                return concatenate(tuple(parts))
+                return concatenate(tuple(parts), printed)
         values = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
-        if name in TEXT_METHODS and None not in values:
+        if name in TEXT_METHODS and None not in values and not any(argument.keyword for argument in args):
+            longest = max((len(value) for value in values if isinstance(value, str)), default=0)
+            if name == "replace" and longest * (len(receiver.value) + 1) > 100 * TEXT_LIMIT:
+                return run.opaque("it is a long text", frame)
             try:
-                return Known(getattr(receiver.value, name)(*values))
+                made = getattr(receiver.value, name)(*values)
             except (TypeError, ValueError):
                 return None
+            return run.opaque("it is a long text", frame) if len(made) > TEXT_LIMIT else Known(made)
         return None
-    if isinstance(receiver, Text) and name in ("strip", "rstrip"):
-        return receiver
     if isinstance(receiver, Sequence):
         cells: Any = receiver.content.value
-        if name == "append" and args and isinstance(cells, tuple) and len(cells) < 1000:
+        if name == "append" and args and isinstance(cells, tuple) and len(cells) < LIST_LIMIT:
             run.state.write(receiver.content, (*cells, Cell(args[0].value)))
             return NONE
+        if name == "clear":
+            run.state.write(receiver.content, ())
+            return NONE
+        if name == "copy" and isinstance(cells, tuple):
+            return Sequence(Cell(tuple(Cell(cell.value) for cell in cells)))
+        if name == "extend" and args and isinstance(cells, tuple):
+            more = _items(args[0].value)
+            if more is not None and len(cells) + len(more) <= LIST_LIMIT:
+                run.state.write(receiver.content, (*cells, *(Cell(item) for item in more)))
+                return NONE
+        if name in ("sort", "reverse") and isinstance(cells, tuple) and not args:
+            held = [cell.value for cell in cells]
+            turned = held[::-1] if name == "reverse" else _ordered(held)
+            if turned is not None:
+                run.state.write(receiver.content, tuple(Cell(item) for item in turned))
+                return NONE
+        if name == "pop" and isinstance(cells, tuple) and cells and not args:
+            run.state.write(receiver.content, cells[:-1])
+            return cells[-1].value
+        if name == "pop":
+            run.state.write(receiver.content, run.opaque("a list that is changed", frame))
+            return run.opaque("an element that is not known", frame)
         if name in ("append", "extend", "insert", "remove", "pop", "sort", "reverse"):
             run.state.write(receiver.content, run.opaque("a list that is changed", frame))
             return NONE
     if isinstance(receiver, Known) and isinstance(receiver.value, dict):
         pairs = {key: Cell(Known(item)) for key, item in receiver.value.items()}
         return _dictionary(run, frame, pairs, name, args)
+    if isinstance(receiver, Mapped) and name in ("update", "pop", "setdefault", "clear", "copy"):
+        return _changed(run, frame, receiver, name, args)
     if isinstance(receiver, Mapped) and isinstance(receiver.content.value, dict):
         return _dictionary(run, frame, receiver.content.value, name, args)
     if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
@@ -171,6 +221,46 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
     if isinstance(receiver, Object) and receiver.name == "file" and name in ("read", "__enter__"):
         return receiver
     return None
+
+
+def _ordered(items: list[Value]) -> list[Value] | None:
+    """The texts or numbers *items* in their order; None if they are not known."""
+    data = [item.value for item in items if isinstance(item, Known)]
+    if len(data) != len(items) or len({type(item) for item in data}) > 1 or not isinstance((data or [0])[0], (str, int)):
+        return None
+    return [Known(item) for item in sorted(data)]
+
+
+def _changed(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """A method that changes a dictionary."""
+    pairs: Any = receiver.content.value
+    if name == "clear":
+        run.state.write(receiver.content, {})
+        return NONE
+    first = args[0].value if args else NONE
+    if isinstance(pairs, dict):
+        if name == "copy":
+            return Mapped(Cell({key: Cell(cell.value, cell.type) for key, cell in pairs.items()}))
+        if name == "update" and len(args) == 1 and not args[0].keyword:
+            more: Any = first.content.value if isinstance(first, Mapped) else None
+            if isinstance(first, Known) and isinstance(first.value, dict):
+                more = {key: Cell(Known(item)) for key, item in first.value.items()}
+            if isinstance(more, dict) and len(pairs) + len(more) <= LIST_LIMIT:
+                fresh = {key: Cell(cell.value, cell.type) for key, cell in more.items()}
+                run.state.write(receiver.content, {**pairs, **fresh})
+                return NONE
+        if isinstance(first, Known) and isinstance(first.value, (str, int)) and name in ("pop", "setdefault"):
+            found = pairs.get(first.value)
+            default = args[1].value if len(args) > 1 else NONE
+            if found is None and name == "setdefault":
+                run.state.write(receiver.content, {**pairs, first.value: Cell(default)})
+            elif found is not None and name == "pop":
+                run.state.write(receiver.content, {key: cell for key, cell in pairs.items() if key != first.value})
+            return found.value if found is not None else default
+    if name == "copy":
+        return Mapped(Cell(pairs))
+    run.state.write(receiver.content, run.opaque("a dictionary that is changed", frame))
+    return run.opaque("an entry that is not known", frame)
 
 
 def _dictionary(run: Run, frame: Frame, pairs: Any, name: str, args: tuple[Argument, ...]) -> Value | None:
@@ -190,28 +280,3 @@ def _dictionary(run: Run, frame: Frame, pairs: Any, name: str, args: tuple[Argum
             return found.value
         return args[1].value if len(args) > 1 else NONE
     return None
-
-
-def _format(run: Run, frame: Frame, text: str, args: tuple[Argument, ...]) -> Value:
-    """``str.format`` with ``{}``, ``{0}`` and ``{name}`` only."""
-    import re
-
-    positional = [a.value for a in args if not a.keyword]
-    named = {a.keyword: a.value for a in args if a.keyword}
-    parts: list[Value] = []
-    end = count = 0
-    for found in re.finditer(r"\{(\w*)\}", text):
-        parts.append(Known(text[end : found.start()]))
-        end = found.end()
-        key = found[1]
-        if key.isdigit() or not key:
-            index = int(key) if key else count
-            count += 1
-            parts.append(positional[index] if index < len(positional) else run.opaque("an argument is missing", frame))
-        else:
-            parts.append(named.get(key) or run.opaque("an argument is missing", frame))
-    parts.append(Known(text[end:]))
-    rest = re.sub(r"\{\w*\}", "", text)
-    if "{" in rest or "}" in rest:
-        return run.opaque("its format is not understood", frame)
-    return concatenate(tuple(parts))

@@ -126,6 +126,8 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value:
         method = construct.tail_method(run, resolved[0] if "::" in resolved[0] else name, frame.source)
         if method is not None:
             return Callable(method[0], method[1])
+    if resolved[0].endswith("string::npos"):
+        return Known(conversions.NPOS)
     return Library(resolved[0])
 
 

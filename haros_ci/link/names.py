@@ -15,8 +15,10 @@ UNKNOWN = "?"
 
 def pattern(value: Value) -> tuple[str, str | None, Location | None]:
     """A name as text, with ``?`` for its unknown parts; then why and where, None if all of it is known."""
+    if isinstance(value, Known) and value.value is None:
+        return UNKNOWN, "it is None", None
     if isinstance(value, Known):
-        return ("" if value.value is None else written(value.value)), None, None
+        return written(value.value), None, None
     why = opaque_of(value) or Opaque("it is not known")
     if isinstance(value, Text):
         text = "".join(part if isinstance(part, str) else UNKNOWN for part in value.parts)

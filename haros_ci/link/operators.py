@@ -6,14 +6,25 @@ from __future__ import annotations
 import operator
 from typing import Any
 
-from haros_ci.link import activation, call_arguments, construct, conversions, expressions
+from haros_ci.link import (
+    activation,
+    call_arguments,
+    construct,
+    conversions,
+    expressions,
+    formats,
+    statements,
+    texts,
+)
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import STRINGS
 from haros_ci.link.values import (
     FALSE,
+    LIST_LIMIT,
     NONE,
     TRUE,
     Cell,
+    Character,
     Choice,
     Known,
     Object,
@@ -40,8 +51,6 @@ BINARY = {
     "|": operator.or_,
     "^": operator.xor,
 }
-#: Longer texts are not put together.
-TEXT_LIMIT = 4_000
 
 
 def operation(run: Run, frame: Frame, expression: Expression) -> Value:
@@ -69,15 +78,19 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
     if isinstance(right, Choice):
         return _over(right, lambda option: binary(run, frame, symbol, left, option))
     if symbol == "+" and (_is_text(left) or _is_text(right)):
-        joined = concatenate((left, right))
-        return joined if _short(joined) else run.opaque("it is a long text", frame)
+        for value in (left, right):
+            if isinstance(value, Known) and isinstance(value.value, (int, float)) and type(value.value) is not Character:
+                return run.opaque("a number is added to a text", frame)
+        return concatenate((left, right))
     if symbol == "%" and isinstance(left, Known) and isinstance(left.value, str):
-        return _formatted(run, frame, left.value, right)
+        return formats.percent(run, frame, left.value, right)
     if isinstance(left, Known) and isinstance(right, Known):
         return _computed(run, frame, symbol, left.value, right.value)
     if symbol == "+" and isinstance(left, Sequence) and isinstance(right, Sequence):
         one, other = left.content.value, right.content.value
         if isinstance(one, tuple) and isinstance(other, tuple):
+            if len(one) + len(other) > LIST_LIMIT:
+                return Sequence(Cell(run.opaque("it is a long list", frame)))
             return Sequence(Cell((*one, *other)))
     if symbol in ("==", "!="):
         if isinstance(left, Object) and isinstance(right, Object) and left is right:
@@ -110,16 +123,25 @@ def _over(choice: Choice, function: Any) -> Value:
 
 
 def _computed(run: Run, frame: Frame, symbol: str, left: Any, right: Any) -> Value:
+    is_python = frame.source.program.language == "python"
+    if not is_python and isinstance(left, int) and isinstance(right, int) and conversions.NPOS in (left, right):
+        left, right = left % (conversions.NPOS + 1), right % (conversions.NPOS + 1)
     try:
         if symbol == "+":
+            if isinstance(left, list) and isinstance(right, list) and len(left) + len(right) > LIST_LIMIT:
+                return run.opaque("it is a long list", frame)
             return Known(left + right)
         if symbol in ("is", "is not"):
             return Known((left is right) == (symbol == "is"))
         if symbol == "/":
-            both = isinstance(left, int) and isinstance(right, int) and frame.source.program.language != "python"
-            return Known(int(left / right) if both else left / right)
+            if not is_python and isinstance(left, int) and isinstance(right, int):
+                quotient = abs(left) // abs(right)
+                return Known(quotient if (left < 0) == (right < 0) else -quotient)
+            return Known(left / right)
         if symbol == "//":
             return Known(left // right)
+        if symbol == "%" and not is_python and isinstance(left, int) and isinstance(right, int):
+            return Known(abs(left) % abs(right) * (-1 if left < 0 else 1))
         if symbol == "%":
             return Known(left % right)
         if symbol == "**" and abs(left) < 1e6 and abs(right) < 64:
@@ -137,28 +159,18 @@ def _computed(run: Run, frame: Frame, symbol: str, left: Any, right: Any) -> Val
     return run.opaque("it cannot be computed", frame)
 
 
-def _formatted(run: Run, frame: Frame, text: str, right: Value) -> Value:
-    """Python's ``%`` with ``%s`` and ``%d`` only."""
-    arguments = [right]
-    if isinstance(right, Sequence):
-        if not isinstance(right.content.value, tuple):
-            return run.opaque("it is formatted from a list that is not known", frame)
-        arguments = [cell.value for cell in right.content.value]
-    pieces = text.replace("%%", "\0").replace("%d", "%s").replace("%i", "%s").split("%s")
-    if len(pieces) != len(arguments) + 1 or any("%" in piece for piece in pieces):
-        return run.opaque("its format is not understood", frame)
-    values: list[Value] = [Known(pieces[0].replace("\0", "%"))]
-    for argument, piece in zip(arguments, pieces[1:], strict=True):
-        values += [argument, Known(piece.replace("\0", "%"))]
-    return concatenate(tuple(values))
-
-
 def _logical(run: Run, frame: Frame, symbol: str, operands: Any) -> Value:
-    from haros_ci.link.statements import truth
-
     left = expressions.evaluate(run, frame, operands[0])
-    right = expressions.evaluate(run, frame, operands[1])
-    one, other = truth(left), truth(right)
+    first = statements.truth(left)
+    reason = f"it stands behind {symbol}"
+    mark = run.state.mark()
+    with run.doubted(reason if first is None or first is not (symbol == "&&") else None):
+        right = expressions.evaluate(run, frame, operands[1])
+    if first is None:
+        run.state.merge([{}, run.state.undo(mark)])
+    elif first is not (symbol == "&&"):  # not evaluated at all
+        run.state.undo(mark)
+    one, other = statements.truth(left), statements.truth(right)
     if frame.source.program.language == "python":
         if one is not None:
             return (right if one else left) if symbol == "&&" else (left if one else right)
@@ -173,10 +185,8 @@ def _logical(run: Run, frame: Frame, symbol: str, operands: Any) -> Value:
 
 
 def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
-    from haros_ci.link.statements import truth
-
     if symbol == "!":
-        holds = truth(value)
+        holds = statements.truth(value)
         if holds is None:
             return run.opaque("it is computed from what is not known", frame, None, ("bool", (), ""))
         return FALSE if holds else TRUE
@@ -201,7 +211,7 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: Any, left: Value) -> V
                 return activation.invoke(run, frame, method, (call_arguments.Argument(right, cell),), None)
         text = left.fields.get("[text]")
         if text is not None and symbol == "<<":
-            run.state.write(text, concatenate((text.value, right)))
+            texts.insert(run, frame, left, right)
             return left
         if text is not None and cell is not None:
             return _token(run, frame, left, text, cell)
@@ -212,7 +222,7 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: Any, left: Value) -> V
             run.state.write(cell, run.opaque("it is read from a stream", frame, None, cell.type))
         return left
     if isinstance(left, Known) and isinstance(right, Known) and type(left.value) is type(right.value) is int:
-        if 0 <= right.value < 64:
+        if 0 <= right.value < 64 and abs(left.value) < 2**192:
             return Known(left.value << right.value if symbol == "<<" else left.value >> right.value)
     return left
 
@@ -235,7 +245,3 @@ def _is_text(value: Value) -> bool:
     if isinstance(value, Opaque):
         return value.type is not None and value.type[0] in STRINGS
     return isinstance(value, Text) or (isinstance(value, Known) and isinstance(value.value, str))
-
-
-def _short(value: Value) -> bool:
-    return not isinstance(value, Known) or len(value.value) <= TEXT_LIMIT

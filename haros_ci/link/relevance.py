@@ -17,6 +17,8 @@ COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplac
 
 #: Stands for an assignment to an element among the names of a block.
 ELEMENT = "[]="
+#: Stands for the call of a variable: what it holds may make something.
+CALLED = "()"
 #: Methods that leave what they are called on as it is.
 READING = frozenset(
     "size length empty c_str str find at begin end count get front back data isValid ok now toSec".split()
@@ -36,50 +38,73 @@ class Relevance:
 
     def __init__(self, index: Index, rows: Iterable[Row]) -> None:
         rows = tuple(rows)
-        self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row.call))
+        self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row.call)) | {CALLED}
         self._registering = frozenset(name for row in rows if row.calls for name in _spellings(row.call)) - self._api
         self._index = index
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):
             for name, found in table.items():
                 self._by_name.setdefault(_last(name), []).extend(found)
-        self._blocks: dict[int, tuple[Any, frozenset[str]]] = {}
+        self._blocks: dict[tuple[int, int], tuple[Any, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
         self._changes: dict[int, tuple[Function, frozenset[str]]] = {}
+        self._variables: dict[int, tuple[Function, frozenset[str]]] = {}
         self._makes: dict[int, tuple[Function, bool]] = {}
         #: The last parts of the names of all global variables, module variables and static members.
         self.shared = frozenset(
-            [_last(name) for name in index.variables]
-            + [f.name for found in index.classes.values() for _, c in found for f in c.fields if f.is_static]
+            [_last(name) for name, found in index.variables.items() if any("c" not in v.type[2] for _, v in found)]
+            + [
+                f.name
+                for found in index.classes.values()
+                for _, c in found
+                for f in c.fields
+                if f.is_static and "c" not in f.type[2]
+            ]
         )
         self._targets: dict[int, tuple[Any, frozenset[str]]] = {}
 
-    def matters(self, block: Any, source: Source) -> bool:
+    def matters(self, block: Any, source: Source, function: Function | None = None) -> bool:
         """Whether *block* (of a function in *source*) may make something."""
-        return any(self._name_matters(name) for name in self.names(block, source))
+        return any(self._name_matters(name) for name in self.names(block, source, function))
 
     def collects(self, block: Any, source: Source) -> bool:
         """Whether *block* puts together a list or map."""
         names = self.names(block, source)
         return ELEMENT in names or not COLLECTING.isdisjoint(names)
 
-    def names(self, block: Any, source: Source) -> frozenset[str]:
-        """The last parts of all names that are called or constructed in *block*, lambdas included."""
-        known = self._blocks.get(id(block))
+    def names(self, block: Any, source: Source, function: Function | None = None) -> frozenset[str]:
+        """The last parts of all names that are called or constructed in *block* (of *function*), lambdas included."""
+        key = (id(block), id(function))
+        known = self._blocks.get(key)
         if known is None:
             found: set[str] = set()
             mentioned: set[str] = set()
             _walk(block, found, mentioned, source)
+            if function is not None and not found.isdisjoint(self._variables_of(function, source)):
+                found.add(CALLED)
             if not self._registering.isdisjoint(found):
                 found |= mentioned  # any of them may be what is called back
-            known = self._blocks[id(block)] = (block, frozenset(found))
+            known = self._blocks[key] = (block, frozenset(found))
+        return known[1]
+
+    def _variables_of(self, function: Function, source: Source) -> frozenset[str]:
+        """The names of a function's variables and parameters that hold, or may hold, a function or class."""
+        known = self._variables.get(id(function))
+        if known is None:
+            names = {
+                p.name
+                for p in function.parameters
+                if _may_be_called(p.type, source) or p.type[0] in function.templates
+            }
+            _variables(function.body, names, source)
+            known = self._variables[id(function)] = (function, frozenset(names))
         return known[1]
 
     def makes(self, function: Function, source: Source) -> bool:
         """Whether a function may make something; one without a body is not known to."""
         known = self._makes.get(id(function))
         if known is None:
-            found = function.body is not None and self.matters((function.body, function.inits), source)
+            found = function.body is not None and self.matters((function.body, function.inits), source, function)
             known = self._makes[id(function)] = (function, found)
         return known[1]
 
@@ -153,7 +178,7 @@ class Relevance:
                 if where.path == source.path and function.body is not None:
                     found += self.names(function.body, where)
             return found
-        names = self.names(item.body, source) if item.body is not None else frozenset[str]()
+        names = self.names(item.body, source, item) if item.body is not None else frozenset[str]()
         return names | self.names(item.inits, source) if item.inits else names
 
 
@@ -201,6 +226,31 @@ def _walk(item: Any, found: set[str], mentioned: set[str], source: Source) -> No
                 waiting += _inner((source.program.functions[node[-1]].body,))
         elif tag in ("name", "field") and isinstance(node[-1], str):
             mentioned.add(_last(node[-1]))
+        waiting += _inner(node)
+
+
+def _may_be_called(kind: Any, source: Source) -> bool:
+    """Whether a parameter of the type may be a function; Python does not say."""
+    return kind[0] in ("", "()", "auto", "boost::function", "std::function") and (
+        kind[0] != "" or source.program.language == "python"
+    )
+
+
+def _variables(block: Any, names: set[str], source: Source) -> None:
+    """Collect the local variables of *block* that a function, lambda or class is assigned to."""
+    waiting = _inner((block,))
+    python = source.program.language == "python"
+    while waiting:
+        node = waiting.pop()
+        if node[0] == "var" and len(node) == 6:
+            init = node[3]
+            if _may_be_called(node[2], source) or (init and init[0] == "=" and init[1] and init[1][0] == "lambda"):
+                if node[2][0] != "auto" or (init and init[0] == "=" and init[1][0] in ("lambda", "name", "&", "call", "if")):
+                    names.add(node[1])
+        elif python and node[0] == "set" and len(node) == 4 and node[2][0] == "name" and node[3][0] in ("lambda", "name", "field", "call"):
+            names.add(node[2][1])
+        elif node[0] == "def":
+            continue
         waiting += _inner(node)
 
 

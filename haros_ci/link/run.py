@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable as Function_
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -13,7 +13,7 @@ from haros_ci.link.index import Index, Source
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.state import State
 from haros_ci.link.types import NO_TYPE, resolve_type
-from haros_ci.link.values import NONE, Callable, Cell, Object, Opaque, Value
+from haros_ci.link.values import NONE, Callable, Cell, Object, Opaque, Value, join
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Condition
 from haros_ci.model.build import ConfigFile
@@ -21,7 +21,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function, Type
 
 #: Statements and calls that one node may take; what is beyond is named in a notification.
-STEPS = 20_000
+STEPS = 60_000
 #: Calls inside calls.
 DEPTH = 28
 #: Turns of a loop whose condition is known.
@@ -134,7 +134,8 @@ def either(
         if left != right:
             if left.statement == "else":
                 left, right = right, left
-            if left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location:
+            both = left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location
+            if both and number == len(one) - 1 == len(other) - 1:
                 return one[:number]
             break
     return other if len(other) < len(one) else one
@@ -167,6 +168,9 @@ class Run:
     #: The place of the ``if`` that each ``else`` belongs to.
     pairs: dict[Location, Location] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
+    is_interlude: bool = False
+    #: What each callback writes by itself, as far as they have been rehearsed.
+    effects: list[dict[Cell, Any]] = field(default_factory=list)
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
     quiet: int = 0
@@ -174,6 +178,7 @@ class Run:
     turns: int = 1
     #: Steps spent in functions that make nothing, by function.
     spent: dict[int, int] = field(default_factory=dict)
+    types: dict[Any, tuple[Type, Any]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only.
     found: dict[Any, Any] = field(init=False)
 
@@ -195,6 +200,31 @@ class Run:
             made = replace(made, unknowns=(*made.unknowns, ("conditions", self.doubts[-1], made.location)))
         conditions = made.conditions if known is None else either(known.conditions, made.conditions, self.pairs)
         self.made[key] = replace(made, conditions=conditions)
+
+    @contextmanager
+    def doubted(self, reason: str | None) -> Iterator[None]:
+        """What is made inside may not be made, for a reason that no statement shows; None is no doubt."""
+        if reason is not None:
+            self.doubts.append(reason)
+        try:
+            yield
+        finally:
+            if reason is not None:
+                self.doubts.pop()
+
+    def either_way(self, ways: Iterable[Function_[[], Value]], reason: str) -> Value:
+        """The join of values of which one is computed, each with its effects: there is no telling which."""
+        result: Value | None = None
+        branches = []
+        mark = self.state.mark()
+        for way in ways:
+            with self.doubted(reason):
+                value = way()
+            branches.append(self.state.undo(mark))
+            result = value if result is None else join(result, value)
+        if branches:
+            self.state.merge(branches)
+        return result if result is not None else NONE
 
     @contextmanager
     def under(self, statement: str, text: str, frame: Frame, line: int, column: int) -> Iterator[None]:
@@ -222,14 +252,15 @@ class Run:
         """*kind* as written in *frame*, resolved."""
         if not kind[0]:
             return NO_TYPE
-        if frame.templates or kind[1]:
+        if kind[1]:
             return resolve_type(self.index, kind, frame.scope, frame.source, self.files, frame.templates)
-        key = (kind[0], kind[2], frame.scope, frame.source.path)
-        found: Type | None = self.found.get(key)
+        templates = frame.templates
+        key = (kind[0], kind[2], frame.scope, frame.source.path, id(templates) if templates else 0)
+        found: tuple[Type, Any] | None = self.types.get(key)
         if found is None:
-            found = resolve_type(self.index, kind, frame.scope, frame.source, self.files, {})
-            self.found[key] = found
-        return found
+            resolved = resolve_type(self.index, kind, frame.scope, frame.source, self.files, templates)
+            found = self.types[key] = (resolved, templates)  # which keeps the identity in the key from being used again
+        return found[0]
 
     def opaque(self, reason: str, frame: Frame, line: int | None = None, kind: Type | None = None) -> Opaque:
         return Opaque(reason, Location(frame.source.path, line), kind)

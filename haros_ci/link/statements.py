@@ -127,7 +127,7 @@ def _loop(run: Run, frame: Frame, statement: Statement) -> str:
                 if ended != NEXT:
                     return _leave(run, loop, goes_on=False, ended=ended)
             _widened(
-                run, frame, loop, lambda: execute(run, frame, body), line, run.relevance.matters(body, frame.source)
+                run, frame, loop, lambda: execute(run, frame, body), line, run.relevance.matters(body, frame.source, frame.function)
             )
             return _leave(run, loop, goes_on=True)
     finally:
@@ -174,7 +174,7 @@ def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
 
 def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
-    if run.relevance.matters(body, frame.source):
+    if run.relevance.matters(body, frame.source, frame.function):
         return run.turns < 8
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 
@@ -186,7 +186,7 @@ def _widened(run: Run, frame: Frame, loop: Loop, body: Any, line: int, matters: 
     """
     inner = Loop(run.state.mark())
     ended, writes = NEXT, {}
-    for _ in range(REHEARSALS):
+    for _ in range(1 if run.quiet else REHEARSALS):
         inner = Loop(run.state.mark())
         run.quiet += 1
         try:
@@ -236,11 +236,11 @@ def _each(run: Run, frame: Frame, statement: Statement) -> str:
         if items is None:
             kind_ = static_types.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
-            _widened(run, frame, loop, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
+            _widened(run, frame, loop, lambda: turn(unknown), line, run.relevance.matters(body, frame.source, frame.function))
             return _leave(run, loop, goes_on=True)
         if run.turns >= 8 or len(items) > TURNS * 4:
             unknown = Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
-            _widened(run, frame, loop, lambda: turn(unknown), line, run.relevance.matters(body, frame.source))
+            _widened(run, frame, loop, lambda: turn(unknown), line, run.relevance.matters(body, frame.source, frame.function))
             return _leave(run, loop, goes_on=True)
         for item in items:
             run.turns *= 2

@@ -7,8 +7,10 @@ class, or ``Opaque`` with its reason. ``join`` is what both branches of a statem
 
 from __future__ import annotations
 
+from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import isfinite, prod
 from typing import Any, Union
 
 from haros_ci.model.location import Location
@@ -16,6 +18,17 @@ from haros_ci.model.program import Class, Function, Type
 
 #: More possible values than this are not kept apart.
 CHOICES = 8
+#: Longer texts are not put together, nor those of more parts.
+TEXT_LIMIT = 4_000
+PARTS = 100
+#: Longer lists are not put together.
+LIST_LIMIT = 1_000
+#: Sequences inside sequences that are taken for data.
+NESTED = 20
+
+
+class Character(int):
+    """A char of C++: a number that text shows as the character."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,42 +182,69 @@ def same(one: Any, other: Any) -> bool:
     return type(one) is type(other) and bool(one == other)
 
 
-def concatenate(values: tuple[Value, ...]) -> Value:
-    """Text from parts; numbers are written as C++ streams and Python write them."""
-    parts: list[str | Opaque] = []
+def concatenate(values: tuple[Value, ...], show: Function_[[Any], str | Opaque] | None = None) -> Value:
+    """Text from parts, scalars as *show* writes them (as C++ streams do by default); Opaque where it is too long."""
+    choices = [len(value.options) for value in values if isinstance(value, Choice)]
+    if prod(choices) > CHOICES:
+        return Opaque("it may be one of many values")
     for index, value in enumerate(values):
         if isinstance(value, Choice):
             chosen: Value | None = None
             for option in value.options:
-                whole = concatenate((*values[:index], option, *values[index + 1 :]))
+                whole = concatenate((*values[:index], option, *values[index + 1 :]), show)
                 chosen = whole if chosen is None else join(chosen, whole)
             return chosen if chosen is not None else Opaque("no value")
-        if isinstance(value, Known) and isinstance(value.value, (str, int, float)):
-            parts.append(written(value.value))
-        elif isinstance(value, Text):
-            parts.extend(value.parts)
-        elif isinstance(value, Opaque):
-            parts.append(value)
-        else:
-            parts.append(Opaque("it is not text"))
-    merged: list[str | Opaque] = []
-    for part in parts:
-        if isinstance(part, str) and merged and isinstance(merged[-1], str):
-            merged[-1] += part
-        elif part != "":
-            merged.append(part)
-    if not merged:
+    parts: list[str | Opaque] = []
+    length = 0
+    for value in values:
+        found = value.parts if isinstance(value, Text) else ((show or streamed)(value),)
+        length += sum(len(part) if isinstance(part, str) else 1 for part in found)
+        if length > TEXT_LIMIT or len(parts) > PARTS:
+            return Opaque("it is a long text")
+        for part in found:
+            if isinstance(part, str) and parts and isinstance(parts[-1], str):
+                parts[-1] += part
+            elif part != "":
+                parts.append(part)
+    if not parts:
         return Known("")
-    if len(merged) == 1:
-        return Known(merged[0]) if isinstance(merged[0], str) else merged[0]
-    return Text(tuple(merged))
+    if len(parts) == 1:
+        return Known(parts[0]) if isinstance(parts[0], str) else parts[0]
+    return Text(tuple(parts))
+
+
+def streamed(value: Value) -> str | Opaque:
+    """A scalar as C++ streams write it: six digits, true as 1, a character as itself."""
+    if isinstance(value, Known) and isinstance(value.value, (str, int, float)):
+        return written(value.value)
+    return value if isinstance(value, Opaque) else Opaque("it is not text")
+
+
+def converted_to_text(value: Value) -> str | Opaque:
+    """A number as ``std::to_string`` writes it: six decimals, a character as its number."""
+    if isinstance(value, Known) and isinstance(value.value, float):
+        return f"{value.value:f}" if isfinite(value.value) else Opaque("it is no number")
+    if isinstance(value, Known) and isinstance(value.value, int):
+        return str(int(value.value))
+    return value if isinstance(value, Opaque) else Opaque("it is no number")
+
+
+def printed(value: Value) -> str | Opaque:
+    """A scalar as Python's ``str`` writes it; Opaque where Python 2 and 3 differ."""
+    if isinstance(value, Known) and (value.value is None or isinstance(value.value, (str, int))):
+        return str(value.value) if not isinstance(value.value, int) or abs(value.value) < 10**300 else Opaque("it is long")
+    if isinstance(value, Known) and isinstance(value.value, float):
+        return repr(value.value) if float(f"{value.value:.12g}") == value.value else Opaque("its digits are not known")
+    return value if isinstance(value, Opaque) else Opaque("it is not text")
 
 
 def written(value: Any) -> str:
-    """A scalar as text."""
+    """A scalar as C++ streams write it."""
     if isinstance(value, bool):
         return "1" if value else "0"
-    return str(value)
+    if isinstance(value, Character):
+        return chr(value)
+    return f"{value:g}" if isinstance(value, float) else str(value)
 
 
 def opaque_of(value: Value) -> Opaque | None:
@@ -222,17 +262,33 @@ def opaque_of(value: Value) -> Opaque | None:
 
 
 def data_of(value: Value) -> tuple[bool, Any]:
-    """(True, data) for what is wholly known, sequences and maps included."""
+    """(True, data) for what is wholly known and not too large, sequences and maps included."""
+    return _data(value, NESTED, [LIST_LIMIT])
+
+
+def _data(value: Value, depth: int, left: list[int]) -> tuple[bool, Any]:
+    left[0] -= 1
+    if left[0] < 0 or depth < 0:
+        return False, None
     if isinstance(value, Known):
-        return True, value.value
+        return True, int(value.value) if isinstance(value.value, Character) else value.value
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
-        items = [data_of(cell.value) for cell in value.content.value]
-        return all(known for known, _ in items), [item for _, item in items]
+        items = []
+        for cell in value.content.value:
+            known, item = _data(cell.value, depth - 1, left)
+            if not known:
+                return False, None
+            items.append(item)
+        return True, items
     if isinstance(value, Mapped) and isinstance(value.content.value, dict):
-        pairs = {key: data_of(cell.value) for key, cell in value.content.value.items()}
-        return all(known for known, _ in pairs.values()), {key: item for key, (_, item) in pairs.items()}
+        pairs = {}
+        for key, cell in value.content.value.items():
+            known, pairs[key] = _data(cell.value, depth - 1, left)
+            if not known:
+                return False, None
+        return True, pairs
     if isinstance(value, Object) and "_value" in value.fields:  # an XmlRpcValue that holds one of several things
         inner = value.fields["_value"].value
         if isinstance(inner, Object) and len(inner.fields) == 1:
-            return data_of(next(iter(inner.fields.values())).value)
+            return _data(next(iter(inner.fields.values())).value, depth - 1, left)
     return False, None

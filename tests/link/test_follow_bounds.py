@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from follow_kit import because, cpp_files, follow, main, names, python_files, script
+from follow_kit import cpp_files, follow, main, names, python_files, script
 
 from haros_ci.link import values
 
@@ -70,28 +70,8 @@ def first(found: Any) -> list[str]:
     return names(nodes[0]) if nodes else []
 
 
-#: Why a row does not hold yet.
-DEFECTS = because(
-    ("texts and lists are put together without a bound but by C++'s + (TEXT_LIMIT in operators.binary only)"),
-    "doubling: stream",
-    "doubling: append",
-    "doubling: f-string",
-    "doubling: percent",
-    "doubling: format",
-    "doubling: join",
-    "doubling: replace",
-    "doubling: list",
-    "doubled list",
-) | because(
-    "every combination of choices is put together before they are joined (values.concatenate)",
-    "choices",
-)
-
-
 @pytest.mark.parametrize("what", CPP)
-def test_what_is_made_before_a_hostile_part_is_there(what: str, request: pytest.FixtureRequest) -> None:
-    if what in DEFECTS:
-        request.applymarker(pytest.mark.xfail(strict=True, reason=DEFECTS[what]))
+def test_what_is_made_before_a_hostile_part_is_there(what: str) -> None:
     before, code = CPP[what]
     text = main(code, before.replace("ADV(", "nh.advertise<std_msgs::String>("))
     found = follow(cpp_files(text))
@@ -123,9 +103,7 @@ PYTHON = {
 
 
 @pytest.mark.parametrize("what", PYTHON)
-def test_what_is_made_before_a_hostile_part_of_a_script_is_there(what: str, request: pytest.FixtureRequest) -> None:
-    if f"python: {what}" in DEFECTS:
-        request.applymarker(pytest.mark.xfail(strict=True, reason=DEFECTS[f"python: {what}"]))
+def test_what_is_made_before_a_hostile_part_of_a_script_is_there(what: str) -> None:
     found = follow(
         python_files(script(PYTHON[what] + "\n"), a="import lib.b\nx = lib.b.x", b="import lib.a\nx = lib.a.x")
     )
@@ -153,9 +131,7 @@ DOUBLING = {
 
 
 @pytest.mark.parametrize("what", DOUBLING)
-def test_what_doubles_is_given_up(what: str, request: pytest.FixtureRequest) -> None:
-    if f"doubling: {what}" in DEFECTS:
-        request.applymarker(pytest.mark.xfail(strict=True, reason=DEFECTS[f"doubling: {what}"]))
+def test_what_doubles_is_given_up(what: str) -> None:
     code = DOUBLING[what]
     files = cpp_files(main(code)) if ";" in code else python_files(script(code + "\n"))
     made = first(follow(files))
@@ -163,7 +139,6 @@ def test_what_doubles_is_given_up(what: str, request: pytest.FixtureRequest) -> 
     assert max(map(len, made)) < LONGEST
 
 
-@pytest.mark.xfail(strict=True, reason=DEFECTS["doubled list"])
 def test_a_list_that_doubles_is_given_up() -> None:
     code = "l = [1]\nfor i in range(16):\n    l = l + l\nrospy.set_param('x', l)\n"
     found = follow(python_files(script(code)))
@@ -175,7 +150,6 @@ class TooMany(Exception):
     """More joins than a text with a handful of choices needs."""
 
 
-@pytest.mark.xfail(strict=True, reason=DEFECTS["choices"])
 def test_a_text_of_many_choices_is_not_multiplied_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """Five parts of six values each are 7,776 texts, which no one asked for."""
     joins = 0

@@ -322,13 +322,7 @@ DEFECTS = (
     )
     | because(
         "what callbacks do to each other is joined once, not until nothing changes (follow._disturb)",
-        "set by itself from the message",
-        "set through a third",
         "set through itself",
-    )
-    | because(
-        "aggregates in braces are default-constructed (construct.initialise)",
-        "set in a struct by another",
     )
     | because(
         (
@@ -339,10 +333,6 @@ DEFECTS = (
     )
     | because(
         "callbacks are not thought to run before the end of main (follow._call_back)",
-        "spinOnce in main",
-        "spin in main",
-        "waits for a callback in main",
-        "loop with spinOnce",
         "spinner in main",
         "queue in main",
     )

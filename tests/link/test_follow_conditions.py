@@ -91,8 +91,6 @@ CPP = (
 #: Why a row does not hold yet.
 DEFECTS = because(
     "guards of functions and classes are no conditions (Function.guards is not read in link)",
-    "guarded function",
-    "guarded class",
 ) | because(
     ("&&, || and ?: are no conditions, so what they make looks unconditional (_logical, _conditional)"),
     "ternary",

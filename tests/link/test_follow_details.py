@@ -149,7 +149,6 @@ REACHED = (
     ),
     case("std::function", 'std::function<void(std::string)> f = go; f("a");', "/a", before=GO),
     case(
-        "std::function in a loop of unknown length",
         'std::function<void(std::string)> f = go; while (cond()) f("a");',
         "/a",
         before=GO,
@@ -163,7 +162,6 @@ REACHED = (
         before=GO + 'void call(std::function<void(std::string)> f) { f("a"); }',
     ),
     case(
-        "function given to a loop of unknown length",
         "call(go);",
         "/a",
         before=GO + 'void call(std::function<void(std::string)> f) { while (cond()) f("a"); }',
@@ -217,7 +215,6 @@ PYTHON_REACHED = (
     case("alias of a function", 'f = make\nwhile cond():\n    f("a")', "/a"),
     case("function given to a function", 'def call(f):\n    f("a")\ncall(make)', "/a"),
     case(
-        "function given to a loop of unknown length",
         'def call(f):\n    while cond():\n        f("a")\ncall(make)',
         "/a",
     ),
@@ -256,11 +253,9 @@ UNSEEN = "a loop's body is not seen to matter where what it calls is a variable 
 NOT_REACHED = (
     because(
         UNSEEN,
-        "lambda in a loop of unknown length",
         "functor in a loop of unknown length",
         "std::function in a loop of unknown length",
         "function given to a loop of unknown length",
-        "bound in a loop of unknown length",
     )
     | because(
         "a variable declared as a function's or method's pointer is lost", "function pointer", "method by pointer"

@@ -544,18 +544,8 @@ NOT_SURE = (
 #: Why a row does not hold yet.
 DEFECTS = (
     because(
-        ("the turns after a break or continue that is sure are followed as if live (statements._merge, is_dead)"),
-    )
-    | because(
-        "a function that assigns to text outside its own members is skipped as inert (inert.py)",
-    )
-    | because(
         "a static local is made anew at every call (statements._variable)",
         "singleton",
-    )
-    | because(
-        "what a branch that ends in break or continue has written is dropped (statements._merge)",
-        "endless loop left in the branch",
     )
     | because(
         ("a handler starts from the end of the try block only, and a function's throw ends there (statements._try)"),
@@ -564,9 +554,6 @@ DEFECTS = (
         "exception thrown by a function",
         "exception of a function that is sure",
         "exception after a change",
-    )
-    | because(
-        "a label whose value is not known is taken for another (statements._switch)",
     )
     | because(
         "what a call that is not followed for its depth might change is left as it was (activation.invoke)",
@@ -594,35 +581,17 @@ DEFECTS = (
     )
     | because(
         "objects, maps and texts given to what is not known stay as they were (library.unknown_call)",
-        "struct given to what is not known",
-        "struct given by address to what is not known",
         "struct filled by what is declared only",
-        "map given to what is not known",
-        "text given to what is not known",
         "reference held by what is not known",
-    )
-    | because(
-        (
-            "functions whose names begin with std::, boost:: or are in capitals are taken for "
-            "harmless (library.HARMLESS)"
-        ),
-        "macro in capitals that changes",
     )
     | because(
         "a member that is a reference is a copy (construct.initialise)",
         "reference held by an object",
     )
     | because(
-        "both sides of ?:, && and || are carried out as if both were sure (_conditional, _logical)",
-        "assignment in a condition",
-        "assignment behind a known and",
-    )
-    | because(
         ("one of two callees or objects is carried out as both, one after the other (Choice in calls.call, apply)"),
-        "function of two that assigns",
         "object of two",
         "object of two by pointer",
-        "object of two by a method",
     )
 )
 

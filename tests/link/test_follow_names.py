@@ -163,12 +163,9 @@ DEFECTS = (
     )
     | because(
         "a parameter whose name is not known leaves the variable as it was (emit, parameter_value)",
-        "name that is not known",
     )
     | because(
         "a parameter set or deleted under a name that is not known changes nothing (emit._set)",
-        "set under a name that is not known",
-        "deleted under a name that is not known",
     )
     | because(
         "a namespace that is set or deleted does not reach the parameters below it (run.parameter)",
@@ -177,16 +174,12 @@ DEFECTS = (
     )
     | because(
         "a parameter of another type fills the variable, where roscpp leaves it alone (api_rows._apply)",
-        "other type",
-        "other type with a default",
-        "text where a number is read",
         "double where a number is read",
         "number where a flag is read",
         "success of another type",
     )
     | because(
         "callbacks are not thought to run before the end of main (follow._call_back)",
-        "set in a callback",
     )
     | because(
         "an anonymous node has the name without its random part (system.alone)",

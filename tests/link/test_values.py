@@ -359,46 +359,9 @@ UNKNOWN = (
 #: Why a row does not hold yet.
 DEFECTS = (
     because(
-        ("a character is lowered to its number, and text is made of numbers (extract/cpp literals, concatenate)"),
-        "number assigned to text",
-        "stream of a character",
-        "stream of a byte",
-        "append",
-        "character added",
-        "character in a stream",
-    )
-    | because(
         "an array in braces is taken for its first element (construct.create)",
         "array of two",
         "array",
-    )
-    | because(
-        "both sides of ?:, && and || are carried out as if both were sure (_conditional, _logical)",
-        "ternary that assigns",
-        "and that assigns",
-        "or that does not come to it",
-    )
-    | because(
-        (
-            "functions whose names begin with std::, boost:: or are in capitals are taken for "
-            "harmless (library.HARMLESS)"
-        ),
-        "swap",
-        "replace_all",
-        "to_lower",
-        "std::replace",
-        "std::transform",
-        "std::sort",
-        "std::reverse",
-        "std::snprintf",
-        "strcpy",
-        "boost::split",
-    )
-    | because(
-        "a method without a model leaves what it is called on and given as it was (method_call)",
-        "swap of members",
-        "pop_back",
-        "erase",
     )
     | because(
         "an assignment to something that has no cell is passed over (assignments.assignment)",
@@ -418,37 +381,9 @@ DEFECTS = (
         "tie",
     )
     | because(
-        ("numbers are written as Python writes them, not as std::to_string and streams do (values.written)"),
-        "lexical_cast of a double",
-        "to_string of a double",
-        "stream of a whole double",
-        "stream of a long double",
-    )
-    | because(
-        ("a stream's manipulators are unknown text, and what follows them is written as without (operators._shift)"),
-        "stream of a word",
-        "stream in hexadecimal",
-    )
-    | because(
         "integers have no width, and the remainder is Python's (operators._computed, converted)",
         "float compared with a double",
         "signed compared with unsigned",
-        "cast that overflows",
-        "remainder of a negative",
-        "byte that overflows",
-        "int that is too large",
-        "unsigned below nought",
-    )
-    | because(
-        ("arguments after the first of std::string's constructor, append and assign are dropped (library_cpp)"),
-        "one repeated character",
-        "count of characters",
-        "repeated character",
-        "part of a string",
-        "string of two arguments",
-        "appended count",
-        "appended repeated",
-        "assigned count",
     )
     | because(
         "x++ is x += 1, whose value is the new one (extract/cpp expressions)",
@@ -479,11 +414,6 @@ DEFECTS = (
         "operator bool of one's own",
     )
     | because(
-        "a lambda given to a function that is not known is not thought to run (library.unknown_call)",
-        "for_each that assigns",
-        "lambda given to what is not known",
-    )
-    | because(
         "captures by value are the captured variables (expressions._lambda)",
         "captured with a value of its own",
         "capture by value",
@@ -503,18 +433,6 @@ DEFECTS = (
     | because(
         ("first values and default arguments are computed when they are first used (lookup.global_cell, bind)"),
         "global made from another",
-    )
-    | because(
-        "npos is -1, and comparisons know no unsigned (operators._computed)",
-        "npos that is compared",
-    )
-    | because(
-        "what is written to a stream is put at its end, where the library begins at the start",
-        "stream that begins with text",
-    )
-    | because(
-        "arithmetic on a pointer to text is text put together (operators.binary)",
-        "pointer into text",
     )
 )
 

@@ -238,8 +238,12 @@ def _suffixed(unit: Unit, node: Node, depth: int) -> Any:
 
 
 def _character(unit: Unit, node: Node, depth: int) -> Any:
-    value = literals.character(unit.cut(node))
-    return unit.opaque(node) if value is None else ("num", value)
+    text = unit.cut(node)
+    value = literals.character(text)
+    if value is None:
+        return unit.opaque(node)
+    is_wide = text.startswith(("L", "u'", "U"))
+    return ("num", value) if is_wide else ("cast", ("char", (), ""), ("num", value))
 
 
 def _designated(unit: Unit, node: Node, depth: int) -> Any:
