@@ -7,7 +7,6 @@ import json
 from pathlib import Path
 
 import pytest
-
 from commandline import commit, haros, write
 
 MANIFEST = """<package format="3">

@@ -9,7 +9,6 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-
 from commandline import commit, git, haros, write
 from histories import History, Log, history, states
 from histories import expected as states_of

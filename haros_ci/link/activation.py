@@ -4,16 +4,31 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
-from haros_ci.link import call_arguments, construct, conversions, expressions, inert, library, statements
-from haros_ci.link.run import DEPTH, Frame, Run
+from haros_ci.link import (
+    call_arguments,
+    construct,
+    conversions,
+    copies,
+    expressions,
+    inert,
+    library,
+    methods,
+    overloads,
+    statements,
+)
+from haros_ci.link.index import EITHER
+from haros_ci.link.run import DEPTH, NEXT, Frame, Run
 from haros_ci.link.types import STRINGS, is_smart_pointer, is_type
 from haros_ci.link.values import (
     NONE,
     Callable,
     Cell,
     Known,
+    Mapped,
+    Object,
     Opaque,
     Sequence,
     Value,
@@ -30,13 +45,19 @@ SPENT = 3_000
 def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_arguments.Argument, ...]) -> Callable:
     """The overload of a free function or method that takes these arguments."""
     definition = function.function
-    if not definition.name or definition.kind == "lambda" or function.frame is not None:
+    if not definition.name or definition.kind == "lambda" or overloads.is_any(run, definition):
+        return function
+    if function.source.separator == ".":
+        chosen = overloads.decorated(run, definition)
+        return function if chosen is definition else replace(function, function=chosen)
+    if function.frame is not None:
         return function
     candidates = run.index.near(run.index.functions, definition.name, function.source, run.files)
     if len(candidates) < 2:
         return function
-    source, chosen = construct.overload(candidates, len(args) + len(function.bound))
-    return Callable(source, chosen, function.this, function.bound, function.frame, function.templates)
+    given = (*(call_arguments.Argument(value or Opaque("an argument")) for value in function.bound), *args)
+    source, chosen = methods.overload(run, candidates, given)
+    return replace(function, source=source, function=chosen)
 
 
 def invoke(
@@ -51,7 +72,7 @@ def invoke(
     run.step()
     definition = function.function
     if definition.body is None:
-        source, definition = construct.with_body(run, [(function.source, definition)])
+        source, definition = methods.with_body(run, [(function.source, definition)])
         function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
     inner_scope = definition.owner or definition.name.rpartition(function.source.separator)[0]
     templates: Mapping[str, Type] = function.templates
@@ -84,6 +105,7 @@ def invoke(
     bind(run, frame, inner, definition, given, ())
     before = run.steps
     value = conversions.converted(follow_body(run, inner, definition), returns)
+    value = copies.returned(run, inner, definition, returns, value)
     if makes_nothing:
         run.spent[id(definition)] = run.spent.get(id(definition), 0) + run.steps - before
     return value
@@ -148,6 +170,9 @@ def bind(
             inner.declare(parameter.name, argument.cell)
             continue
         value = argument.value
+        is_open = parameter.type[0] in ("", "auto") or parameter.type[0] in function.templates
+        if isinstance(value, (Sequence, Mapped)) or argument.cell is not None:
+            value = copies.passed(run, inner, value, kind, argument, is_open)
         if kind[0] and isinstance(value, Known) and isinstance(value.value, str) and not is_smart_pointer(kind):
             owner = run.class_of(kind[0], inner.source) if kind[0] not in STRINGS else None
             if owner is not None:
@@ -155,17 +180,22 @@ def bind(
         if kind[0]:
             value = conversions.converted(value, kind)
         declared = kind if kind[0] and kind[0] != "auto" and kind[0] not in inner.templates else argument.type
+        if is_open and isinstance(value, Object):  # it may be a pointer
+            declared = argument.cell.type if argument.cell is not None else None
         inner.declare(parameter.name, Cell(value, declared))
 
 
 def _declared_default(run: Run, function: Function, number: int) -> Expression | None:
     """A default argument that stands at the function's declaration, and not at its definition."""
+    found = None
     for _, declared in run.index.functions.get(function.name, ()):
         if declared is not function and len(declared.parameters) == len(function.parameters):
             default = declared.parameters[number].default
             if default is not None:
-                return default
-    return None
+                if found is not None and found != default:
+                    return ("?", EITHER)
+                found = default
+    return found
 
 
 def follow_body(run: Run, inner: Frame, function: Function) -> Value:
@@ -187,14 +217,12 @@ def follow_body(run: Run, inner: Frame, function: Function) -> Value:
         del run.conditions[len(run.conditions) - len(guards) :]
     if inner.exits:
         branches = list(inner.exits)
-        if ended == statements.NEXT and not inner.is_dead:
+        if ended == NEXT and not inner.is_dead:
             branches.append(run.state.since(mark))
         run.state.undo(mark)
         run.state.merge(branches)
     if not inner.returned:
-        return (
-            NONE if ended == statements.NEXT else run.opaque("it does not return as things are", inner, function.line)
-        )
+        return NONE if ended == NEXT else run.opaque("it does not return as things are", inner, function.line)
     value = inner.returned[0]
     for other in inner.returned[1:]:
         value = join(value, other)

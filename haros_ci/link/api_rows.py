@@ -28,7 +28,6 @@ from haros_ci.link.values import (
     Sequence,
     Text,
     Value,
-    join,
 )
 from haros_ci.model.api import Entry, Row
 from haros_ci.model.location import Location
@@ -224,6 +223,9 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] |
     name = selectors.config_name(value, applied.run)
     config = applied.run.configs.get(name)
     if config is None:
+        if name:
+            said = f"the parameters of {name} are in a .cfg that is not in the workspace"
+            applied.run.gaps.setdefault(said, applied.location)
         return []
     return [
         {"name": Known(p.name), "type": Known(p.type), "default": Known(p.default), "group": Known(p.group)}

@@ -1,19 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Assignment, to variables, members, elements and patterns; indexing."""
+"""Assignment, to variables, members, elements and patterns; what is not known where the target is not."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from typing import Any
 
-from haros_ci.link import activation, call_arguments, construct, conversions, expressions, operators, texts
+from haros_ci.link import (
+    activation,
+    braces,
+    call_arguments,
+    conversions,
+    copies,
+    expressions,
+    lookup,
+    members,
+    methods,
+    operators,
+    texts,
+    uncertain,
+)
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES
 from haros_ci.link.values import (
+    LIST_LIMIT,
     NONE,
     Cell,
+    ClassValue,
     Known,
     Mapped,
+    Module,
     Object,
     Opaque,
     Pointer,
@@ -21,42 +37,119 @@ from haros_ci.link.values import (
     Value,
     join,
 )
-from haros_ci.model.program import Expression
+from haros_ci.model.program import Expression, Type
+
+TIES = frozenset(("std::tie", "boost::tie", "tie"))
+#: Methods of containers that give one of their elements.
+ACCESSORS = frozenset(("at", "front", "back"))
 
 
 def assignment(run: Run, frame: Frame, expression: Expression) -> Value:
     """``=`` and its kin: the target holds the value from here on."""
     _, symbol, target, source = expression
-    if target[0] in ("list",):
-        return _unpack(run, frame, target, expressions.evaluate(run, frame, source))
+    python = frame.source.program.language == "python"
+    if target[0] == "list":
+        return _unpack(run, frame, target[1], expressions.evaluate(run, frame, source))
+    if target[0] == "call" and target[1][0] == "name" and target[1][1] in TIES and symbol == "=":
+        return _unpack(run, frame, target[2], expressions.evaluate(run, frame, source))
+    run.references = None
     value = expressions.evaluate(run, frame, source)
+    is_lvalue = not python and (source[0] not in ("call", "new", "list") or run.references is not None)
     cell = _target(run, frame, target)
     if cell is None:
+        uncertain.lost(run, frame, target, value if symbol == "=" else run.opaque("it is changed", frame))
         return value
+    held = cell.value
+    if not python and isinstance(held, Object) and held.definition is not None and _is_own(held, cell.type):
+        argument = call_arguments.Argument(value, None, conversions.value_type(value))
+        method = methods.method_of(run, held, f"operator{symbol}", (argument,))
+        if method is not None and method.function.body is not None:
+            return activation.invoke(run, frame, method, (argument,), None)
     if symbol != "=":
-        value = operators.binary(run, frame, symbol[:-1], cell.value, value)
-    elif isinstance(value, Sequence) and frame.source.program.language != "python" and source[0] in ("name", "field"):
-        value = Sequence(Cell(value.content.value), value.type)
+        if python and symbol == "+=" and isinstance(held, Sequence):
+            return _extended(run, frame, held, value)
+        value = operators.binary(run, frame, symbol[:-1], held, value)
+    elif source[0] == "list" and not python and cell.type is not None:
+        value = braces.from_list(run, frame, cell.type, value)
+    elif is_lvalue:
+        value = copies.copied(run, value, _copied_type(run, frame, cell.type, source))
     if cell.type is not None:
         value = conversions.converted(value, cell.type)
-        if isinstance(cell.value, Sequence) and isinstance(value, Sequence) and value.type is None:
-            value.type = cell.value.type
+        if isinstance(held, Sequence) and isinstance(value, Sequence) and value.type is None:
+            value.type = held.type
+    is_own = not python and symbol == "=" and isinstance(held, Object) and _is_own(held, cell.type)
+    if is_own and isinstance(held, Object) and _fill(run, held, value):
+        return held
     run.state.write(cell, value)
     return value
 
 
-def _unpack(run: Run, frame: Frame, target: Expression, value: Value) -> Value:
-    items: Any = value.content.value if isinstance(value, Sequence) else None
-    known = isinstance(items, tuple) and len(items) == len(target[1])
-    for index, item in enumerate(target[1]):
+def _is_own(held: Object, kind: Type | None) -> bool:
+    """Whether a variable of that type holds the object itself, and no pointer to it."""
+    return kind is not None and copies.is_by_value(kind) and kind[0] == held.name
+
+
+def _copied_type(run: Run, frame: Frame, kind: Type | None, source: Expression) -> Type | None:
+    return kind if kind is not None else copies.static_copy(run, frame, source)
+
+
+def _fill(run: Run, held: Object, value: Value) -> bool:
+    """Assign to an object in its place, as pointers lead to it: member by member. False if it is none of the class."""
+    if held is value or held.definition is None:
+        return held is value
+    same = isinstance(value, Object) and value.definition is not None
+    for name, member in held.fields.items():
+        if copies.is_reference(run, held, name):
+            continue
+        if same and isinstance(value, Object) and name in value.fields:
+            run.state.write(member, value.fields[name].value)
+        else:
+            run.state.write(member, Opaque(uncertain.UNCERTAIN, None, member.type))
+    if not same or not isinstance(value, Object):
+        return False
+    for name, member in value.fields.items():
+        if name not in held.fields:
+            fresh = held.fields[name] = Cell(Opaque("it is not set before", None, member.type), member.type)
+            run.state.write(fresh, member.value)
+    return value.definition[1] is held.definition[1]
+
+
+def _extended(run: Run, frame: Frame, held: Sequence, value: Value) -> Value:
+    """Python's ``l += m``: the list itself is longer."""
+    cells: Any = held.content.value
+    items: list[Value] | None = None
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        items = [cell.value for cell in value.content.value]
+    elif isinstance(value, Known) and isinstance(value.value, list):
+        items = [Known(item) for item in value.value]
+    if items is None or not isinstance(cells, tuple) or len(cells) + len(items) > LIST_LIMIT:
+        run.state.write(held.content, run.opaque("a list that is changed", frame))
+    else:
+        run.state.write(held.content, (*cells, *(Cell(item) for item in items)))
+    return held
+
+
+def _unpack(run: Run, frame: Frame, targets: Any, value: Value) -> Value:
+    items: list[Value] | None = None
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        items = [cell.value for cell in value.content.value]
+    elif isinstance(value, Object) and value.name == "std::pair" and {"first", "second"} <= value.fields.keys():
+        items = [value.fields["first"].value, value.fields["second"].value]
+    known = items is not None and len(items) == len(targets) and not any(item[0] == "star" for item in targets)
+    for index, item in enumerate(targets):
+        one: Value = run.opaque("it is unpacked from what is not known", frame)
+        if known and items is not None:
+            one = items[index]
+        if item[0] == "star":
+            item = item[1]
         if item[0] == "list":
-            _unpack(run, frame, item, items[index].value if known else run.opaque("it is unpacked", frame))
+            _unpack(run, frame, item[1], one)
             continue
         cell = _target(run, frame, item)
-        if cell is not None:
-            run.state.write(
-                cell, items[index].value if known else run.opaque("it is unpacked from what is not known", frame)
-            )
+        if cell is None:
+            uncertain.lost(run, frame, item, one)
+        else:
+            run.state.write(cell, conversions.converted(one, cell.type))
     return value
 
 
@@ -64,11 +157,12 @@ def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
     """The cell to assign to; Python makes it where there is none."""
     python = frame.source.program.language == "python"
     if python and target[0] == "name":
-        module = run.modules.get(frame.source.path)
-        if module is frame:
-            cell = frame.scopes[0].get(target[1])
-        else:
-            cell = frame.find(target[1])
+        is_module = run.modules.get(frame.source.path) is frame
+        cell = frame.scopes[0].get(target[1]) if is_module else frame.find(target[1])
+        if cell is not None and not is_module and not any(target[1] in scope for scope in frame.scopes):
+            before = cell.value  # the variable of a function around: ``nonlocal`` is not told from one of its own
+            run.state.write(cell, run.opaque("a function inside may assign to it", frame))
+            cell = frame.scopes[0][target[1]] = Cell(before)
         if cell is None:
             cell = Cell(NONE)
             frame.scopes[0][target[1]] = cell
@@ -78,18 +172,26 @@ def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
         owner = expressions.evaluate(run, frame, target[1])
         if isinstance(owner, Pointer):
             owner = owner.cell.value
-        if isinstance(owner, Object):
+        if isinstance(owner, Object) and "[of]" not in owner.fields:
             cell = owner.fields[target[2]] = Cell(run.opaque("it is not set before", frame))
+        elif isinstance(owner, Module):
+            before = members.attribute(run, owner, target[2], frame)
+            cell = lookup.module_frame(run, owner.source).scopes[0][target[2]] = Cell(before)
+        elif isinstance(owner, ClassValue) and python:
+            key = (owner.source.path, f"{owner.definition.name}.{target[2]}")
+            cell = run.globals[key] = Cell(members.attribute(run, owner, target[2], frame))
+    if cell is None and target[0] == "call" and not python:
+        run.references = None
+        expressions.evaluate(run, frame, target)
+        if run.references is not None and len(run.references) == 1:
+            return run.references[0]
     return cell
 
 
 def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
     """``a[b]``."""
-    container = expressions.evaluate(run, frame, expression[1])
-    key = expressions.evaluate(run, frame, expression[2])
-    if isinstance(container, Pointer):
-        container = container.cell.value
-    cell = element(run, frame, container, key)
+    container, key, kind = _parts(run, frame, expression)
+    cell = element(run, frame, container, key, kind)
     if cell is not None:
         return cell.value
     if isinstance(container, Known) and isinstance(key, Known):
@@ -103,13 +205,13 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
             if isinstance(container.value, (dict, list)):
                 return NONE  # yaml-cpp: an undefined node
     if isinstance(container, Object) and container.definition is not None:
-        method = construct.method_of(run, container, "operator[]")
+        method = methods.method_of(run, container, "operator[]")
         if method is not None:
             return activation.invoke(run, frame, method, (call_arguments.Argument(key),), None)
     cells = container.content.value if isinstance(container, Sequence) else ()
     if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
         return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
-    if isinstance(cells, tuple) and cells and not isinstance(key, Known):
+    if isinstance(cells, tuple) and cells and not isinstance(key, Known) and not braces.is_open(container):
         return any_of(cell.value for cell in cells)
     kind = None
     if isinstance(container, Sequence) and container.type is not None and container.type[1]:
@@ -127,8 +229,45 @@ def any_of(values: Iterable[Value]) -> Value:
     return result if result is not None else NONE
 
 
-def element(run: Run, frame: Frame, container: Value, key: Value) -> Cell | None:
-    """The cell of one element of a sequence or map; a map of C++ makes what is not there."""
+def _parts(run: Run, frame: Frame, expression: Expression) -> tuple[Value, Value, Type | None]:
+    """The container, the key and the type of the entries of ``a[b]``; arrays of objects are made here."""
+    inner = expression[1]
+    cell = expressions.cell_of(run, frame, inner) if inner[0] in call_arguments.LVALUES else None
+    value = cell.value if cell is not None else expressions.evaluate(run, frame, inner)
+    key = expressions.evaluate(run, frame, expression[2])
+    if expression[2][0] == "set":  # ``i++`` is lowered as ``++i`` is
+        key = run.opaque("an index that is counted on the way", frame)
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if cell is None or frame.source.program.language == "python":
+        return value, key, None
+    if value == NONE and cell.type is not None and braces.is_array_of_objects(run, frame, cell.type):
+        value = braces.array(run, frame, [], cell.type)
+        run.state.write(cell, value)
+    kind = cell.type
+    return value, key, kind[1][1] if kind is not None and kind[0] in MAPS and len(kind[1]) > 1 else None
+
+
+def accessed(run: Run, frame: Frame, expression: Expression) -> Cell | None:
+    """The cell of ``v[i]``, ``v.at(i)``, ``v.front()`` or ``v.back()``."""
+    if expression[0] == "index":
+        return element(run, frame, *_parts(run, frame, expression))
+    _, callee, written = expression[:3]
+    if frame.source.program.language == "python" or callee[0] != "field" or callee[2] not in ACCESSORS:
+        return None
+    if callee[1][0] not in call_arguments.LVALUES:
+        return None
+    value = expressions.evaluate(run, frame, callee[1])
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if not isinstance(value, (Sequence, Mapped)) or (callee[2] == "at") != (len(written) == 1):
+        return None
+    at = expressions.evaluate(run, frame, written[0]) if written else Known(0 if callee[2] == "front" else -1)
+    return element(run, frame, value, at)
+
+
+def element(run: Run, frame: Frame, container: Value, key: Value, kind: Type | None = None) -> Cell | None:
+    """The cell of one element of a sequence or map; a map of C++ makes what is not there, as *kind* says."""
     if isinstance(container, Pointer):
         container = container.cell.value
     if isinstance(container, Sequence) and isinstance(container.content.value, tuple):
@@ -136,6 +275,8 @@ def element(run: Run, frame: Frame, container: Value, key: Value) -> Cell | None
         if isinstance(key, Known) and isinstance(key.value, int) and -len(cells) <= key.value < len(cells):
             found: Cell = cells[key.value]
             return found
+        if isinstance(key, Known) and isinstance(key.value, int) and braces.is_open(container):
+            return braces.grown(run, frame, container, key.value)
         return None
     if isinstance(container, Mapped) and isinstance(container.content.value, dict) and isinstance(key, Known):
         try:
@@ -143,7 +284,20 @@ def element(run: Run, frame: Frame, container: Value, key: Value) -> Cell | None
         except TypeError:
             return None
         if cell is None and isinstance(key.value, (str, int)):
-            cell = Cell(run.opaque("an entry that is not there", frame))
+            value: Value = run.opaque("an entry that is not there", frame, None, kind)
+            if kind is not None and copies.is_by_value(kind) and run.class_of(kind[0], frame.source) is not None:
+                value = braces.made(run, frame, kind)
+            cell = Cell(value, kind)
             run.state.write(container.content, {**container.content.value, key.value: cell})
         return cell
+    return None
+
+
+def first(expression: Expression, iterator: Object) -> Cell | None:
+    """The cell that ``*v.begin()`` is."""
+    container = iterator.fields["[of]"].value
+    cells = container.content.value if isinstance(container, Sequence) else ()
+    if expression[0] == "call" and expression[1][-1] == "begin" and isinstance(cells, tuple) and cells:
+        found: Cell = cells[0]
+        return found
     return None

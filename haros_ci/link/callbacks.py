@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.link import call_arguments, construct, library_objects
+from haros_ci.link import call_arguments, library_objects, methods
 from haros_ci.link.run import Root, Run
 from haros_ci.link.values import (
     Callable,
@@ -20,7 +20,7 @@ def register(run: Run, value: Value, others: tuple[call_arguments.Argument, ...]
         value = value.cell.value
     if isinstance(value, Object) and value.definition is not None:
         separator = value.definition[0].separator
-        found = construct.method_of(run, value, "operator()" if separator == "::" else "__call__")
+        found = methods.method_of(run, value, "operator()" if separator == "::" else "__call__")
         if found is None:
             return
         value = found
@@ -48,6 +48,6 @@ def framework_entries(run: Run, this: Object) -> None:
     for owner in library_objects.owners(run, this):
         for row in run.rows.get(owner, ()):
             for name in row.entry:
-                method = construct.method_of(run, this, name)
+                method = methods.method_of(run, this, name)
                 if method is not None and row.is_class:
                     register(run, method)

@@ -16,6 +16,7 @@ from haros_ci.link import (
     library,
     library_objects,
     members,
+    methods,
 )
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, is_type, pointee
@@ -87,7 +88,7 @@ def method_call(
     if modelled is not None:
         return modelled
     if isinstance(receiver, Object):
-        method = construct.method_of(run, receiver, name, len(args))
+        method = methods.method_of(run, receiver, name, args)
         if method is not None:
             return activation.invoke(run, frame, method, args, location, targs)
         field = receiver.fields.get(name)
@@ -105,7 +106,7 @@ def method_call(
             owner_class = run.class_of(kind[0], frame.source)
             if owner_class is not None:
                 summary = library_objects.summary_object(run, owner_class, kind, receiver)
-                if construct.method_of(run, summary, name, len(args)) is not None:
+                if methods.method_of(run, summary, name, args) is not None:
                     return method_call(run, frame, summary, None, name, args, targs, location)
             else:
                 stand_in = Object(kind[0], kind[1], namespace=receiver if kind[0] in api_rows.HANDLES else None)
@@ -135,13 +136,13 @@ def super_call(
     if this is None or owner is None:
         return library.unknown_call(run, frame, f"super().{name}", args)
     for base in owner[1].bases:
-        found = construct.python_class(run, base, owner[0])
+        found = methods.python_class(run, base, owner[0])
         if found is None:
             if name == "__init__":
-                for library_base in construct.library_bases(run, *owner):
+                for library_base in methods.library_bases(run, *owner):
                     library_objects.construct_library(run, frame, this, (library_base, (), ""), args, location)
             continue
-        method = construct.class_method(run, *found, name)
+        method = methods.class_method(run, *found, name)
         if method is not None:
             return activation.invoke(run, frame, Callable(*method, this), args, location)
     return library.unknown_call(run, frame, f"super().{name}", args)
@@ -159,7 +160,7 @@ def apply(
     """Call *function*, whatever kind of value it is."""
     if isinstance(function, Callable):
         if function.function.body is None and function.function.kind != "constructor":
-            source, definition = construct.with_body(run, [(function.source, function.function)])
+            source, definition = methods.with_body(run, [(function.source, function.function)])
             if definition.body is None:
                 found = api_rows.call(run, frame, definition.name, function.this, args, targs, location)
                 if found is not None:
@@ -178,7 +179,7 @@ def apply(
     if isinstance(function, Library):
         return library_call(run, frame, function, args, targs, location, callee)
     if isinstance(function, Object):
-        method = construct.method_of(run, function, "operator()" if frame.source.separator == "::" else "__call__")
+        method = methods.method_of(run, function, "operator()" if frame.source.separator == "::" else "__call__")
         if method is not None:
             return activation.invoke(run, frame, method, args, location, targs)
     if isinstance(function, Choice):

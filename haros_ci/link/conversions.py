@@ -22,7 +22,6 @@ from haros_ci.link.values import (
 )
 from haros_ci.model.program import Type
 
-
 #: Types of one byte, which streams write as characters.
 CHARACTERS = frozenset(("char", "int8_t", "uint8_t", "byte"))
 #: The bits of integer types by a word of their names, as on 64-bit systems; 32 for all others.
@@ -53,7 +52,11 @@ def converted(value: Value, kind: Type | None) -> Value:
         data, name = value.value, kind[0]
         if name in REALS and isinstance(data, (int, bool)):
             return Known(float(data))
-        if "*" not in kind[2] and isinstance(data, (int, float)) and (name in INTEGERS or set(name.split()) <= INTEGERS):
+        if (
+            "*" not in kind[2]
+            and isinstance(data, (int, float))
+            and (name in INTEGERS or set(name.split()) <= INTEGERS)
+        ):
             return _integer(value, data, name)
         if name in STRINGS and name != "str" and isinstance(data, Character):
             return Known(chr(data))
@@ -65,7 +68,7 @@ def converted(value: Value, kind: Type | None) -> Value:
 
 
 def _integer(value: Known, data: float, name: str) -> Value:
-    """A number in an integer variable: its fraction is dropped, and what is too large is only known where C++ says so."""
+    """A number in an integer variable: the fraction is dropped, what is too large is known where C++ says so."""
     if isinstance(data, float) and not abs(data) < 2**63:
         return Opaque("the number is too large", None, (name, (), ""))
     number = int(data)

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci.link.common_messages import COMMON
 from haros_ci.link.names import pattern, resolve
 from haros_ci.link.run import Made
-from haros_ci.link.types import data_type, message_type, parameter_type
+from haros_ci.link.types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, pointee
 from haros_ci.link.values import NONE, Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
@@ -147,6 +148,10 @@ def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | N
         return result
     if isinstance(found, TypeValue):
         result = message_type(found.type)
+        if result is not None and not _is_interface(applied, found.type, result):
+            result = None
+        if result is not None and entry.kind == "servers" and not found.type[0].endswith(("::Request", "::Response")):
+            result = _service(found.type, result)
         if result is None and found.type[0]:
             unknowns.append(("type", f"{found.type[0]} is no message type that is known", applied.location))
             return None
@@ -157,6 +162,36 @@ def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | N
     if result is None:
         reason = found.reason if isinstance(found, Opaque) else "the call does not tell it"
         unknowns.append(("type", reason, applied.location))
+    return result
+
+
+def _is_interface(applied: Applied, kind: Type, result: str) -> bool:
+    """Whether ``a/B`` may be a message, service or action: no class of the workspace, and no member of one."""
+    index = applied.run.index
+    package, _, name = result.partition("/")
+    if applied.frame.source.program.language == "python" or name in COMMON.get(package, ()):
+        return True
+    inner = pointee(kind)
+    while inner[0] in WRAPPERS and inner[1]:
+        inner = pointee(inner[1][0])
+    if result in SERIALISED.values():
+        return True
+    if package[:1].isupper() and package not in COMMON:  # REP 144: packages are in lower case
+        return any(f"{package}::{name}" in included.values() for included in index.included.values())
+    heads = (inner[0], inner[0].rpartition("::")[0], f"{package}::{name}", package)
+    return not any(head in index.classes or head in index.aliases for head in heads)
+
+
+def _service(kind: Type, result: str) -> str:
+    """The service of a callback's ``pkg::NameRequest`` or ``pkg::NameResponse``, the classes behind its two halves."""
+    while kind[0] in WRAPPERS and kind[1]:
+        kind = pointee(kind)
+        kind = pointee(kind[1][0])
+    if kind[0].endswith(("::Request", "::Response")) or "::" not in kind[0]:
+        return result
+    for half in ("Request", "Response"):
+        if result.endswith(half) and not result.endswith(f"/{half}"):
+            return result.removesuffix(half)
     return result
 
 

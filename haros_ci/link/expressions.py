@@ -3,13 +3,27 @@
 
 from __future__ import annotations
 
-from haros_ci.link import assignments, calls, conversions, lookup, members, operators, statements
+from dataclasses import replace
+
+from haros_ci.link import (
+    assignments,
+    calls,
+    construct,
+    conversions,
+    copies,
+    lookup,
+    members,
+    operators,
+    statements,
+    uncertain,
+)
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_smart_pointer, pointee
 from haros_ci.link.values import (
     NONE,
     Callable,
     Cell,
+    Choice,
     Known,
     Library,
     Mapped,
@@ -21,6 +35,7 @@ from haros_ci.link.values import (
     concatenate,
     printed,
 )
+from haros_ci.model.location import Location
 from haros_ci.model.program import Expression
 
 
@@ -35,18 +50,20 @@ def cell_of(run: Run, frame: Frame, expression: Expression) -> Cell | None:
     if tag == "name":
         return lookup.named_cell(run, frame, expression[1])
     if tag == "field":
-        if frame.source.program.language == "python":
-            dotted = members.dotted(expression)
-            if dotted and frame.find(dotted.partition(".")[0]) is None and dotted.partition(".")[0] != "this":
-                return None
         return members.member(run, evaluate(run, frame, expression[1]), expression[2], frame)
     if tag == "index":
-        return assignments.element(run, frame, evaluate(run, frame, expression[1]), evaluate(run, frame, expression[2]))
+        return assignments.accessed(run, frame, expression)
+    if tag == "call":
+        return assignments.accessed(run, frame, expression)
     if tag == "*":
         value = evaluate(run, frame, expression[1])
         if isinstance(value, Pointer):
             return value.cell
-        return cell_of(run, frame, expression[1])
+        if isinstance(value, Object) and "[of]" in value.fields:
+            return assignments.first(expression[1], value)
+        if isinstance(value, Object) and value.definition is not None:
+            return Cell(value, (value.name, value.arguments, ""))
+        return None if isinstance(value, Choice) else cell_of(run, frame, expression[1])
     if tag in ("&", "kw"):
         return cell_of(run, frame, expression[-1])
     if tag == "cast":
@@ -95,7 +112,20 @@ def _dict(run: Run, frame: Frame, expression: Expression) -> Value:
 
 
 def _lambda(run: Run, frame: Frame, expression: Expression) -> Value:
-    return Callable(frame.source, frame.source.program.functions[expression[1]], here(frame), frame=frame)
+    function, captured = copies.captures(run, frame, expression[1])
+    around = kept(frame)
+    for name, init, line, column in captured:
+        place = Location(frame.source.path, line, column)
+        held = construct.initial(run, frame, ("auto", (), ""), init, place)
+        around.scopes = [*around.scopes, {name: Cell(held, copies.static_copy(run, frame, init[1]))}]
+    return Callable(frame.source, function, here(frame), frame=around)
+
+
+def kept(frame: Frame) -> Frame:
+    """*frame* as a function that is made in it finds it later: with the scopes that are open now, but for Python's."""
+    if frame.source.program.language == "python":
+        return frame
+    return replace(frame, scopes=[*frame.scopes])
 
 
 def here(frame: Frame) -> Object | None:
@@ -120,7 +150,13 @@ def _dereference(run: Run, frame: Frame, expression: Expression) -> Value:
 
 def _cast(run: Run, frame: Frame, expression: Expression) -> Value:
     value = evaluate(run, frame, expression[2])
-    return conversions.converted(value, run.type_in(expression[1], frame))
+    kind = run.type_in(expression[1], frame)
+    if isinstance(value, Object) and value.definition is not None and "*" in kind[2]:
+        owner = run.class_of(kind[0], frame.source)
+        own = value.definition[1]
+        if owner is not None and owner[1] is not own and copies.derives(run, owner, own):
+            return run.opaque("whether it is cast to its own class", frame, None, (kind[0], kind[1], ""))
+    return conversions.converted(value, kind)
 
 
 def _format(run: Run, frame: Frame, expression: Expression) -> Value:
@@ -130,6 +166,8 @@ def _format(run: Run, frame: Frame, expression: Expression) -> Value:
 
 def _unknown(run: Run, frame: Frame, expression: Expression) -> Value:
     text = expression[1] if len(expression) > 1 and isinstance(expression[1], str) else expression[0]
+    if text.startswith("del ") and frame.source.program.language == "python":
+        uncertain.deleted(run, frame, text)
     return run.opaque(f"it is computed: {text}", frame)
 
 

@@ -4,16 +4,25 @@
 from __future__ import annotations
 
 #: Namespaces of the C++ and Boost functions below.
-SPACES = ("", "std::", "boost::", "boost::algorithm::", "boost::filesystem::", "std::filesystem::", "fs::", "ros::this_node::")
+SPACES = (
+    "",
+    "std::",
+    "boost::",
+    "boost::algorithm::",
+    "boost::filesystem::",
+    "std::filesystem::",
+    "fs::",
+    "ros::this_node::",
+)
 NUMBERS = (
     "abs acos asin atan atan2 cbrt ceil copysign cos cosh exp exp2 fabs floor fma fmax fmin fmod hypot isfinite isinf "
     "isnan isnormal ldexp llround log log10 log1p log2 lround max min nearbyint pow remainder rint round signbit sin "
     "sinh sqrt tan tanh trunc clamp"
 )
 TEXTS = (
-    "atof atoi atol atoll isalnum isalpha isdigit isspace isupper islower memcmp stod stof stoi stol stoll stoul stoull "
-    "strcasecmp strchr strcmp strlen strncmp strrchr strstr strdup tolower toupper to_string contains icontains "
-    "starts_with istarts_with ends_with iends_with equals iequals all to_lower_copy to_upper_copy trim_copy "
+    "atof atoi atol atoll isalnum isalpha isdigit isspace isupper islower memcmp stod stof stoi stol stoll stoul "
+    "stoull strcasecmp strchr strcmp strlen strncmp strrchr strstr strdup tolower toupper to_string contains "
+    "icontains starts_with istarts_with ends_with iends_with equals iequals all to_lower_copy to_upper_copy trim_copy "
     "trim_left_copy trim_right_copy trim_copy_if replace_all_copy replace_first_copy replace_last_copy erase_all_copy "
     "ireplace_all_copy join regex_match lexical_cast str format path exists is_directory is_regular_file absolute "
     "canonical extension filename stem"
@@ -34,7 +43,10 @@ OUTPUT = (
     "static_assert sizeof time fopen fclose remove access stat"
 )
 FUNCTIONS = frozenset(
-    f"{space}{name}" for group in (NUMBERS, TEXTS, ALGORITHMS, MAKERS, OUTPUT) for name in group.split() for space in SPACES
+    f"{space}{name}"
+    for group in (NUMBERS, TEXTS, ALGORITHMS, MAKERS, OUTPUT)
+    for name in group.split()
+    for space in SPACES
 )
 #: Beginnings of names: logging and checking macros.
 MACROS = ("ROS_", "ROSCONSOLE_", "NODELET_", "EXPECT_", "ASSERT_", "BOOST_ASSERT", "RCUTILS_", "PLUGINLIB_")
@@ -61,12 +73,13 @@ LIBRARIES = (
 GETTERS = ("get", "search", "read", "parse", "extract", "split", "fill", "from")
 
 PYTHON = frozenset(
-    "print len str repr isinstance issubclass hasattr getattr callable id type any all sum min max sorted list tuple set "
-    "frozenset dict zip map filter enumerate reversed iter range xrange abs round int float bool ord chr hash format open "
-    "bytes complex divmod slice unicode basestring long super object Exception ValueError RuntimeError KeyError TypeError "
-    "IOError OSError exit quit copy.copy copy.deepcopy json.dumps json.dump yaml.dump yaml.safe_dump pprint.pprint "
-    "functools.partial threading.Thread threading.Timer collections.OrderedDict collections.deque collections.Counter "
-    "collections.defaultdict numpy.array numpy.asarray np.array np.asarray numpy.zeros np.zeros sys.exit".split()
+    "print len str repr isinstance issubclass hasattr getattr callable id type any all sum min max sorted list tuple "
+    "set frozenset dict zip map filter enumerate reversed iter range xrange abs round int float bool ord chr hash "
+    "format open bytes complex divmod slice unicode basestring long super object Exception ValueError RuntimeError "
+    "KeyError TypeError IOError OSError exit quit copy.copy copy.deepcopy json.dumps json.dump yaml.dump "
+    "yaml.safe_dump pprint.pprint functools.partial threading.Thread threading.Timer collections.OrderedDict "
+    "collections.deque collections.Counter collections.defaultdict numpy.array numpy.asarray np.array np.asarray "
+    "numpy.zeros np.zeros sys.exit".split()
 )
 PYTHON_LIBRARIES = (
     "rospy.",
@@ -93,16 +106,15 @@ PYTHON_LIBRARIES = (
 #: Methods of texts, containers and iterators that only read.
 READERS = frozenset(
     "at back begin bucket_count c_str capacity cbegin cend compare contains count crbegin crend data empty end "
-    "equal_range find find_first_not_of find_first_of find_last_not_of find_last_of front get_allocator key_comp length "
-    "lower_bound max_size rbegin rend rfind size starts_with ends_with str substr toString upper_bound value string "
-    "native generic_string filename stem extension parent_path getType valid hasMember Scalar as IsDefined IsMap IsScalar "
-    "IsSequence IsNull Type Tag reserve shrink_to_fit toXml FindValue "
-    # Python
-    "capitalize casefold center copy decode encode endswith expandtabs format format_map get has_key index isalnum isalpha "
-    "isdecimal isdigit isidentifier islower isnumeric isspace istitle isupper items iteritems iterkeys itervalues join "
-    "keys ljust lower lstrip partition replace_ rindex rjust rpartition rsplit rstrip split splitlines startswith strip "
-    "swapcase title translate upper values viewitems viewkeys viewvalues zfill "
-    "difference intersection issubset issuperset union symmetric_difference isdisjoint".split()
+    "equal_range find find_first_not_of find_first_of find_last_not_of find_last_of front get_allocator key_comp "
+    "length lower_bound max_size rbegin rend rfind size starts_with ends_with str substr toString upper_bound value "
+    "string native generic_string filename stem extension parent_path getType valid hasMember Scalar as IsDefined "
+    "IsMap IsScalar IsSequence IsNull Type Tag reserve shrink_to_fit toXml FindValue capitalize casefold center copy "
+    "decode encode endswith expandtabs format format_map get has_key index isalnum isalpha isdecimal isdigit "
+    "isidentifier islower isnumeric isspace istitle isupper items iteritems iterkeys itervalues join keys ljust lower "
+    "lstrip partition rindex rjust rpartition rsplit rstrip split splitlines startswith strip swapcase title "
+    "translate upper values viewitems viewkeys viewvalues zfill difference intersection issubset issuperset union "
+    "symmetric_difference isdisjoint".split()
 )
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci.link import activation, call_arguments, conversions, harmless
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.state import joined
-from haros_ci.link.values import Callable, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Text, Value
+from haros_ci.link.values import Callable, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Text, Value
 from haros_ci.model.program import Class
 
 if TYPE_CHECKING:
@@ -35,12 +35,15 @@ def given(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> None
                 forget(run, frame, value.cell, f"{name} may change it")
         elif is_harmless or _is_kept(run, name, number, len(args)):
             continue
-        elif argument.cell is not None and not is_python:
-            forget(run, frame, argument.cell, f"{name} may change it")
-        elif is_python and argument.cell is not None and isinstance(value, Known) and isinstance(value.value, (list, dict)):
+        elif argument.cell is not None and not (is_python and not _is_data(value)):
             forget(run, frame, argument.cell, f"{name} may change it")
         elif isinstance(value, (Sequence, Mapped, Object)):
             _forget_inside(run, frame, value, f"{name} may change it", [MEMBERS], DEEP)
+
+
+def _is_data(value: Value) -> bool:
+    """Whether a value of Python is a list or dictionary that is held as data."""
+    return isinstance(value, Known) and isinstance(value.value, (list, dict))
 
 
 def called(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> None:
@@ -65,17 +68,17 @@ def called(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Non
         for cell, after in writes.items():
             if joined(cell.value, after) is not cell.value:
                 kind = cell.type or (conversions.value_type(after) if not isinstance(after, (tuple, dict)) else None)
-                run.state.write(cell, run.opaque(f"a function that is given to {name} may change it", frame, None, kind))
+                run.state.write(
+                    cell, run.opaque(f"a function that is given to {name} may change it", frame, None, kind)
+                )
 
 
-def method(
-    run: Run, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[Argument, ...]
-) -> Value:
+def method(run: Run, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[Argument, ...]) -> Value:
     """A method of a text or container of which nothing is known: it may change what it is called on and given."""
     reason = f"{name} may change it"
     if isinstance(receiver, (Sequence, Mapped)):
         run.state.write(receiver.content, run.opaque(reason, frame))
-    elif cell is not None and not (frame.source.program.language == "python" and isinstance(receiver.value, str)):  # type: ignore[union-attr]
+    elif cell is not None and (frame.source.program.language != "python" or _is_data(receiver)):
         forget(run, frame, cell, reason)
     called(run, frame, name, args)
     given(run, frame, name, args)

@@ -2,19 +2,24 @@
 """The cross-file index: which class, function, alias, constant or macro a name means, seen from a file and a scope.
 
 A workspace has many programs, and one name may be defined in several. What is nearer wins: the same file, then the
-files of the executable under analysis, the same package, and at last the rest of the workspace.
+headers that it includes, the files of the executable under analysis, the same package, and at last the rest of the
+workspace: of that, only classes and their methods, and what some file of the executable includes a header for.
 """
 
 from __future__ import annotations
 
+import posixpath
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from haros_ci.model.program import Alias, Class, Field, Function, Program
 
 Entity = TypeVar("Entity")
+#: Why one of several definitions is not told from the others.
+EITHER = "it is defined more than once"
+HEADERS = (".h", ".hh", ".hpp", ".hxx", ".H", ".inl", ".ipp", ".tpp")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,24 +55,92 @@ class Index:
     caches: dict[frozenset[str], dict[Any, Any]] = field(default_factory=dict)
     #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.
     included: dict[str, dict[str, str]] = field(default_factory=dict)
+    #: Aliases inside functions, by file and by their own name; None where two functions have one of that name.
+    local: dict[str, dict[str, Alias | None]] = field(default_factory=dict)
+    #: All C++ files, those of each file name, and the files that each includes: by itself, and with what these include.
+    sources: dict[str, Source] = field(default_factory=dict)
+    file_names: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
+    links: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    reached: dict[str, frozenset[str]] = field(default_factory=dict)
+    visible: dict[tuple[str, frozenset[str]], tuple[frozenset[str], frozenset[str | None]]] = field(
+        default_factory=dict
+    )
 
     def near(
         self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
     ) -> list[tuple[Source, Entity]]:
-        """The entities of that name nearest to *source*."""
+        """The entities of that name nearest to *source*; several are equally near, and any may be the one."""
         found = table.get(name)
         if not found:
             return []
-        if len(found) == 1:
-            return found
-        for fits in (
-            lambda other: other.path == source.path,
-            lambda other: other.path in files,
-            lambda other: other.package == source.package,
-        ):
-            nearest = [item for item in found if fits(item[0])]
-            if nearest:
-                return nearest
+        if len(found) > 1:
+            for fits in (
+                lambda other: other.path == source.path,
+                lambda other: other.path in self.reach(source.path),
+                lambda other: other.path in files,
+                lambda other: other.package == source.package,
+            ):
+                nearest = [item for item in found if fits(item[0])]
+                if nearest:
+                    return nearest
+        if table is self.variables or table is self.macros or table is self.functions:
+            return [item for item in found if self._of_a_class(item[1]) or self.sees(source, item[0], files)]
+        return found
+
+    def _of_a_class(self, entity: Any) -> bool:
+        return isinstance(entity, Function) and entity.owner in self.classes
+
+    def sees(self, source: Source, other: Source, files: frozenset[str]) -> bool:
+        """Whether code of *source*, in an executable of *files*, can use what stands in *other*, as far as can be told."""
+        if other.path == source.path or other.path in files or other.package == source.package:
+            return True
+        key = (source.path, files)
+        if key not in self.visible:
+            paths = self.reach(source.path).union(*(self.reach(path) for path in files))
+            self.visible[key] = paths, frozenset(self.sources[path].package for path in paths)
+        paths, packages = self.visible[key]
+        return other.path in paths or (other.package in packages and not other.path.endswith(HEADERS))
+
+    def reach(self, path: str) -> frozenset[str]:
+        """The workspace's files that a C++ file includes, and those that they include."""
+        found = self.reached.get(path)
+        if found is None:
+            seen: set[str] = set()
+            waiting = [path]
+            while waiting:
+                for target in self._links(waiting.pop()):
+                    if target not in seen:
+                        seen.add(target)
+                        waiting.append(target)
+            found = self.reached[path] = frozenset(seen - {path})
+        return found
+
+    def _links(self, path: str) -> tuple[str, ...]:
+        known = self.links.get(path)
+        if known is None:
+            source = self.sources.get(path)
+            found: dict[str, None] = {}
+            for include in source.program.includes if source is not None else ():
+                found.update(dict.fromkeys(self._named_file(include.strip('<>" '), path)))
+            known = self.links[path] = tuple(found)
+        return known
+
+    def _named_file(self, include: str, path: str) -> list[str]:
+        """The files that an include may mean: beside the file that includes it, else by the end of their paths."""
+        beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), include))
+        if beside in self.sources:
+            return [beside]
+        tail = posixpath.normpath(include).lstrip("./")
+        found = [
+            other
+            for other in self.file_names.get(posixpath.basename(tail), ())
+            if other == tail or other.endswith(f"/{tail}")
+        ]
+        package = self.sources[path].package
+        for wanted in (tail.partition("/")[0], package):
+            own = [other for other in found if self.sources[other].package == wanted]
+            if own:
+                return own
         return found
 
     def scopes(self, name: str, scope: str, source: Source) -> Iterator[str]:
@@ -90,16 +163,23 @@ def build_index(sources: Iterable[Source]) -> Index:
     index = Index()
     for source in sources:
         program = source.program
+        is_cpp = program.language != "python"
+        if is_cpp:
+            index.sources[source.path] = source
+            index.file_names[posixpath.basename(source.path)].append(source.path)
+            index.local[source.path] = _local(program)
         for definition in program.classes:
-            index.classes[definition.name].append((source, definition))
+            fields = _told_once(definition.fields) if is_cpp else definition.fields
+            whole = definition if fields is definition.fields else replace(definition, fields=fields)
+            index.classes[definition.name].append((source, whole))
         for function in program.functions:
             if function.kind == "lambda" or not function.name:
                 continue
             index.functions[function.name].append((source, function))
-            if function.owner and program.language != "python":
+            if function.owner and is_cpp:
                 parts = function.name.split("::")
                 index.by_tail["::".join(parts[-2:])].append((source, function))
-        for variable in program.variables:
+        for variable in _told_once(program.variables) if is_cpp else program.variables:
             index.variables[variable.name].append((source, variable))
         for alias in program.aliases:
             index.aliases[alias.name].append((source, alias))
@@ -110,6 +190,38 @@ def build_index(sources: Iterable[Source]) -> Index:
             index.modules[source.module].append(source)
         index.included[source.path] = _included(program)
     return index
+
+
+def _told_once(fields: tuple[Field, ...]) -> tuple[Field, ...]:
+    """*fields* with one of each name: what two branches of an #if define starts as either says."""
+    if len({each.name for each in fields}) == len(fields):
+        return fields
+    found: dict[str, Field] = {}
+    for each in fields:
+        known = found.get(each.name)
+        if known is None or known.init is None:
+            found[each.name] = each
+        elif each.init is not None and each.init != known.init:
+            either = ("if", ("?", EITHER), _start(known.init), _start(each.init))
+            found[each.name] = replace(known, init=("=", either))
+    return tuple(found.values())
+
+
+def _start(init: Any) -> Any:
+    """The expression that a variable starts with."""
+    if init[0] == "=":
+        return init[1]
+    return init[1][0] if len(init[1]) == 1 else ("?", EITHER)
+
+
+def _local(program: Program) -> dict[str, Alias | None]:
+    functions = {function.name for function in program.functions if function.name}
+    found: dict[str, Alias | None] = {}
+    for alias in program.aliases:
+        around, colons, name = alias.name.rpartition("::")
+        if colons and around in functions:
+            found[name] = None if name in found and found[name] != alias else alias
+    return found
 
 
 def _included(program: Program) -> dict[str, str]:

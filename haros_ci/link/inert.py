@@ -24,7 +24,6 @@ from haros_ci.link.values import (
 )
 from haros_ci.model.program import Function, Type
 
-
 #: Objects inside objects that are looked into.
 NESTED = 3
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 POINTER_METHODS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
 
+
 def pointer_method(run: Run, cell: Cell, name: str, args: tuple[Argument, ...]) -> Value:
     """A method of a smart pointer itself; its value is the object that it points to."""
     if name == "reset":

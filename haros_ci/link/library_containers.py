@@ -11,10 +11,13 @@ from haros_ci.link.values import (
     LIST_LIMIT,
     NONE,
     Cell,
+    Choice,
     Known,
     Mapped,
     Object,
+    Opaque,
     Sequence,
+    Text,
     Value,
 )
 from haros_ci.model.location import Location
@@ -29,7 +32,7 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
     inner = receiver.type[1][0] if receiver.type is not None and receiver.type[1] else None
     if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
         if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < LIST_LIMIT:
-            value = conversions.converted(args[0].value, inner)
+            value = conversions.converted(construct.copied(run, args[0].value, inner), inner)
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
         elif known and name == "emplace_back" and inner is not None and len(cells) < LIST_LIMIT:
             value = construct.create(run, frame, inner, args, Location(frame.source.path))
@@ -99,4 +102,25 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
     if name == "at" and args:
         cell = assignments.element(run, frame, receiver, args[0].value)
         return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
+    return None
+
+
+def swapped(run: Run, args: tuple[Argument, ...]) -> Value | None:
+    """``swap(a, b)`` of texts, numbers and whole containers; None for all else."""
+    one, other = args[0].cell, args[1].cell
+    plain = (Known, Text, Choice, Opaque)
+    if one is None or other is None:
+        return None
+    if isinstance(one.value, plain) and isinstance(other.value, plain):
+        before = one.value
+        run.state.write(one, other.value)
+        run.state.write(other, before)
+        return NONE
+    for kind in (Sequence, Mapped):
+        if isinstance(one.value, kind) and isinstance(other.value, kind):
+            content, with_ = one.value.content, other.value.content
+            before = content.value
+            run.state.write(content, with_.value)
+            run.state.write(with_, before)
+            return NONE
     return None

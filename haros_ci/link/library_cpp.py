@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import construct, conversions, library_containers, library_yaml, texts
+from haros_ci.link import construct, conversions, library_containers, library_yaml, methods, texts
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import STRINGS
 from haros_ci.link.values import (
@@ -130,7 +130,7 @@ def function(
         run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
         return NONE
     if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
-        return _swap(run, args)
+        return library_containers.swapped(run, args)
     if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
         run.state.write(args[0].cell, run.opaque("it is formatted by sprintf", frame, None, ("std::string", (), "")))
         return NONE
@@ -139,30 +139,9 @@ def function(
 
 def protected(run: Run, this: Object, name: str) -> Cell | None:
     """A data member that a library's class gives to the workspace's classes derived from it."""
-    if name == "_value" and this.definition is not None and XMLRPC in construct.library_bases(run, *this.definition):
+    if name == "_value" and this.definition is not None and XMLRPC in methods.library_bases(run, *this.definition):
         cell = this.fields[name] = Cell(Object("[any]"))
         return cell
-    return None
-
-
-def _swap(run: Run, args: tuple[Argument, ...]) -> Value | None:
-    """``swap(a, b)`` of texts, numbers and whole containers; None for all else."""
-    one, other = args[0].cell, args[1].cell
-    plain = (Known, Text, Choice, Opaque)
-    if one is None or other is None:
-        return None
-    if isinstance(one.value, plain) and isinstance(other.value, plain):
-        before = one.value
-        run.state.write(one, other.value)
-        run.state.write(other, before)
-        return NONE
-    for kind in (Sequence, Mapped):
-        if isinstance(one.value, kind) and isinstance(other.value, kind):
-            content, with_ = one.value.content, other.value.content
-            before = content.value
-            run.state.write(content, with_.value)
-            run.state.write(with_, before)
-            return NONE
     return None
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link import api_rows, call_arguments, callbacks, construct, library
+from haros_ci.link import api_rows, call_arguments, callbacks, library, methods
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     Callable,
@@ -26,7 +26,7 @@ def summary_object(run: Run, owner: Any, kind: Type, receiver: Opaque) -> Object
 
 def owners(run: Run, value: Object) -> list[str]:
     """The class names under which rows may know an object's methods: its own, then its libraries' bases."""
-    found = [value.name] if value.definition is None else construct.library_bases(run, *value.definition)
+    found = [value.name] if value.definition is None else methods.library_bases(run, *value.definition)
     for name in found:
         for row in run.rows.get(name, ()):
             if row.is_class:

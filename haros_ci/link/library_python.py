@@ -125,7 +125,7 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
 
 
 def argv(run: Run, is_own: bool = False) -> Value:
-    """The command line that the launch file gives, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node).
+    """The command line of the launch file, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node).
 
     ``rospy.myargv`` is without them, and without all other remappings.
     """
@@ -226,7 +226,11 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
 def _ordered(items: list[Value]) -> list[Value] | None:
     """The texts or numbers *items* in their order; None if they are not known."""
     data = [item.value for item in items if isinstance(item, Known)]
-    if len(data) != len(items) or len({type(item) for item in data}) > 1 or not isinstance((data or [0])[0], (str, int)):
+    if (
+        len(data) != len(items)
+        or len({type(item) for item in data}) > 1
+        or not isinstance((data or [0])[0], (str, int))
+    ):
         return None
     return [Known(item) for item in sorted(data)]
 

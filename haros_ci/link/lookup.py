@@ -6,10 +6,10 @@ from __future__ import annotations
 import builtins
 from typing import Any
 
-from haros_ci.link import construct, conversions, library_cpp, members
+from haros_ci.link import construct, conversions, library_cpp, members, methods
 from haros_ci.link.common_messages import COMMON
-from haros_ci.link.index import Source
-from haros_ci.link.run import Frame, Run
+from haros_ci.link.index import EITHER, Source
+from haros_ci.link.run import NEXT, Frame, Run
 from haros_ci.link.values import (
     Callable,
     Cell,
@@ -17,7 +17,9 @@ from haros_ci.link.values import (
     Known,
     Library,
     Module,
+    Object,
     Value,
+    join,
 )
 from haros_ci.model.location import Location
 from haros_ci.model.program import Expression, Type
@@ -50,12 +52,14 @@ def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type
         found = run.index.near(run.index.variables, candidate, frame.source, run.files)
         if found:
             where, variable = found[0]
+            if any(other.init != variable.init for _, other in found):
+                return frame.source, variable.name, ("=", ("?", EITHER)), variable.type
             return where, variable.name, variable.init, variable.type
         head, colons, last = candidate.rpartition("::")
         if colons:
             owner = run.class_of(head, frame.source)
             if owner is not None:
-                static = construct.field_of(run, owner[0], owner[1], last, {})
+                static = methods.field_of(run, owner[0], owner[1], last, {})
                 if static is not None and static[1].is_static:
                     return static[0], candidate, static[1].init, static[2]
     return None
@@ -92,13 +96,29 @@ def name(run: Run, frame: Frame, expression: Expression) -> Value:
     if key not in run.found or frame.templates:
         run.found[key] = _global_name(run, frame, name)
     value: Value = run.found[key]
+    if frame.this is not None and "::" not in name:
+        inherited = _inherited(run, frame, frame.this, name, value)
+        value = inherited if inherited is not None else value
     if isinstance(value, Callable) and frame.this is not None and "::" not in name and _is_virtual(run, frame, value):
-        method = construct.method_of(run, frame.this, name)
+        method = methods.method_of(run, frame.this, name)
         if method is not None:
             return method
     if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
         return Callable(value.source, value.function, frame.this, templates=frame.templates)
     return value
+
+
+def _inherited(run: Run, frame: Frame, this: Object, name: str, value: Value) -> Callable | None:
+    """The method *name* of a base class, which is meant before what the enclosing namespaces have of that name."""
+    if isinstance(value, Callable) and value.function.owner and value.function.owner == frame.scope:
+        return None
+    key = ("inherited", name, frame.scope, frame.source.path, this.name)
+    if key not in run.found:
+        owner = run.class_of(frame.scope, frame.source) or this.definition
+        found = methods.class_method(run, owner[0], owner[1], name) if owner is not None else None
+        run.found[key] = found if found is not None and found[1].kind == "function" else None
+    method = run.found[key]
+    return Callable(*method) if method is not None else None
 
 
 def _is_virtual(run: Run, frame: Frame, value: Callable) -> bool:
@@ -114,16 +134,19 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value:
     for candidate in index.scopes(name, frame.scope, frame.source):
         functions = index.near(index.functions, candidate, frame.source, run.files)
         if functions:
-            return Callable(*construct.with_body(run, functions))
+            return Callable(*methods.with_body(run, functions))
     macros = index.near(index.macros, name, frame.source, run.files)
     if macros:
-        return conversions.macro(macros[0][1])
+        value = conversions.macro(macros[0][1])
+        for _, body in macros[1:]:
+            value = join(value, conversions.macro(body))
+        return value
     resolved = run.type_in((name, (), ""), frame)
     found = run.class_of(resolved[0], frame.source)
     if found is not None:
         return ClassValue(*found)
     if "::" in name:
-        method = construct.tail_method(run, resolved[0] if "::" in resolved[0] else name, frame.source)
+        method = methods.tail_method(run, resolved[0] if "::" in resolved[0] else name, frame.source)
         if method is not None:
             return Callable(method[0], method[1])
     if resolved[0].endswith("string::npos"):
@@ -132,7 +155,6 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value:
 
 
 def python_name(run: Run, frame: Frame, name: str) -> Value:
-    program = frame.source.program
     if name in ("True", "False", "None"):
         return Known({"True": True, "False": False, "None": None}[name])
     found = run.index.near(run.index.classes, name, frame.source, run.files)
@@ -141,17 +163,35 @@ def python_name(run: Run, frame: Frame, name: str) -> Value:
     functions = [f for f in run.index.functions.get(name, ()) if f[0].path == frame.source.path]
     if functions:
         return Callable(functions[-1][0], functions[-1][1])
-    for alias in program.aliases:
-        if alias.name == name:
-            return imported(run, frame, alias.type[0])
-    for alias in program.aliases:
+    looking = ("looking", frame.source.path, name)
+    if looking not in run.found:  # else modules import each other
+        run.found[looking] = True
+        try:
+            value = _imported_name(run, frame, name)
+        finally:
+            del run.found[looking]
+        if value is not None:
+            return value
+    if not hasattr(builtins, name):
+        return Library(_starred(run, frame.source, name) or name)
+    return Library(name)
+
+
+def _imported_name(run: Run, frame: Frame, name: str) -> Value | None:
+    """What the file's imports of *name* mean: either of several, and of several modules with all their names the last."""
+    targets = dict.fromkeys(alias.type[0] for alias in frame.source.program.aliases if alias.name == name)
+    value: Value | None = None
+    for target in targets:
+        other = imported(run, frame, target)
+        value = other if value is None else join(value, other)
+    if value is not None:
+        return value
+    for alias in reversed(frame.source.program.aliases):
         if alias.name == "*":
             value = imported(run, frame, f"{alias.type[0].removesuffix('.*')}.{name}")
             if not isinstance(value, Library):
                 return value
-    if not hasattr(builtins, name):
-        return Library(_starred(run, frame.source, name) or name)
-    return Library(name)
+    return None
 
 
 def _starred(run: Run, source: Source, name: str) -> str | None:
@@ -210,6 +250,6 @@ def module_frame(run: Run, source: Source) -> Frame:
         if body is not None and body.body:
             for statement in body.body:
                 run.step()
-                if statements.STATEMENTS[statement[0]](run, frame, statement) != statements.NEXT:
+                if statements.STATEMENTS[statement[0]](run, frame, statement) != NEXT:
                     break
     return frame

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from haros_ci.link import construct, expressions, library_python, lookup
+from haros_ci.link import expressions, library_python, lookup, methods
+from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import pointee
 from haros_ci.link.values import (
@@ -20,19 +21,27 @@ from haros_ci.link.values import (
     Value,
     join,
 )
-from haros_ci.model.program import Expression
+from haros_ci.model.program import Class, Expression
 
 
 def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
     """The cell of a data member; made where the class declares it (or Python may), None where there is none."""
     if isinstance(value, Pointer):
         value = value.cell.value
+    if isinstance(value, Module):
+        return lookup.module_frame(run, value.source).scopes[0].get(name)
+    if isinstance(value, ClassValue):
+        return static_cell(run, value.source, value.definition, name)
     if not isinstance(value, Object):
         return None
     cell = value.fields.get(name)
     if cell is None and value.definition is not None:
         source, definition = value.definition
-        found = construct.field_of(run, source, definition, name, value.templates)
+        if source.program.language == "python":
+            cell = static_cell(run, source, definition, name)
+            if cell is not None:
+                return cell
+        found = methods.field_of(run, source, definition, name, value.templates)
         if found is not None:
             where, declared, kind = found
             if declared.is_static:
@@ -41,6 +50,29 @@ def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
                 run.opaque(f"the member {name} is not set before", frame, None, kind), kind
             )
     return cell
+
+
+def static_cell(run: Run, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:
+    """The cell of a class's own attribute, declared or assigned to, or that of its bases."""
+    separator = source.separator
+    set_later = run.globals.get((source.path, f"{definition.name}{separator}{name}"))
+    if set_later is not None:
+        return set_later
+    for declared in definition.fields:
+        if declared.name == name and (declared.is_static or separator == "."):
+            if not declared.is_static:
+                return None
+            frame = Frame(source, definition.name)
+            kind = run.type_in(declared.type, frame)
+            return lookup.global_cell(run, source, f"{definition.name}{separator}{name}", declared.init, kind)
+    if depth < methods.BASES:
+        for base in run.bases(source, definition, {}):
+            owner = methods.python_class(run, base, source) if separator == "." else run.class_of(base[0], source)
+            if owner is not None and owner[1] is not definition:
+                found = static_cell(run, owner[0], owner[1], name, depth + 1)
+                if found is not None:
+                    return found
+    return None
 
 
 def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
@@ -63,18 +95,20 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         cell = member(run, value, name, frame)
         if cell is not None:
             return cell.value
-        method = construct.method_of(run, value, name)
+        method = methods.method_of(run, value, name)
         if method is not None:
             return method
+        if name == "__class__" and value.definition is not None:
+            return ClassValue(*value.definition)
         return Library(f"{value.name}{frame.source.separator}{name}", value)
     if isinstance(value, ClassValue):
-        found = construct.field_of(run, value.source, value.definition, name, {})
+        found = methods.field_of(run, value.source, value.definition, name, {})
         if found is not None:
             separator = value.source.separator
             return lookup.global_cell(
                 run, found[0], f"{value.definition.name}{separator}{name}", found[1].init, found[2]
             ).value
-        unbound = construct.class_method(run, value.source, value.definition, name)
+        unbound = methods.class_method(run, value.source, value.definition, name)
         if unbound is not None:
             return Callable(*unbound)
         return Library(f"{value.definition.name}.{name}")
@@ -89,10 +123,10 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         if kind is not None and kind[0]:
             owner = run.class_of(pointee(kind)[0], frame.source)
             if owner is not None:
-                declared = construct.field_of(run, owner[0], owner[1], name, {})
+                declared = methods.field_of(run, owner[0], owner[1], name, {})
                 if declared is not None:
                     return Opaque(value.reason, value.location, declared[2])
-                unbound = construct.class_method(run, owner[0], owner[1], name)
+                unbound = methods.class_method(run, owner[0], owner[1], name)
                 if unbound is not None:
                     return Callable(*unbound)
             return Library(f"{pointee(kind)[0]}{frame.source.separator}{name}", value)

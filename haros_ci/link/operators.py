@@ -9,10 +9,10 @@ from typing import Any
 from haros_ci.link import (
     activation,
     call_arguments,
-    construct,
     conversions,
     expressions,
     formats,
+    methods,
     statements,
     texts,
 )
@@ -65,9 +65,10 @@ def operation(run: Run, frame: Frame, expression: Expression) -> Value:
         return _shift(run, frame, symbol, operands, left)
     right = expressions.evaluate(run, frame, operands[1])
     if isinstance(left, Object) and left.definition is not None:
-        method = construct.method_of(run, left, f"operator{symbol}")
+        given = (call_arguments.Argument(right, None, conversions.value_type(right)),)
+        method = methods.method_of(run, left, f"operator{symbol}", given)
         if method is not None:
-            return activation.invoke(run, frame, method, (call_arguments.Argument(right),), None)
+            return activation.invoke(run, frame, method, given, None)
     return binary(run, frame, symbol, left, right)
 
 
@@ -79,7 +80,7 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
         return _over(right, lambda option: binary(run, frame, symbol, left, option))
     if symbol == "+" and (_is_text(left) or _is_text(right)):
         for value in (left, right):
-            if isinstance(value, Known) and isinstance(value.value, (int, float)) and type(value.value) is not Character:
+            if isinstance(value, Known) and not isinstance(value.value, (str, Character)):
                 return run.opaque("a number is added to a text", frame)
         return concatenate((left, right))
     if symbol == "%" and isinstance(left, Known) and isinstance(left.value, str):
@@ -206,9 +207,11 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: Any, left: Value) -> V
     right = cell.value if cell is not None else expressions.evaluate(run, frame, operands[1])
     if isinstance(left, Object):
         if left.definition is not None:
-            method = construct.method_of(run, left, f"operator{symbol}")
+            kind = cell.type if cell is not None else conversions.value_type(right)
+            given = (call_arguments.Argument(right, cell, kind),)
+            method = methods.method_of(run, left, f"operator{symbol}", given)
             if method is not None:
-                return activation.invoke(run, frame, method, (call_arguments.Argument(right, cell),), None)
+                return activation.invoke(run, frame, method, given, None)
         text = left.fields.get("[text]")
         if text is not None and symbol == "<<":
             texts.insert(run, frame, left, right)

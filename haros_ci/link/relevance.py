@@ -92,9 +92,7 @@ class Relevance:
         known = self._variables.get(id(function))
         if known is None:
             names = {
-                p.name
-                for p in function.parameters
-                if _may_be_called(p.type, source) or p.type[0] in function.templates
+                p.name for p in function.parameters if _may_be_called(p.type, source) or p.type[0] in function.templates
             }
             _variables(function.body, names, source)
             known = self._variables[id(function)] = (function, frozenset(names))
@@ -215,6 +213,7 @@ def _walk(item: Any, found: set[str], mentioned: set[str], source: Source) -> No
                 found.add("::".join(callee[1].split("::")[-2:]))
             elif callee[0] == "field":
                 found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2]}")
+            found.update(_last(name) for kind in node[3] for name in _type_names(kind))  # make_shared<T>()
         elif tag == "set" and len(node) == 4 and node[2][0] == "index":
             found.add(ELEMENT)
         elif (tag == "new" and len(node) == 5) or (tag == "var" and len(node) == 6):
@@ -245,9 +244,17 @@ def _variables(block: Any, names: set[str], source: Source) -> None:
         if node[0] == "var" and len(node) == 6:
             init = node[3]
             if _may_be_called(node[2], source) or (init and init[0] == "=" and init[1] and init[1][0] == "lambda"):
-                if node[2][0] != "auto" or (init and init[0] == "=" and init[1][0] in ("lambda", "name", "&", "call", "if")):
+                if node[2][0] != "auto" or (
+                    init and init[0] == "=" and init[1][0] in ("lambda", "name", "&", "call", "if")
+                ):
                     names.add(node[1])
-        elif python and node[0] == "set" and len(node) == 4 and node[2][0] == "name" and node[3][0] in ("lambda", "name", "field", "call"):
+        elif (
+            python
+            and node[0] == "set"
+            and len(node) == 4
+            and node[2][0] == "name"
+            and node[3][0] in ("lambda", "name", "field", "call")
+        ):
             names.add(node[2][1])
         elif node[0] == "def":
             continue

@@ -26,6 +26,8 @@ STEPS = 60_000
 DEPTH = 28
 #: Turns of a loop whose condition is known.
 TURNS = 64
+#: How a block ends: it falls through, or it leaves in one of these ways.
+NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
 
 
 #: From a call's place, the last part of its function's name and the number of its arguments to the arguments' types and
@@ -169,6 +171,10 @@ class Run:
     pairs: dict[Location, Location] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
     is_interlude: bool = False
+    #: Why there may be more than what was made, and where.
+    gaps: dict[str, Location] = field(default_factory=dict)
+    #: The cells that the last function returned a reference to: None if it was no reference, empty if they are not known.
+    references: tuple[Cell, ...] | None = None
     #: What each callback writes by itself, as far as they have been rehearsed.
     effects: list[dict[Cell, Any]] = field(default_factory=list)
     #: Why what is made now may not be made at all, where no statement is the condition.

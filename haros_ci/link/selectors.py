@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import construct, conversions, handles, members
+from haros_ci.link import conversions, handles, members, methods
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_type, parameter_type
@@ -266,7 +266,7 @@ def _callback_type(run: Run, argument: Argument, index: int) -> TypeValue | None
     """The type of a callback's parameter that is not bound."""
     value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
     if isinstance(value, Object) and value.definition is not None:
-        value = construct.method_of(run, value, "operator()") or value
+        value = methods.method_of(run, value, "operator()") or value
     if isinstance(value, Callable):
         free = [p for n, p in enumerate(value.function.parameters) if n >= len(value.bound) or value.bound[n] is None]
         if index >= len(free):

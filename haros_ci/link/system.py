@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from haros_ci.link.ends import endpoints
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
 from haros_ci.link.index import Source
@@ -17,10 +18,9 @@ from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.run import Context, Exact, Made, Run
-from haros_ci.link.types import data_type
 from haros_ci.link.values import Known, Value, data_of, opaque_of
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import KINDS, Condition, Endpoint, Node, Unknown
+from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
 from haros_ci.model.launch import Started
 from haros_ci.model.location import Location
@@ -38,6 +38,7 @@ class Followed:
     made: tuple[Made, ...]
     problems: tuple[Problem, ...]
     names: list[tuple[Value, bool]]
+    gaps: Mapping[str, Location]
     asked: Mapping[str, Value | None]
 
 
@@ -116,7 +117,7 @@ def instantiate(types: Types, started: Started, server: ParameterServer) -> tupl
         return _known(types, node, namespace, tuple(rest), parameter, remaps), ()
     instance = Instance(started.name, namespace, None if words is None else tuple(rest), remaps, process)
     followed = run_node(types, *found, instance, parameter)
-    unknowns = (*node.unknowns, *_incomplete(followed.problems, found[0], node.location))
+    unknowns = (*node.unknowns, *_incomplete(followed, found[0], node.location))
     ends = endpoints(followed.made, remaps, server)
     return replace(node, endpoints=ends, unknowns=unknowns), followed.problems
 
@@ -202,7 +203,7 @@ def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, .
         type=name,
         location=location,
         process=chosen,
-        unknowns=_incomplete(followed.problems, entry, location),
+        unknowns=_incomplete(followed, entry, location),
     )
     return replace(node, endpoints=endpoints(followed.made, {}, server)), followed.problems
 
@@ -272,79 +273,18 @@ def run_node(
             f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         )
         problems = (Problem(entry.source.path, said),)
-    earlier.append(Followed(tuple(run.made.values()), problems, run.names, asked))
+    earlier.append(Followed(tuple(run.made.values()), problems, run.names, run.gaps, asked))
     return earlier[-1]
 
 
-def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: ParameterServer) -> tuple[Endpoint, ...]:
-    """Endpoints with their final names, by kind and place.
-
-    A getter whose variable has no type that can be told has the type of what the configuration sets.
-    """
-    order = {kind: number for number, kind in enumerate(KINDS)}
-    found = [
-        Endpoint(
-            kind=item.kind,
-            name=remaps.get(item.name, item.name),
-            original_name=item.name,
-            type=item.type,
-            location=item.location,
-            conditions=_distinct(item.conditions),
-            queue_size=item.queue_size,
-            latched=item.latched,
-            value=item.value,
-            implicit=item.implicit,
-            source="exact-tier" if item.is_exact else "source",
-            unknowns=(
-                *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
-                *_told_by_others(item, remaps),
-            ),
-        )
-        for item in made
-    ]
-    found = [_typed(end, server) if end.kind == "getters" and end.type is None else end for end in found]
-    return tuple(
-        sorted(
-            found,
-            key=lambda e: (
-                order[e.kind],
-                e.location.sort_key if e.location else (),
-                e.name,
-                e.type or "",
-                repr(e.value),
-            ),
-        )
-    )
-
-
-def _told_by_others(item: Made, remaps: Mapping[str, str]) -> tuple[Unknown, ...]:
-    """Why a name is unknown that the code itself knows."""
-    if "?" in item.name and not any(field == "name" for field, _, _ in item.unknowns):
-        return (Unknown("name", "the name of the node or of its namespace is not known"),)
-    if "?" not in item.name and "?" in remaps.get(item.name, ""):
-        return (Unknown("name", "the launch file remaps it to a name that is not known"),)
-    return ()
-
-
-def _incomplete(problems: tuple[Problem, ...], entry: Entry, location: Location | None) -> tuple[Unknown, ...]:
+def _incomplete(followed: Followed, entry: Entry, location: Location | None) -> tuple[Unknown, ...]:
     """Why a node may have more endpoints than are known."""
-    found = [Unknown("endpoints", problem.message, location) for problem in problems]
+    found = [Unknown("endpoints", problem.message, location) for problem in followed.problems]
+    found += [Unknown("endpoints", said, where) for said, where in sorted(followed.gaps.items())]
     if entry.definition is None and not entry.source.program.functions and entry.source.program.problems:
         line, message = entry.source.program.problems[0]
         found.append(Unknown("endpoints", message, Location(entry.source.path, line)))
     return tuple(found)
-
-
-def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:
-    value = server.get(end.name)
-    kind = data_type(value.value) if isinstance(value, Known) else None
-    if kind is None:
-        return end
-    return replace(end, type=kind, unknowns=tuple(u for u in end.unknowns if u.field != "type"))
-
-
-def _distinct(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:
-    return tuple(dict.fromkeys(conditions))
 
 
 def _words(text: str) -> tuple[str, ...] | None:

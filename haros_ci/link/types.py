@@ -33,8 +33,17 @@ INTEGERS = frozenset(
 )
 REALS = frozenset(("double", "float", "long double"))
 WRAPPERS = frozenset(
-    ("ros::MessageEvent", "message_filters::MessageEvent", "std::reference_wrapper", "boost::reference_wrapper")
+    f"{space}::{name}"
+    for space, names in (
+        ("ros", ("MessageEvent", "ServiceEvent")),
+        ("message_filters", ("MessageEvent",)),
+        ("std", ("reference_wrapper",)),
+        ("boost", ("reference_wrapper",)),
+    )
+    for name in names
 )
+#: Members of traits and containers, which are not types by themselves.
+DEPENDENT = frozenset(("type", "value_type", "element_type", "mapped_type", "key_type"))
 #: What publishes as another message (pcl_ros and tf give them ros::message_traits).
 SERIALISED = {"pcl/PointCloud": "sensor_msgs/PointCloud2", "tf/tfMessage": "tf2_msgs/TFMessage"}
 
@@ -73,12 +82,17 @@ def resolve_type(
     for candidate in index.scopes(name, scope, source):
         if index.classes.get(candidate):
             return (candidate, resolved, marks)
-        for where, alias in index.near(index.aliases, candidate, source, files)[:1]:
+        targets = []
+        for where, alias in index.near(index.aliases, candidate, source, files):
             if alias.type[0] in (name, candidate):  # typedef struct X X
                 continue
             bindings = dict(zip(alias.templates, resolved, strict=False))
             around = candidate.rpartition("::")[0]
-            target = resolve_type(index, alias.type, around, where, files, bindings, depth + 1)
+            targets.append(resolve_type(index, alias.type, around, where, files, bindings, depth + 1))
+        if targets:
+            target = targets[0]
+            if any(repr(pointee(other)) != repr(pointee(target)) for other in targets):
+                return (candidate, resolved, marks)  # one of several, under an #if
             return (target[0], target[1], target[2] + marks)
     if colons:
         for candidate in index.scopes(head, scope, source):
@@ -96,6 +110,11 @@ def resolve_type(
                         depth + 1,
                     )
     if source.program.language != "python":
+        local = index.local.get(source.path, {}).get(name) if not colons and not _foreign(source) else None
+        if local is not None:
+            around = local.name.rpartition("::")[0].rpartition("::")[0]
+            target = resolve_type(index, local.type, around, source, files, templates, depth + 1)
+            return (target[0], target[1], target[2] + marks)
         if not colons:
             name = _by_include(index, name, source, scope)
         else:
@@ -103,6 +122,11 @@ def resolve_type(
             name = f"{whole}::{tail}" if whole != head else name
         return _pointer(name, resolved, marks)
     return (name, resolved, marks)
+
+
+def _foreign(source: Source) -> bool:
+    """Whether names may come out of namespaces that the workspace does not define."""
+    return any(namespace not in ("std", "ros", "boost") for _, namespace in source.program.scopes)
 
 
 def _pointer(name: str, arguments: Any, marks: str) -> Type:
@@ -176,7 +200,7 @@ def message_type(kind: Type | None) -> str | None:
         parts.pop()
     if len(parts) == 3 and parts[1] == "msg":
         parts.pop(1)
-    if len(parts) != 2 or parts[0] in ("std", "boost", "ros", "ecl", "Eigen"):
+    if len(parts) != 2 or parts[1] in DEPENDENT or parts[0] in ("std", "boost", "ros", "ecl", "Eigen"):
         return None
     last = parts[1]
     for suffix in ("ConstPtr", "Ptr"):

@@ -316,11 +316,6 @@ void pub(const std::string& n) { nh.advertise<std_msgs::String>(n, 1); } };
 #: Why a row does not hold yet.
 DEFECTS = (
     because(
-        ("a lambda that is called back has lost the scopes that it was made in (statements.execute pops them)"),
-        "lambda",
-        "lambda with a handle of its own",
-    )
-    | because(
         "what callbacks do to each other is joined once, not until nothing changes (follow._disturb)",
         "set through itself",
     )

@@ -560,38 +560,9 @@ DEFECTS = (
         "very deep chain to a global",
     )
     | because(
-        ("copies of structs, vectors and maps share their cells (initial, assignment, bind, push_back, auto)"),
-        "struct copied",
-        "struct assigned",
-        "struct given by value",
-        "structs collected",
-        "struct with a vector copied",
-        "vector given by value",
-        "vector copied by auto",
-        "vector returned by value",
-        "vector in a vector copied",
-        "map copied",
-        "vector built before a copy",
-    )
-    | because(
-        ("a function's returned reference is a copy, and what is assigned to it is lost (calls.call has no cell)"),
-        "reference that a method returns",
-        "reference kept from a method",
-        "reference from a function",
-    )
-    | because(
         "objects, maps and texts given to what is not known stay as they were (library.unknown_call)",
         "struct filled by what is declared only",
         "reference held by what is not known",
-    )
-    | because(
-        "a member that is a reference is a copy (construct.initialise)",
-        "reference held by an object",
-    )
-    | because(
-        ("one of two callees or objects is carried out as both, one after the other (Choice in calls.call, apply)"),
-        "object of two",
-        "object of two by pointer",
     )
 )
 

@@ -492,23 +492,13 @@ DEFECTS = (
     )
     | because(
         "what is assigned to a class's or module's attribute is lost (assignments._target)",
-        "attribute of an imported class set",
-        "attribute of a module set, then imported",
-        "attribute set by another name",
-        "attribute set by the class in a method",
         "attributes from keywords",
-        "module's attribute set",
-        "module's attribute set, function",
     )
     | because(
         "globals(), __dict__, vars() and exec change nothing",
         "globals()",
         "exec",
         "vars()",
-    )
-    | because(
-        "a list that is known as data is never changed (operators.element, library_python.method)",
-        "element of split set",
     )
     | because(
         "a namespace that is set does not reach the parameters below it (run.parameter)",
@@ -526,35 +516,16 @@ DEFECTS = (
     )
     | because(
         ("of several definitions of one name the first is taken for the only one (calls.choose, index.near)"),
-        "defined again",
         "defined under a condition",
         "class under a condition",
-        "method defined again",
     )
     | because(
         ("imports are looked up last and in their order in the file, whatever is assigned when (_python_name)"),
-        "import under a condition",
         "import over a variable",
-        "two stars",
     )
     | because(
         "decorators are passed over",
-        "decorator of one's own",
-        "decorator from elsewhere",
         "property with a setter",
-    )
-    | because(
-        "+= on a list makes another list (assignments.assignment)",
-        "list extended in place",
-    )
-    | because(
-        "del and assignments to slices or under unknown keys are passed over (assignments.assignment)",
-        "variable deleted",
-        "element deleted",
-        "entry deleted",
-        "slice assigned",
-        "element set at an unknown place",
-        "entry set under an unknown key",
     )
     | because(
         "__eq__ is not asked (operators.binary)",

@@ -182,9 +182,6 @@ def test_nothing_depends_on_the_order_of_files() -> None:
     assert follow(forwards) == follow(backwards)
 
 
-@pytest.mark.xfail(
-    strict=True, reason="with_body takes the first body of the workspace, whichever files the executable is made of"
-)
 def test_a_function_of_another_executable_is_not_this_ones() -> None:
     """Two executables of one package define ``topic``; each has its own."""
     files = {
@@ -198,7 +195,6 @@ def test_a_function_of_another_executable_is_not_this_ones() -> None:
     assert {c.name: names(c.nodes[0]) for c in found.configurations} == {"p/one": ["/of_one"], "p/two": ["/of_two"]}
 
 
-@pytest.mark.xfail(strict=True, reason="with_body takes the first body of the workspace, linked or not")
 def test_a_function_of_another_package_is_not_this_ones_unless_linked() -> None:
     files = {
         "p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n main.cpp)\n",
@@ -210,7 +206,6 @@ def test_a_function_of_another_package_is_not_this_ones_unless_linked() -> None:
     assert {c.name: names(c.nodes[0]) for c in found.configurations} == {"p/n": ["/?"]}
 
 
-@pytest.mark.xfail(strict=True, reason="index.near falls back on the whole workspace, included or not")
 def test_a_constant_of_another_package_is_not_this_ones() -> None:
     files = {
         "p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n main.cpp)\n",
@@ -221,7 +216,6 @@ def test_a_constant_of_another_package_is_not_this_ones() -> None:
     assert names(node(follow(files))) == ["/?"]
 
 
-@pytest.mark.xfail(strict=True, reason="index.near falls back on the whole workspace, included or not")
 def test_a_macro_of_another_package_is_not_this_ones() -> None:
     files = {
         "p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n main.cpp)\n",
@@ -244,10 +238,6 @@ def test_a_static_variable_of_another_file_is_not_this_ones() -> None:
     assert names(found) == ["/a"]
 
 
-@pytest.mark.xfail(
-    strict=True,
-    reason=("an extern declaration is a variable of its own (global_cell's key has the path), and its setter is inert"),
-)
 def test_an_external_variable_is_the_one_that_is_defined() -> None:
     found = node(
         follow(

@@ -359,26 +359,9 @@ UNKNOWN = (
 #: Why a row does not hold yet.
 DEFECTS = (
     because(
-        "an array in braces is taken for its first element (construct.create)",
-        "array of two",
-        "array",
-    )
-    | because(
         "an assignment to something that has no cell is passed over (assignments.assignment)",
-        "last character set",
         "characters set in a loop",
-        "character of an array set",
-        "character set",
-        "character set by at",
-        "element set at an unknown place",
-        "element set by at",
-        "element set by front",
-        "entry set under an unknown key",
         "set through an iterator",
-        "elements set through an iterator",
-        "pointer to one of two",
-        "reference to one of two",
-        "tie",
     )
     | because(
         "integers have no width, and the remainder is Python's (operators._computed, converted)",
@@ -397,10 +380,6 @@ DEFECTS = (
     )
     | because(
         ("of several definitions under #if, or after #undef, the first is taken for the only one (index.near)[0]"),
-        "macros under #if",
-        "macro defined again",
-        "globals under #if",
-        "functions under #if",
         "locals under #if",
     )
     | because(
@@ -415,16 +394,9 @@ DEFECTS = (
     )
     | because(
         "captures by value are the captured variables (expressions._lambda)",
-        "captured with a value of its own",
         "capture by value",
         "capture of all by value",
         "mutable lambda",
-    )
-    | because(
-        ("overloads and specialisations are told apart by their number of arguments only (construct.overload)"),
-        "overloads by type",
-        "overload of a double",
-        "specialised template",
     )
     | because(
         "goto is passed over (extract/cpp statements)",

@@ -253,7 +253,7 @@ def test_batches_are_even_and_of_one_group(given: list[Unit], shapes: list[int])
     made = schedule.batches(given, cost=1.0, seconds=4.0)
     assert [len(batch) for batch in made] == shapes
     assert schedule.batches(given[::-1], cost=1.0, seconds=4.0) == made
-    assert sorted((u.file.path for batch in made for u in batch)) == sorted(u.file.path for u in given)
+    assert sorted(u.file.path for batch in made for u in batch) == sorted(u.file.path for u in given)
 
 
 def test_path_has_no_directory_of_the_workspace(tmp_path: Path) -> None:

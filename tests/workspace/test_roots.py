@@ -6,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-
 from commandline import write
+
 from haros_ci.errors import UserError
 from haros_ci.workspace.roots import locate
 

@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What C++ copies and what it refers to: values of class, vector and map types, braces, arrays, returned references."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from haros_ci.link import assignments, call_arguments, construct, expressions, methods
+from haros_ci.link.index import Source
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import MAPS, SEQUENCES, is_smart_pointer, pointee
+from haros_ci.link.values import Cell, Choice, Mapped, Object, Opaque, Sequence, Value
+from haros_ci.model.location import Location
+from haros_ci.model.program import Class, Expression, Function, Type
+
+#: Values inside values that are copied, and all of them together.
+DEEP = 6
+CELLS = 2_000
+PAIR = "std::pair"
+
+
+def is_by_value(kind: Type | None) -> bool:
+    """Whether a variable of the resolved type holds a value of its own, and no pointer or reference."""
+    if kind is None or kind[0] in ("", "auto", "()"):
+        return False
+    return "*" not in kind[2] and "&" not in kind[2] and not is_smart_pointer(kind)
+
+
+def copied(run: Run, value: Value, kind: Type | None) -> Value:
+    """*value* as another variable of static type *kind* holds it in C++: objects, vectors and maps are copied.
+
+    Pointers, references, objects of libraries and what is of no known type stay the same.
+    """
+    if isinstance(value, (Object, Sequence, Mapped, Choice)) and is_by_value(kind):
+        assert kind is not None
+        return _copy(run, value, kind, DEEP, [CELLS])
+    return value
+
+
+def _copy(run: Run, value: Value, kind: Type, depth: int, left: list[int]) -> Value:
+    if isinstance(value, Choice):
+        return Choice(tuple(_copy(run, option, kind, depth, left) for option in value.options))
+    if not isinstance(value, (Object, Sequence, Mapped)):
+        return value
+    if depth < 0 or left[0] < 0:
+        return Opaque("it is too large to be followed", None, kind)
+    if isinstance(value, Sequence):
+        cells: Any = value.content.value
+        inner = kind[1][0] if kind[0] in SEQUENCES and kind[1] else None
+        if isinstance(cells, tuple):
+            cells = tuple(_twin(run, cell, cell.type or inner, depth, left) for cell in cells)
+        return Sequence(Cell(cells), value.type or (kind if kind[0] in SEQUENCES else None))
+    if isinstance(value, Mapped):
+        pairs: Any = value.content.value
+        inner = kind[1][1] if kind[0] in MAPS and len(kind[1]) > 1 else None
+        if isinstance(pairs, dict):
+            pairs = {key: _twin(run, cell, cell.type or inner, depth, left) for key, cell in pairs.items()}
+        return Mapped(Cell(pairs))
+    if value.definition is None:
+        if value.name != PAIR:
+            return value
+        return replace(value, fields={n: _twin(run, cell, cell.type, depth, left) for n, cell in value.fields.items()})
+    owner = run.class_of(kind[0], value.definition[0])
+    if owner is None or not derives(run, value.definition, owner[1]):
+        return value
+    constructor = _copy_constructor(run, owner)
+    if constructor is not None and constructor not in run.active:
+        argument = call_arguments.Argument(value, Cell(value, (value.name, value.arguments, "")))
+        where = value.location or Location(owner[0].path)
+        return construct.instance(run, Frame(owner[0], ""), owner, value.arguments, (argument,), where)
+    twin = replace(value, fields={})
+    if owner[1] is not value.definition[1]:
+        twin = replace(twin, name=owner[1].name, definition=owner)
+    for name, cell in value.fields.items():
+        twin.fields[name] = cell if is_reference(run, value, name) else _twin(run, cell, cell.type, depth, left)
+    return twin
+
+
+def _twin(run: Run, cell: Cell, kind: Type | None, depth: int, left: list[int]) -> Cell:
+    left[0] -= 1
+    if kind is not None and is_by_value(kind):
+        return Cell(_copy(run, cell.value, kind, depth - 1, left), cell.type)
+    return Cell(cell.value, cell.type)
+
+
+def derives(run: Run, one: tuple[Source, Class], base: Class, depth: int = 0) -> bool:
+    """Whether class *one* is *base* or derived from it."""
+    if one[1] is base or one[1].name == base.name:
+        return True
+    if depth >= methods.BASES:
+        return False
+    owners = [run.class_of(each[0], one[0]) for each in run.bases(one[0], one[1], {})]
+    others = [owner for owner in owners if owner is not None and owner[1] is not one[1]]
+    return any(derives(run, owner, base, depth + 1) for owner in others)
+
+
+def is_reference(run: Run, value: Object, name: str) -> bool:
+    """Whether a member is a reference."""
+    source, definition = value.definition
+    key = ("reference", source.path, definition.name, name)
+    if key not in run.found:
+        found = methods.field_of(run, source, definition, name, {})
+        run.found[key] = found is not None and "&" in found[2][2]
+    return bool(run.found[key])
+
+
+def _single(run: Run, owner: tuple[Source, Class]) -> list[tuple[Function, Type]]:
+    """The constructors that take one argument, with its type."""
+    source, definition = owner
+    key = ("constructors of one", source.path, definition.name)
+    if key not in run.found:
+        name = f"{definition.name}::{definition.name.rpartition('::')[2]}"
+        frame = Frame(source, definition.name)
+        run.found[key] = [
+            (function, run.type_in(function.parameters[0].type, frame))
+            for _, function in run.index.near(run.index.functions, name, source, run.files)
+            if function.parameters and all(p.default is not None for p in function.parameters[1:])
+        ]
+    found: list[tuple[Function, Type]] = run.found[key]
+    return found
+
+
+def _copy_constructor(run: Run, owner: tuple[Source, Class]) -> Function | None:
+    for function, kind in _single(run, owner):
+        if kind[0] == owner[1].name and kind[2].count("&") == 1 and "*" not in kind[2] and function.body is not None:
+            return function
+    return None
+
+
+def duplicate(run: Run, owner: tuple[Source, Class], argument: call_arguments.Argument) -> Value | None:
+    """``C(c)`` as a copy; None where it is no copy, or where a constructor of the class says what happens."""
+    value = argument.value
+    if not isinstance(value, Object) or value.definition is None or not derives(run, value.definition, owner[1]):
+        return None
+    if argument.type is not None and ("*" in argument.type[2] or is_smart_pointer(argument.type)):
+        return None
+    for function, kind in _single(run, owner):
+        if kind[0] in function.templates or is_smart_pointer(kind) or "*" in kind[2]:
+            return None
+        found = run.class_of(pointee(kind)[0], owner[0])
+        if found is not None and derives(run, value.definition, found[1]) and function.body is not None:
+            return None
+    return copied(run, value, (owner[1].name, value.arguments, ""))
+
+
+def static_copy(run: Run, frame: Frame, expression: Expression) -> Type | None:
+    """The type of value that *expression* has, so that ``auto`` copies it; None where that is not known."""
+    tag = expression[0]
+    kind: Type | None = None
+    if tag == "cast":
+        kind = run.type_in(expression[1], frame)
+    elif tag == "if":
+        return static_copy(run, frame, expression[2])
+    elif tag == "*":
+        cell = expressions.cell_of(run, frame, expression[1]) if expression[1][0] in call_arguments.LVALUES else None
+        kind = cell.type if cell is not None else None
+        if kind is None or not (is_smart_pointer(kind) or kind[2].count("*") == 1):
+            return None
+        kind = pointee(kind)
+    elif tag == "call" and expression[1][0] == "name":
+        kind = run.type_in((expression[1][1], expression[3], ""), frame)
+        return kind if run.class_of(kind[0], frame.source) is not None else None
+    elif tag in ("name", "field", "index", "call"):
+        cell = expressions.cell_of(run, frame, expression)
+        kind = cell.type if cell is not None else None
+    if kind is None or "*" in kind[2] or not is_by_value((kind[0], kind[1], "")):
+        return None
+    return (kind[0], kind[1], "")
+
+
+def taken(run: Run, frame: Frame, kind: Type, expression: Expression, value: Value) -> Value:
+    """The value of *expression* as a new variable of the resolved type *kind* takes it: copied if it is another's."""
+    if frame.source.program.language == "python" or "*" in kind[2] or "&" in kind[2]:
+        return value
+    if expression[0] == "call" and run.references is None and expression[1][-1] not in assignments.ACCESSORS:
+        return value
+    if expression[0] in ("new", "lambda", "&", "this"):
+        return value
+    known = kind if kind[0] not in ("auto", "") else static_copy(run, frame, expression)
+    if known is None and isinstance(value, Sequence) and expression[0] in ("name", "field"):
+        known = value.type or ("std::vector", (), "")
+    return copied(run, value, known)
+
+
+def returned(run: Run, inner: Frame, function: Function, returns: Type, value: Value) -> Value:
+    """What a call gives: a copy, or the value of the cells that are referred to, which the run keeps."""
+    run.references = None
+    if inner.source.program.language == "python" or not isinstance(returns[2], str):
+        return value
+    if "&" in returns[2]:
+        written, local = _written(function)
+        cells = [_referred(run, inner, expression, local) for expression in written]
+        run.references = tuple(cell for cell in cells if cell is not None) if all(cells) else ()
+        return value
+    if not isinstance(value, (Object, Sequence, Mapped, Choice)) or function.returns[0] in function.templates:
+        return value
+    written, local = _written(function)
+    if all(e[0] in ("call", "new", "list") or (e[0] == "name" and e[1] in local) for e in written):
+        return value
+    return copied(run, value, returns)
+
+
+def _written(function: Function) -> tuple[list[Expression], set[str]]:
+    """The expressions that a function returns, and the names of its local variables."""
+    found: list[Expression] = []
+    local: set[str] = set()
+    waiting: list[Any] = [function.body]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, (tuple, list)) and node:
+            if node[0] == "return" and len(node) == 2 and node[1] is not None:
+                found.append(node[1])
+            elif node[0] == "var" and len(node) == 6:
+                local.add(node[1])
+            elif node[0] == "each" and len(node) == 8:
+                local.add(node[4])
+            waiting.extend(node)
+    return found, local
+
+
+def _referred(run: Run, frame: Frame, expression: Expression, local: set[str]) -> Cell | None:
+    """The cell of a returned reference, after the function's end; None if it may be that of a local variable."""
+    inner = expression
+    while inner[0] in ("field", "index", "*", "cast"):
+        if inner[0] == "index" and inner[2][0] not in ("num", "str", "name"):
+            return None
+        if inner[0] == "index" and inner[2][0] == "name" and inner[2][1] in local:
+            return None
+        inner = inner[2] if inner[0] == "cast" else inner[1]
+    if inner[0] == "this" or (inner[0] == "name" and inner[1] not in local):
+        return expressions.cell_of(run, frame, expression)
+    return None
+
+
+def passed(run: Run, inner: Frame, value: Value, kind: Type, argument: call_arguments.Argument, is_open: bool) -> Value:
+    """An argument as a parameter of type *kind* takes it; if that is open, the argument's own type counts."""
+    if inner.source.program.language == "python":
+        return value
+    if is_open:
+        return copied(run, value, argument.cell.type if argument.cell is not None and not kind[2] else None)
+    return copied(run, value, kind)
+
+
+Captured = tuple[str, Any, int, int]
+
+
+def captures(run: Run, frame: Frame, index: int) -> tuple[Function, tuple[Captured, ...]]:
+    """A lambda without, and apart, the variables that its captures declare: they stand before its body's brace."""
+    written = frame.source.program.functions[index]
+    key = ("lambda", frame.source.path, index)
+    found: tuple[Function, Function, tuple[Captured, ...]] | None = run.found.get(key)
+    if found is None or found[0] is not written:
+        body = written.body or ()
+        count = 0
+        brace = (written.body_line, written.body_column)
+        while count < len(body) and body[count][0] == "var" and (body[count][4], body[count][5]) < brace:
+            count += 1
+        captured = tuple((s[1], s[3], s[4], s[5]) for s in body[:count])
+        function = replace(written, body=tuple(body[count:])) if count else written
+        found = run.found[key] = (written, function, captured)
+    return found[1], found[2]

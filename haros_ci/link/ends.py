@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From what a node has made to its endpoints: final names, types that the configuration tells, what is unknown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from haros_ci.link.parameters import ParameterServer
+from haros_ci.link.run import Made
+from haros_ci.link.types import data_type
+from haros_ci.link.values import Known
+from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
+
+
+def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: ParameterServer) -> tuple[Endpoint, ...]:
+    """Endpoints with their final names, by kind and place.
+
+    A getter whose variable has no type that can be told has the type of what the configuration sets.
+    """
+    order = {kind: number for number, kind in enumerate(KINDS)}
+    found = [
+        Endpoint(
+            kind=item.kind,
+            name=remaps.get(item.name, item.name),
+            original_name=item.name,
+            type=item.type,
+            location=item.location,
+            conditions=_distinct(item.conditions),
+            queue_size=item.queue_size,
+            latched=item.latched,
+            value=item.value,
+            implicit=item.implicit,
+            source="exact-tier" if item.is_exact else "source",
+            unknowns=(
+                *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
+                *_told_by_others(item, remaps),
+            ),
+        )
+        for item in made
+    ]
+    found = [_typed(end, server) if end.kind == "getters" and end.type is None else end for end in found]
+    return tuple(
+        sorted(
+            found,
+            key=lambda e: (
+                order[e.kind],
+                e.location.sort_key if e.location else (),
+                e.name,
+                e.type or "",
+                repr(e.value),
+            ),
+        )
+    )
+
+
+def _told_by_others(item: Made, remaps: Mapping[str, str]) -> tuple[Unknown, ...]:
+    """Why a name is unknown that the code itself knows."""
+    if "?" in item.name and not any(field == "name" for field, _, _ in item.unknowns):
+        return (Unknown("name", "the name of the node or of its namespace is not known"),)
+    if "?" not in item.name and "?" in remaps.get(item.name, ""):
+        return (Unknown("name", "the launch file remaps it to a name that is not known"),)
+    return ()
+
+
+def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:
+    value = server.get(end.name)
+    kind = data_type(value.value) if isinstance(value, Known) else None
+    if kind is None:
+        return end
+    return replace(end, type=kind, unknowns=tuple(u for u in end.unknowns if u.field != "type"))
+
+
+def _distinct(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:
+    return tuple(dict.fromkeys(conditions))

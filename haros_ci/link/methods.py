@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Classes: the look-up of their members and methods through their bases, and which of several overloads is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from haros_ci.link import expressions, lookup, members, overloads
+from haros_ci.link.index import Source
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import resolve_type
+from haros_ci.link.values import Callable, ClassValue, Object, Value
+from haros_ci.model.program import Class, Field, Function, Type
+
+if TYPE_CHECKING:
+    from haros_ci.link.call_arguments import Argument
+
+    #: The arguments of a call, None where no call is meant.
+    Given = Sequence[Argument] | None
+
+#: Deeper hierarchies are cut off (and cycles with them).
+BASES = 12
+
+Member = tuple[Source, Field, Type]
+Found = tuple[Source, Function]
+
+
+def field_of(
+    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, Type], depth: int = 0
+) -> Member | None:
+    """The data member *name* of a class or its bases: where it is declared, and its resolved type."""
+    for declared in definition.fields:
+        if declared.name == name:
+            kind = resolve_type(run.index, declared.type, definition.name, source, run.files, templates)
+            return source, declared, kind
+    if depth < BASES:
+        for base in run.bases(source, definition, templates):
+            owner = run.class_of(base[0], source)
+            if owner is not None and owner[1] is not definition:
+                bound = dict(zip(owner[1].templates, base[1], strict=False))
+                found = field_of(run, owner[0], owner[1], name, bound, depth + 1)
+                if found is not None:
+                    return found
+    return None
+
+
+def class_method(
+    run: Run, source: Source, definition: Class, name: str, given: Given = None, depth: int = 0
+) -> Found | None:
+    """The method *name* of a class or its bases; the arguments *given* choose between overloads."""
+    separator = source.separator
+    candidates = run.index.near(run.index.functions, f"{definition.name}{separator}{name}", source, run.files)
+    if separator == "::":
+        if not any(function.body is not None for _, function in candidates):
+            tail = f"{definition.name.rpartition('::')[2]}::{name}"
+            loose = [
+                item
+                for item in run.index.by_tail.get(tail, ())
+                if item[1].body is not None and definition.name.endswith(item[1].owner) and item[1].owner
+            ]
+            bodies = overloads.nearest(run, loose, source)
+            candidates = [*bodies, *candidates]
+    else:
+        candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
+    if candidates:
+        where, function = overload(run, candidates, given)
+        return where, overloads.decorated(run, function) if separator == "." else function
+    if depth < BASES:
+        for base in run.bases(source, definition, {}):
+            owner = python_class(run, base, source) if separator == "." else run.class_of(base[0], source)
+            if owner is not None and owner[1] is not definition:
+                found = class_method(run, owner[0], owner[1], name, given, depth + 1)
+                if found is not None:
+                    return found
+    return None
+
+
+def python_class(run: Run, base: Type, source: Source) -> tuple[Source, Class] | None:
+    value: Value = expressions.evaluate(run, lookup.module_frame(run, source), ("name", base[0].split(".")[0]))
+    for part in base[0].split(".")[1:]:
+        value = members.attribute(run, value, part, Frame(source, ""))
+    return (value.source, value.definition) if isinstance(value, ClassValue) else None
+
+
+def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -> list[str]:
+    """The names of all base classes that are not of the workspace."""
+    found: list[str] = []
+    if depth < BASES:
+        for base in run.bases(source, definition, {}):
+            if source.program.language == "python":
+                owner = python_class(run, base, source)
+                name = base[0]
+                if owner is None:
+                    value = expressions.evaluate(run, Frame(source, ""), ("name", name.split(".")[0]))
+                    name = ".".join((getattr(value, "name", name.split(".")[0]), *name.split(".")[1:]))
+            else:
+                owner, name = run.class_of(base[0], source), base[0]
+            if owner is None:
+                found.append(name)
+            elif owner[1] is not definition:
+                found += library_bases(run, owner[0], owner[1], depth + 1)
+    return found
+
+
+def method_of(run: Run, this: Object, name: str, given: Given = None) -> Callable | None:
+    """The method *name* of an object, bound to it."""
+    if this.definition is None:
+        return None
+    source, definition = this.definition
+    found = class_method(run, source, definition, name, given)
+    if found is None:
+        return None
+    return Callable(found[0], found[1], this, templates=this.templates)
+
+
+def overload(run: Run, candidates: list[Found], given: Given) -> Found:
+    """The definition that takes the arguments *given*, with its body if it has one; of several bodies none for certain."""
+    fitting = candidates
+    if given is not None:
+        fitting = [item for item in candidates if overloads.takes(item[1], len(given))] or candidates
+    best = next((item for item in fitting if item[1].body is not None), fitting[0])
+    if given is not None and len({overloads.signature(item[1]) for item in fitting}) > 1:
+        best = overloads.chosen(run, fitting, given)
+    if best[1].body is None:
+        bodies = [
+            item
+            for item in candidates
+            if item[1].body is not None and len(item[1].parameters) == len(best[1].parameters)
+        ]
+        wanted = overloads.signature(best[1])
+        best = next((item for item in bodies if overloads.signature(item[1]) == wanted), (*bodies, best)[0])
+    return overloads.any_of(run, best, candidates) if best[1].body is not None else best
+
+
+def with_body(run: Run, candidates: list[Found]) -> Found:
+    """The first that has a body, looked for under the same name in the files of the node if need be."""
+    for item in candidates:
+        if item[1].body is not None:
+            return overloads.any_of(run, item, candidates)
+    source, function = candidates[0]
+    if source.separator == ".":
+        return candidates[0]
+    bodies = [
+        item
+        for item in run.index.functions.get(function.name, ())
+        if item[1].body is not None and len(item[1].parameters) == len(function.parameters)
+    ]
+    found = overloads.nearest(run, bodies, source)
+    alike = [item for item in found if overloads.signature(item[1]) == overloads.signature(function)] or found
+    return overloads.any_of(run, alike[0], alike) if alike else candidates[0]
+
+
+def tail_method(run: Run, name: str, source: Source) -> Found | None:
+    """``C::m`` where the class is known under a using-directive only."""
+    tail = "::".join(name.split("::")[-2:])
+    found = run.index.near(run.index.by_tail, tail, source, run.files)
+    return overload(run, found, None) if found else None

@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which of several functions of one name is meant; where that cannot be told, a function that is none of them for sure.
+
+C++ ranks overloads by how their parameters fit the arguments (en.cppreference.com/w/cpp/language/overload_resolution).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.link.index import EITHER, Source
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import INTEGERS, REALS, STRINGS, is_type, pointee
+from haros_ci.link.values import Known
+from haros_ci.model.program import Function, Type
+
+if TYPE_CHECKING:
+    from haros_ci.link.call_arguments import Argument
+
+Found = tuple[Source, Function]
+#: How a parameter takes an argument: as it is, as a template's, converted, perhaps, not at all.
+EXACT, GENERIC, CONVERTED, PERHAPS, NOT = 4, 3, 2, 1, 0
+#: Decorators that leave what a function returns as it is, by the last part of their names.
+TRANSPARENT = frozenset(
+    (
+        "property",
+        "staticmethod",
+        "classmethod",
+        "wraps",
+        "abstractmethod",
+        "abstractproperty",
+        "cached_property",
+        "lru_cache",
+        "cache",
+        "override",
+        "final",
+        "setter",
+        "getter",
+        "deleter",
+        "overload",
+    )
+)
+#: Expressions and statements whose numbers are no places.
+STRICT = ("num", "lambda", "def")
+ACCESSORS = frozenset(("setter", "deleter", "getter"))
+#: Classes of bases that are looked into.
+BASES = 12
+
+
+def nearest(run: Run, found: list[Found], source: Source) -> list[Found]:
+    """Of definitions elsewhere of what *source* declares: those of the node's own files, else of its package, else others."""
+    index = run.index
+    for fits in (
+        lambda other: other.path in run.files,
+        lambda other: other.path == source.path,
+        lambda other: other.package == source.package,
+    ):
+        near = [item for item in found if fits(item[0])]
+        if near:
+            informed = [
+                item for item in near if item[0].path == source.path or source.path in index.reach(item[0].path)
+            ]
+            return informed or near
+    return [item for item in found if item[1].owner in index.classes or index.sees(source, item[0], run.files)]
+
+
+def chosen(run: Run, candidates: list[Found], arguments: Sequence[Argument]) -> Found:
+    """The overload that fits *arguments* best; of several that fit alike, none for certain."""
+    ranked: list[tuple[int, Found]] = []
+    for item in candidates:
+        fits = [
+            _fit(run, item, parameter.type, argument)
+            for parameter, argument in zip(item[1].parameters, arguments, strict=False)
+        ]
+        ranked.append((-1 if NOT in fits else sum(fits), item))
+    top = max(score for score, _ in ranked)
+    best = sorted((item for score, item in ranked if score == top), key=lambda item: item[1].body is None)
+    names = {signature(item[1]) for item in best}
+    if len(names) == 1 or best[0][1].body is None:
+        return any_of(run, best[0], best) if best[0][1].body is not None else best[0]
+    return best[0][0], _unsure(run, best[0][1], tuple(item[1] for item in best))
+
+
+def takes(function: Function, count: int) -> bool:
+    """Whether a function can be called with *count* arguments."""
+    required = sum(1 for p in function.parameters if p.default is None and not p.name.startswith("*"))
+    open_end = any(p.name.startswith("*") for p in function.parameters)
+    return required <= count and (open_end or count <= len(function.parameters))
+
+
+def any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
+    """*one*, or what stands for all that have its signature and another body."""
+    wanted = signature(one[1])
+    alike = [item for item in candidates if item is one or (item[1].body is not None and signature(item[1]) == wanted)]
+    different = [one, *(item for item in alike if item[1] is not one[1] and not _same(item[1].body, one[1].body))]
+    if len(different) == 1:
+        return one
+    functions = tuple(item[1] for item in different)
+    names = [[p.name for p in function.parameters] for function in functions]
+    if (
+        all(f.guards for f in functions)
+        and all(n == names[0] for n in names)
+        and len({s.path for s, _ in different}) == 1
+    ):
+        return one[0], _guarded(run, functions)
+    return one[0], _unsure(run, one[1], functions)
+
+
+def is_any(run: Run, function: Function) -> bool:
+    """Whether *function* stands for several, or for what a decorator makes of one."""
+    return ("any", id(function)) in run.found
+
+
+def decorated(run: Run, function: Function) -> Function:
+    """A Python function as its decorators leave it: with results that are not known where they may do anything."""
+    for decorator in function.decorators:
+        while decorator[0] == "call":
+            decorator = decorator[1]
+        if decorator[0] not in ("name", "field") or decorator[-1] not in TRANSPARENT:
+            return _unsure(run, function, (function,))
+    return function
+
+
+def python_methods(found: list[Found]) -> list[Found]:
+    """The last definition of a method counts; a property's setter is none."""
+    own = [item for item in found if not any(d[0] == "field" and d[-1] in ACCESSORS for d in item[1].decorators)]
+    return (own or found)[-1:]
+
+
+def signature(function: Function) -> tuple[str, ...]:
+    """The parameters' types as text that a declaration and its definition share, names without their scopes."""
+    return tuple(_plain(parameter.type) for parameter in function.parameters)
+
+
+def _plain(kind: Any, depth: int = 0) -> str:
+    if not is_type(kind) or depth > BASES:
+        return "?"
+    inner = ",".join(_plain(item, depth + 1) for item in kind[1])
+    return f"{kind[0].rpartition('::')[2]}<{inner}>{kind[2]}"
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Whether two blocks are the same but for their places."""
+    waiting = [(one, other)]
+    while waiting:
+        left, right = waiting.pop()
+        if isinstance(left, (tuple, list)) and isinstance(right, (tuple, list)):
+            if len(left) != len(right) or (left and left[0] in STRICT and list(left) != list(right)):
+                return False
+            waiting += zip(left, right, strict=True)
+        elif left != right and not (type(left) is int and type(right) is int):
+            return False
+    return True
+
+
+def _guarded(run: Run, functions: tuple[Function, ...]) -> Function:
+    """One function of the bodies under the branches of an #if."""
+    branches = tuple((*function.guards[-1], function.body) for function in functions)
+    return _made(run, functions, (("pre", branches),), functions[0].guards[:-1])
+
+
+def _unsure(run: Run, function: Function, functions: tuple[Function, ...]) -> Function:
+    """*function* with results, and effects, that are not sure."""
+    gone = (("return", ("?", EITHER)),)
+    body = (("pre", ((function.line, function.column, "", gone),)), *(function.body or ()))
+    return _made(run, functions, body, function.guards)
+
+
+def _made(run: Run, functions: tuple[Function, ...], body: Any, guards: Any) -> Function:
+    key = ("any of", *(id(function) for function in functions))
+    found: Function | None = run.found.get(key)
+    if found is None:
+        found = run.found[key] = replace(functions[0], body=body, guards=guards)
+        run.found["any", id(found)] = found
+    return found
+
+
+def _fit(run: Run, item: Found, written: Type, argument: Argument) -> int:
+    source, function = item
+    if argument.type is None or not argument.type[0]:
+        if isinstance(argument.value, Known) and argument.value.value is None:
+            return EXACT if "*" in written[2] else PERHAPS
+        return PERHAPS
+    if written[0] in function.templates:
+        return GENERIC
+    kind = run.type_in(written, Frame(source, function.owner or function.name.rpartition("::")[0]))
+    owner = run.class_of(function.owner, source) if function.owner else None
+    if owner is not None and kind[0] in owner[1].templates:
+        return GENERIC
+    return _conversion(run, source, kind, argument.type)
+
+
+def _conversion(run: Run, source: Source, kind: Type, given: Type) -> int:
+    wanted, shown = _sort(kind), _sort(given)
+    if wanted in ("int", "real", "bool") and shown in ("int", "real", "bool"):
+        if "*" in kind[2]:
+            return NOT
+        return EXACT if wanted == shown else CONVERTED
+    if "auto" in (wanted, shown):
+        return PERHAPS
+    if wanted == shown == "text":
+        return EXACT
+    if shown == "text":
+        return NOT if wanted in ("int", "real") else PERHAPS
+    inner, actual = pointee(kind)[0], pointee(given)[0]
+    if wanted == "text":
+        return NOT if shown in ("real", "bool") or _has_no_conversion(run, source, actual) else PERHAPS
+    if inner == actual or inner in (f"{actual}Ptr", f"{actual}ConstPtr"):
+        return EXACT
+    return CONVERTED if _derives(run, source, actual, inner) else PERHAPS
+
+
+def _has_no_conversion(run: Run, source: Source, name: str) -> bool:
+    """Whether a class is of the workspace and neither it nor a base of it declares a conversion (``operator X``)."""
+    owner = run.class_of(name, source)
+    if owner is None:
+        return False
+    if "conversions" not in run.found:
+        names = (name.partition("::operator ") for name in run.index.functions)
+        run.found["conversions"] = frozenset(owner for owner, found, _ in names if found)
+    return owner[1].name not in run.found["conversions"] and not run.bases(owner[0], owner[1], {})
+
+
+def _sort(kind: Type) -> str:
+    """What sort of thing a type is: text, bool, int, real, auto or its own name."""
+    name: str = kind[0]
+    if name in STRINGS or (name == "char" and "*" in kind[2]):
+        return "text"
+    if name == "bool":
+        return name
+    if name in REALS:
+        return "real"
+    if name in INTEGERS or set(name.split()) <= INTEGERS:
+        return "int"
+    return "auto" if name == "auto" else name or "auto"
+
+
+def _derives(run: Run, source: Source, name: str, base: str) -> bool:
+    seen: set[str] = set()
+    waiting = [name]
+    while waiting and len(seen) < BASES:
+        current = waiting.pop()
+        if current == base:
+            return True
+        owner = run.class_of(current, source)
+        if owner is not None and current not in seen:
+            seen.add(current)
+            waiting += [kind[0] for kind in run.bases(owner[0], owner[1], {})]
+    return False
