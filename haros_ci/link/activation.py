@@ -39,7 +39,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.program import Expression, Function, Type
 
 #: Steps that may go into one function that makes nothing; after that its results are not known.
-SPENT = 3_000
+SPENT = 300
 
 
 def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_arguments.Argument, ...]) -> Callable:
@@ -97,7 +97,7 @@ def invoke(
         inert.skipped(run, inner, function, definition, returns, _with_bound(function.bound, args))
         return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
     given = _with_bound(function.bound, args)
-    makes_nothing = not run.relevance.makes(definition, function.source)
+    makes_nothing = not inert.may_make(run, function, given)
     if makes_nothing and (
         run.spent.get(id(definition), 0) > SPENT or inert.is_inert(run, function, definition, returns, given)
     ):

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from haros_ci.link import activation, call_arguments, construct, lookup
+from haros_ci.link import activation, call_arguments, construct, inert, lookup
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, OutOfSteps, Root, Run
 from haros_ci.link.state import Writes, joined
@@ -70,14 +70,13 @@ def _call_back(run: Run, frame: Frame) -> None:
     effects: list[Writes] = []
     while done < min(len(run.roots), ROOTS):
         batch = run.roots[done:ROOTS]
-        before = run.steps
         _rehearse_all(run, frame)
         effects = list(run.effects)
-        if run.steps - before < CHEAP:  # what one leaves behind may change what another does
+        if run.rehearsed < CHEAP:  # what one leaves behind may change what another does
             for number, root in enumerate(batch, start=done):
                 effects[number] = _rehearsed(run, frame, root, run.effects, number)
         for number, root in enumerate(batch, start=done):
-            if not run.relevance.makes(root.function.function, root.function.source):
+            if not inert.may_make(run, root.function, ()):
                 continue
             mark = run.state.mark()
             _disturb(run, effects, number)
@@ -97,11 +96,13 @@ def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number:
     start = run.state.mark()
     _disturb(run, others, number)
     mark = run.state.mark()
+    before = run.steps
     run.quiet += 1
     try:
         _invoke(run, frame, root)
     finally:
         run.quiet -= 1
+        run.rehearsed += run.steps - before
     writes = run.state.since(mark)
     run.state.undo(start)
     return writes

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from haros_ci.link import call_arguments
+from haros_ci.link import call_arguments, methods
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     NONE,
@@ -15,6 +15,7 @@ from haros_ci.link.values import (
     Choice,
     ClassValue,
     Known,
+    Library,
     Mapped,
     Object,
     Opaque,
@@ -26,13 +27,47 @@ from haros_ci.model.program import Function, Type
 
 #: Objects inside objects that are looked into.
 NESTED = 3
+#: Kinds of values that can be called, and those that may hold such.
+CALLED = frozenset((Callable, ClassValue, Library, Object))
+CALLABLE = CALLED | {Choice, Pointer, Sequence, Mapped}
+
+
+def may_make(run: Run, function: Callable, args: tuple[call_arguments.Argument, ...]) -> bool:
+    """Whether a call may make something: the function by itself, or something that it is given and may call."""
+    if run.relevance.makes(function.function, function.source):
+        return True
+    return any(a.value.__class__ in CALLABLE and _makes(run, a.value) for a in args) or any(
+        value.__class__ in CALLABLE and _makes(run, value) for value in function.bound
+    )
+
+
+def _makes(run: Run, value: Any) -> bool:
+    if isinstance(value, Callable):
+        return may_make(run, value, ())
+    if isinstance(value, ClassValue):
+        return run.relevance.named(value.definition.name)
+    if isinstance(value, Library):
+        return run.relevance.named(value.name)
+    if isinstance(value, Object):
+        if value.definition is None:
+            return False
+        source, definition = value.definition
+        found = methods.class_method(run, source, definition, "operator()" if source.separator == "::" else "__call__")
+        return found is not None and run.relevance.makes(found[1], found[0])
+    if isinstance(value, Choice):
+        return any(_makes(run, option) for option in value.options)
+    if isinstance(value, Pointer):
+        return value.cell.value.__class__ in CALLED
+    content = value.content.value if isinstance(value, (Sequence, Mapped)) else None
+    cells = content.values() if isinstance(content, dict) else content if isinstance(content, tuple) else ()
+    return any(cell.value.__class__ in CALLED for cell in cells)
 
 
 def is_inert(
     run: Run, function: Callable, definition: Function, returns: Type, args: tuple[call_arguments.Argument, ...]
 ) -> bool:
-    """Whether a function need not be followed: it makes nothing, and gives and changes numbers only."""
-    if run.relevance.makes(definition, function.source) or definition.kind == "constructor":
+    """Whether a function that makes nothing need not be followed: it gives and changes numbers only."""
+    if definition.kind == "constructor":
         return False
     if returns[0] and not call_arguments.is_scalar(returns) and returns[0] != "bool":
         return False

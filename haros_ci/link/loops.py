@@ -15,6 +15,8 @@ from haros_ci.model.program import Block, Statement
 
 #: Turns that are tried to find what a loop changes.
 REHEARSALS = 3
+#: Turns around a loop from which on it is widened: 2 for each loop that is gone through, all of them in a rehearsal.
+NESTED = 8
 
 
 def loop(run: Run, frame: Frame, statement: Statement) -> str:
@@ -91,24 +93,27 @@ def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
 def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
     if run.relevance.matters(body, frame.source, frame.function):
-        return run.turns < 8
+        return run.turns < NESTED
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 
 
 def _widened(run: Run, frame: Frame, loop: Loop, body: Any, line: int, matters: bool) -> None:
     """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
 
-    Rehearsed until a turn changes nothing more that was known; then, if the body *matters*, followed for what it makes.
+    Rehearsed until a turn changes nothing more that was known; then, if the body *matters*, followed for what it makes
+    (not in a rehearsal, which makes nothing).
     """
     inner = Loop(run.state.mark())
     ended, writes = NEXT, {}
     for _ in range(1 if run.quiet else REHEARSALS):
         inner = Loop(run.state.mark())
         run.quiet += 1
+        run.turns *= NESTED
         try:
             ended = _turn(run, frame, inner, body)
         finally:
             run.quiet -= 1
+            run.turns //= NESTED
         writes = run.state.undo(inner.mark)
         changed = False
         for cell, value in [item for way in (writes, *inner.breaks) for item in way.items()]:
@@ -121,7 +126,7 @@ def _widened(run: Run, frame: Frame, loop: Loop, body: Any, line: int, matters: 
             run.state.write(cell, Opaque("it changes in a loop", Location(frame.source.path, line), cell.type))
         if not changed:
             break
-    if matters:
+    if matters and not run.quiet:
         inner = Loop(run.state.mark())
         ended = _turn(run, frame, inner, body)
         writes = run.state.undo(inner.mark)
@@ -161,7 +166,7 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
                 run.relevance.matters(body, frame.source, frame.function),
             )
             return _leave(run, current, goes_on=True)
-        if run.turns >= 8 or len(items) > TURNS * 4:
+        if run.turns >= NESTED or len(items) > TURNS * 4:
             unknown = Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
             _widened(
                 run,

@@ -9,7 +9,7 @@ from typing import Any
 from haros_ci.link.index import Index, Source
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import KINDS
-from haros_ci.model.program import Class, Function
+from haros_ci.model.program import Class, Function, Parameter
 
 #: Methods that build a list, whose turns are worth following one by one.
 COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplace", "extend"))
@@ -19,6 +19,8 @@ COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplac
 ELEMENT = "[]="
 #: Stands for the call of a variable: what it holds may make something.
 CALLED = "()"
+#: Stands for the call of a parameter: whether what it holds may make something is seen where an argument is given.
+GIVEN = "(given)"
 #: Methods that leave what they are called on as it is.
 READING = frozenset(
     "size length empty c_str str find at begin end count get front back data isValid ok now toSec".split()
@@ -64,8 +66,8 @@ class Relevance:
         self._targets: dict[int, tuple[Any, frozenset[str]]] = {}
 
     def matters(self, block: Any, source: Source, function: Function | None = None) -> bool:
-        """Whether *block* (of a function in *source*) may make something."""
-        return any(self._name_matters(name) for name in self.names(block, source, function))
+        """Whether *block* (of a function in *source*) may make something, whatever its arguments are."""
+        return any(name == GIVEN or self._name_matters(name) for name in self.names(block, source, function))
 
     def collects(self, block: Any, source: Source) -> bool:
         """Whether *block* puts together a list or map."""
@@ -80,8 +82,11 @@ class Relevance:
             found: set[str] = set()
             mentioned: set[str] = set()
             _walk(block, found, mentioned, source)
-            if function is not None and not found.isdisjoint(self._variables_of(function, source)):
-                found.add(CALLED)
+            if function is not None:
+                if not found.isdisjoint(self._variables_of(function, source)):
+                    found.add(CALLED)
+                if any(p.name in found and self._is_open(p, function, source) for p in function.parameters):
+                    found.add(GIVEN)
             if not self._registering.isdisjoint(found):
                 found |= mentioned  # any of them may be what is called back
             known = self._blocks[key] = (block, frozenset(found))
@@ -98,11 +103,20 @@ class Relevance:
             known = self._variables[id(function)] = (function, frozenset(names))
         return known[1]
 
+    @staticmethod
+    def _is_open(parameter: Parameter, function: Function, source: Source) -> bool:
+        return _may_be_called(parameter.type, source) or parameter.type[0] in function.templates
+
+    def named(self, name: str) -> bool:
+        """Whether a function or class of this name, of an API or of the workspace, may make something."""
+        return self._name_matters(_last(name))
+
     def makes(self, function: Function, source: Source) -> bool:
-        """Whether a function may make something; one without a body is not known to."""
+        """Whether a function may make something by itself; one without a body is not known to."""
         known = self._makes.get(id(function))
         if known is None:
-            found = function.body is not None and self.matters((function.body, function.inits), source, function)
+            block = (function.body, function.inits)
+            found = function.body is not None and any(map(self._name_matters, self.names(block, source, function)))
             known = self._makes[id(function)] = (function, found)
         return known[1]
 

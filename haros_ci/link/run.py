@@ -175,6 +175,8 @@ class Run:
     gaps: dict[str, Location] = field(default_factory=dict)
     #: The cells that the last function returned a reference to: None if it was no reference, empty if they are not known.
     references: tuple[Cell, ...] | None = None
+    #: Steps that went into rehearsals of callbacks.
+    rehearsed: int = 0
     #: What each callback writes by itself, as far as they have been rehearsed.
     effects: list[dict[Cell, Any]] = field(default_factory=list)
     #: Why what is made now may not be made at all, where no statement is the condition.
