@@ -93,12 +93,10 @@ class Relevance:
         return known[1]
 
     def _variables_of(self, function: Function, source: Source) -> frozenset[str]:
-        """The names of a function's variables and parameters that hold, or may hold, a function or class."""
+        """The names of a function's variables that hold, or may hold, a function or class."""
         known = self._variables.get(id(function))
         if known is None:
-            names = {
-                p.name for p in function.parameters if _may_be_called(p.type, source) or p.type[0] in function.templates
-            }
+            names = set[str]()
             _variables(function.body, names, source)
             known = self._variables[id(function)] = (function, frozenset(names))
         return known[1]
