@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.link.common_messages import COMMON
 from haros_ci.link.names import pattern, resolve
-from haros_ci.link.run import Made
+from haros_ci.link.run import Made, Renamed
 from haros_ci.link.types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, pointee
 from haros_ci.link.values import NONE, Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
@@ -32,6 +32,8 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
         anonymous = value_of(applied, entry.values["anonymous"]) if "anonymous" in entry.values else Known(False)
         if name is not None:
             run.names.append((name, anonymous == Known(True)))
+            if len(run.names) == 1 and run.context.renames(*run.names[0]):
+                raise Renamed
         return None
     if entry.kind not in KINDS:
         return None

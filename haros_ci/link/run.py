@@ -39,6 +39,10 @@ class OutOfSteps(Exception):
     """The node is larger than the budget."""
 
 
+class Renamed(Exception):
+    """The node gives itself another name than the one that it is followed under."""
+
+
 @dataclass(slots=True)
 class Frame:
     """An activation of a function: its names, what its template parameters mean, what it has returned so far."""
@@ -123,6 +127,8 @@ class Context:
     #: The process that a nodelet is loaded into; the node itself otherwise.
     process_name: str = ""
     process_namespace: str = "/"
+    #: Whether to stop at the first name that the node gives itself (a value, and whether it is made anonymous).
+    renames: Function_[[Value, bool], bool] = lambda name, anonymous: False
 
 
 def either(

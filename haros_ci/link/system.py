@@ -17,7 +17,7 @@ from haros_ci.link.known.instantiate import instantiate as instantiate_known
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
-from haros_ci.link.run import Context, Exact, Made, Run
+from haros_ci.link.run import Context, Exact, Made, Renamed, Run
 from haros_ci.link.values import Known, Value, data_of, opaque_of
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Node, Unknown
@@ -187,14 +187,18 @@ def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, .
     server = ParameterServer(())
     chosen = f"/{name.partition('.')[0]}"
     instance = Instance(chosen, "/", (), {}, chosen)
-    followed = run_node(types, entry, files, instance, server.get)
-    for value, is_anonymous in followed.names[:1]:
+
+    def renames(value: Value, anonymous: bool) -> bool:
+        nonlocal chosen
         text, why, _ = pattern(value)
-        text = f"{text}_?" if is_anonymous else text
-        if why is None and text and clean(text) != chosen:
-            chosen = clean(text)
-            instance = Instance(chosen, "/", (), {}, chosen)
-            followed = run_node(types, entry, files, instance, server.get)
+        own = clean(f"{text}_?" if anonymous else text) if why is None and text else chosen
+        before, chosen = chosen, own
+        return own != before
+
+    try:
+        followed = run_node(types, entry, files, instance, server.get, renames)
+    except Renamed:
+        followed = run_node(types, entry, files, Instance(chosen, "/", (), {}, chosen), server.get)
     location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
     node = Node(
         name=chosen,
@@ -235,6 +239,7 @@ def run_node(
     files: frozenset[str],
     instance: Instance,
     parameter: Callable[[str], Value | None],
+    renames: Callable[[Value, bool], bool] = lambda name, anonymous: False,
 ) -> Followed:
     """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
     wiring = tuple(sorted(instance.remaps.items()))
@@ -259,6 +264,7 @@ def run_node(
         remap=lambda name: instance.remaps.get(name, name),
         process_name=instance.process,
         process_namespace=instance.process.rpartition("/")[0] or "/",
+        renames=renames,
     )
     language = "python" if entry.source.program.language == "python" else "cpp"
     index = types.programs.index_of(entry)
