@@ -14,6 +14,7 @@ from haros_ci.errors import UserError
 from haros_ci.extract.apis.tables import rows
 from haros_ci.extract.cpp.exact import ExactCall, Place, pick
 from haros_ci.extract.program_json import from_json, to_json
+from haros_ci.forks import shared
 from haros_ci.link import hints
 from haros_ci.link.index import Source
 from haros_ci.link.known.entry import KnownNode
@@ -22,6 +23,7 @@ from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
+from haros_ci.model.package import SourceFile
 from haros_ci.model.program import Program
 from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.workspace.build import builds
@@ -39,11 +41,12 @@ def architecture(
     environment: Mapping[str, str] | None = None,
     known_nodes: bool = True,
     exact: bool = False,
+    processes: int = 1,
 ) -> Architecture:
     """The architecture of *workspace* as *settings* (hints, API rows, configurations of the project file) want it.
 
     *wanted* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees. With *exact*
-    libclang fills what is not known, where headers are installed.
+    libclang fills what is not known, where headers are installed. Up to so many *processes* do the work.
     """
     built = builds(workspace)
     problems: list[Problem] = []
@@ -54,13 +57,14 @@ def architecture(
     link_all = partial(
         link,
         workspace,
-        programs(workspace, built, store, problems),
+        programs(workspace, built, store, problems, processes),
         launch_reader(workspace, store),
         built,
         api_rows(project.get("apis"), where, problems),
         wanted=chosen_ones,
         environment=environment,
         known=known,
+        share=partial(shared, processes=processes),
     )
     found = link_all()
     if exact:
@@ -101,33 +105,40 @@ def filled(
 
 
 def programs(
-    workspace: Workspace, built: Mapping[str, Build], store: Store, problems: list[Problem]
+    workspace: Workspace, built: Mapping[str, Build], store: Store, problems: list[Problem], processes: int = 1
 ) -> tuple[Source, ...]:
     """Every C++ and Python file as a program, from *store* where its bytes are known there."""
     roots = [(directory, name) for build in built.values() for name, directory in build.python_roots]
     sources = []
-    for file in workspace.files:
-        if file.language not in ("cpp", "python"):
-            continue
-        program = _program(workspace, file.path, file.language, file.digest, store)
+    files = [file for file in workspace.files if file.language in ("cpp", "python")]
+    kept = {file.path: from_json(store.get(*_place(file))) for file in files}
+    new = [file for file in files if kept[file.path] is None]
+    jobs = [partial(_read, workspace, file.path, file.language) for file in new]
+    for file, data in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
+        store.put(*_place(file), data)
+        kept[file.path] = from_json(data)
+    for file in files:
+        program = kept[file.path]
+        assert program is not None
         problems += [Problem(file.path, message, line) for line, message in program.problems]
         module = module_name(file.path, roots) if file.language == "python" else ""
         sources.append(Source(file.path, file.package, program, module))
     return tuple(sources)
 
 
-def _program(workspace: Workspace, path: str, language: str, digest: str, store: Store) -> Program:
-    key = f"{FACTS} {digest}"
-    program = from_json(store.get(f"facts-{language}", path, key))
-    if program is None:
-        read: Callable[[str], Program]
-        if language == "cpp":
-            from haros_ci.extract.cpp.read import read_cpp as read
-        else:
-            from haros_ci.extract.python.read import read_python as read
-        program = read(workspace.text(path))
-        store.put(f"facts-{language}", path, key, to_json(program))
-    return program
+def _place(file: SourceFile) -> tuple[str, str, str]:
+    """Where the facts of a file are kept: their kind, the path, and all that they depend on."""
+    return f"facts-{file.language}", file.path, f"{FACTS} {file.digest}"
+
+
+def _read(workspace: Workspace, path: str, language: str) -> Any:
+    """A file's facts as JSON has them."""
+    read: Callable[[str], Program]
+    if language == "cpp":
+        from haros_ci.extract.cpp.read import read_cpp as read
+    else:
+        from haros_ci.extract.python.read import read_python as read
+    return to_json(read(workspace.text(path)))
 
 
 def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:

@@ -13,7 +13,7 @@ import click
 
 from haros_ci.architecture import architecture, chosen
 from haros_ci.baselines import read_input
-from haros_ci.commands import settings_from, store_for
+from haros_ci.commands import cores, settings_from, store_for
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem
@@ -50,6 +50,7 @@ def model(flags: Mapping[str, Any]) -> int:
         environment=environment,
         known_nodes=not flags["no_known_nodes"],
         exact=flags["exact"],
+        processes=cores(),
     )
     clock.append((time.perf_counter() - started, "linked"))
     trouble = store.flush()

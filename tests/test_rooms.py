@@ -25,7 +25,8 @@ DOORS: dict[str, set[str]] = {
     "api": {"model", "results", "linters"},
     "baselines": {"model", "results", "errors", "config", "workspace"},
     "pipeline": {"model", "results", "errors", "config", "workspace", "linters", "registry", "baselines"},
-    "architecture": {"model", "errors", "config", "workspace", "extract", "link", "exactness"},
+    "forks": set(),
+    "architecture": {"model", "errors", "config", "workspace", "extract", "link", "exactness", "forks"},
     "exactness": {"model", "config", "extract", "linters"},
     "model_command": {
         "architecture", "baselines", "commands", "errors", "link", "model", "output", "report", "workspace",

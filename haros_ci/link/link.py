@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import Any
 
+from haros_ci.link import system
 from haros_ci.link.entries import Programs, executables, nodelets, plugins
 from haros_ci.link.index import Source, build_index
 from haros_ci.link.known.entry import KnownNode
@@ -15,15 +17,24 @@ from haros_ci.link.relevance import Relevance
 from haros_ci.link.roslaunch import entry_files, evaluate
 from haros_ci.link.roslaunch_files import files_of
 from haros_ci.link.run import Exact
-from haros_ci.link.system import Types, alone, instantiate, standalone
+from haros_ci.link.system import Job, Types
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Architecture, Configuration, Node
 from haros_ci.model.build import Build
-from haros_ci.model.launch import LaunchFile
+from haros_ci.model.launch import Launched, LaunchFile
 from haros_ci.model.workspace import Problem, Workspace
 
+#: A node with its endpoints, and what went wrong.
+Result = tuple[Node, tuple[Problem, ...]]
+#: Does jobs, each of a group that has work in common, and gives their results in order.
+Share = Callable[[Sequence[Callable[[], Result]], Sequence[Hashable]], Sequence[Result]]
 #: What is known of a node type outside the workspace, by package and executable or nodelet's look-up name.
 KnownNodes = Callable[[str, str], KnownNode | None]
+
+
+def in_turn(jobs: Sequence[Callable[[], Result]], groups: Sequence[Hashable]) -> Sequence[Result]:
+    """Do the jobs here, one after the other."""
+    return [job() for job in jobs]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,13 +59,14 @@ def link(
     environment: Mapping[str, str] | None = None,
     known: KnownNodes | None = None,
     exact: Exact | None = None,
+    share: Share = in_turn,
 ) -> Architecture:
     """The architecture of *workspace*.
 
     *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
     *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
     is one alone. *known* tells what is known of node types that are not of the workspace, *exact* what the exact
-    tier knows of calls.
+    tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes.
     """
     types = types_of(workspace, sources, builds, rows, known or (lambda package, name: None), exact)
     problems: dict[Problem, None] = {}
@@ -63,45 +75,47 @@ def link(
         chosen = tuple(Wanted(name=path_name(workspace, path), launch=(path,)) for path in entry_files(workspace, load))
     else:
         chosen = wanted
+    jobs: list[Job] = []
     started: set[tuple[str, str]] = set()
+    opened: list[tuple[Wanted, Launched, int]] = []
     for item in chosen:
         seen = {**item.environment, **(environment or {})}
         launched = evaluate(item.launch, workspace, load, item.arguments, seen)
         problems.update(dict.fromkeys(launched.problems))
         server = ParameterServer(launched.parameters)
-        nodes: list[Node] = []
-        for each in launched.nodes:
-            if each.is_test:
-                continue
-            node, said = instantiate(types, each, server)
-            problems.update(dict.fromkeys(said))
-            nodes.append(node)
-            started.add((node.package, node.type))
+        nodes = [system.launched(types, each, server) for each in launched.nodes if not each.is_test]
+        started.update((job.node.package, job.node.type) for job in nodes)
+        opened.append((item, launched, len(nodes)))
+        jobs += nodes
+    if wanted is None:
+        for package, name in sorted(types.executables):
+            if (package, name) not in started:
+                jobs.append(system.alone(types, package, name))
+        for described, _, _ in dict.fromkeys(types.nodelets.values()):
+            if tuple(described.name.split("/", 1)) not in started and "/" in described.name:
+                jobs.append(system.standalone(types, described.name))
+    order = sorted(range(len(jobs)), key=lambda number: -jobs[number].size)  # large ones first: nobody waits at the end
+    done = dict(zip(order, share([jobs[n].follow for n in order], [jobs[n].group for n in order]), strict=True))
+    results = (done[number] for number in range(len(jobs)))
+    for item, launched, count in opened:
+        followed = list(islice(results, count))
+        problems.update(dict.fromkeys(problem for _, said in followed for problem in said))
         configurations.append(
             Configuration(
                 name=item.name,
                 launch=tuple(path_name(workspace, path) for path in item.launch),
-                nodes=tuple(nodes),
+                nodes=tuple(node for node, _ in followed),
                 parameters=launched.parameters,
                 arguments=tuple((name, str(value)) for name, value in launched.arguments),
                 user_data=item.user_data,
             )
         )
-    if wanted is None:
-        for package, name in sorted(types.executables):
-            if (package, name) not in started:
-                node, said = alone(types, package, name)
-                if node.endpoints:
-                    problems.update(dict.fromkeys(said))
-                    configurations.append(Configuration(name=f"{package}/{name}", nodes=(node,)))
-        for described, _, _ in dict.fromkeys(types.nodelets.values()):
-            if tuple(described.name.split("/", 1)) not in started and "/" in described.name:
-                node, said = standalone(types, described.name)
-                if node.endpoints:
-                    problems.update(dict.fromkeys(said))
-                    taken = any(c.name == described.name for c in configurations)
-                    name = f"{described.name} (nodelet)" if taken else described.name
-                    configurations.append(Configuration(name=name, nodes=(node,)))
+    for node, said in results:
+        if node.endpoints:
+            problems.update(dict.fromkeys(said))
+            name = f"{node.package}/{node.type}"
+            taken = node.kind == "nodelet" and any(c.name == name for c in configurations)
+            configurations.append(Configuration(name=f"{name} (nodelet)" if taken else name, nodes=(node,)))
     for build in builds.values():
         problems.update(dict.fromkeys(build.problems))
     return Architecture(

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -72,8 +72,21 @@ class Instance:
     process: str
 
 
-def instantiate(types: Types, started: Started, server: ParameterServer) -> tuple[Node, tuple[Problem, ...]]:
-    """The node that a launch file starts, with all its endpoints."""
+@dataclass(frozen=True, slots=True)
+class Job:
+    """A node that can be followed: *follow* gives it with its endpoints.
+
+    Jobs of one *group* have work in common. *size* is the number of functions in the files that the node is made of.
+    """
+
+    node: Node
+    group: Hashable
+    follow: Callable[[], tuple[Node, tuple[Problem, ...]]]
+    size: int = 0
+
+
+def launched(types: Types, started: Started, server: ParameterServer) -> Job:
+    """The node that a launch file starts."""
     words = _words(started.arguments)
     namespace = started.namespace if started.namespace.startswith("/") else f"/{started.namespace}"
     remaps = {
@@ -114,12 +127,22 @@ def instantiate(types: Types, started: Started, server: ParameterServer) -> tupl
         return private.get(name) or server.get(name)
 
     if found is None:
-        return _known(types, node, namespace, tuple(rest), parameter, remaps), ()
+        return Job(node, None, lambda: (_known(types, node, namespace, tuple(rest), parameter, remaps), ()))
+    entry, files = found
     instance = Instance(started.name, namespace, None if words is None else tuple(rest), remaps, process)
-    followed = run_node(types, *found, instance, parameter)
-    unknowns = (*node.unknowns, *_incomplete(followed, found[0], node.location))
-    ends = endpoints(followed.made, remaps, server)
-    return replace(node, endpoints=ends, unknowns=unknowns), followed.problems
+
+    def follow_it() -> tuple[Node, tuple[Problem, ...]]:
+        followed = run_node(types, entry, files, instance, parameter)
+        unknowns = (*node.unknowns, *_incomplete(followed, entry, node.location))
+        ends = endpoints(followed.made, remaps, server)
+        return replace(node, endpoints=ends, unknowns=unknowns), followed.problems
+
+    return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
+
+
+def _size(types: Types, files: frozenset[str]) -> int:
+    sources = types.programs.sources
+    return sum(len(sources[path].program.functions) for path in files if path in sources)
 
 
 def _known(
@@ -181,12 +204,14 @@ def _nodelet(types: Types, node: Node, words: list[str], namespace: str) -> tupl
     return node, None, node.name
 
 
-def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, ...]]:
+def alone(types: Types, package: str, name: str) -> Job:
     """A node type started by itself, under the name that it gives itself (or its executable's)."""
     entry, files = types.executables[package, name]
     server = ParameterServer(())
+    location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
     chosen = f"/{name.partition('.')[0]}"
     instance = Instance(chosen, "/", (), {}, chosen)
+    node = Node(name=chosen, kind="node", package=package, type=name, location=location, process=chosen)
 
     def renames(value: Value, anonymous: bool) -> bool:
         nonlocal chosen
@@ -195,30 +220,24 @@ def alone(types: Types, package: str, name: str) -> tuple[Node, tuple[Problem, .
         before, chosen = chosen, own
         return own != before
 
-    try:
-        followed = run_node(types, entry, files, instance, server.get, renames)
-    except Renamed:
-        followed = run_node(types, entry, files, Instance(chosen, "/", (), {}, chosen), server.get)
-    location = Location(entry.source.path, entry.function.line if entry.function is not None else 1)
-    node = Node(
-        name=chosen,
-        kind="node",
-        package=package,
-        type=name,
-        location=location,
-        process=chosen,
-        unknowns=_incomplete(followed, entry, location),
-    )
-    return replace(node, endpoints=endpoints(followed.made, {}, server)), followed.problems
+    def follow_it() -> tuple[Node, tuple[Problem, ...]]:
+        try:
+            followed = run_node(types, entry, files, instance, server.get, renames)
+        except Renamed:
+            followed = run_node(types, entry, files, Instance(chosen, "/", (), {}, chosen), server.get)
+        unknowns = _incomplete(followed, entry, location)
+        ends = endpoints(followed.made, {}, server)
+        return replace(node, name=chosen, process=chosen, unknowns=unknowns, endpoints=ends), followed.problems
+
+    return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
 
-def standalone(types: Types, look_up: str) -> tuple[Node, tuple[Problem, ...]]:
+def standalone(types: Types, look_up: str) -> Job:
     """A nodelet in a process of its own, under the name that the nodelet program gives it (``pkg_Class``)."""
     described, entry, files = types.nodelets[look_up]
     name = "/" + look_up.replace("/", "_")
     instance = Instance(name, "/", (), {}, name)
     server = ParameterServer(())
-    followed = run_node(types, entry, files, instance, server.get)
     package, _, last = look_up.partition("/")
     line = entry.definition.line if entry.definition is not None else 1
     node = Node(
@@ -230,7 +249,12 @@ def standalone(types: Types, look_up: str) -> tuple[Node, tuple[Problem, ...]]:
         process=name,
         class_name=described.type.strip(),
     )
-    return replace(node, endpoints=endpoints(followed.made, {}, server)), followed.problems
+
+    def follow_it() -> tuple[Node, tuple[Problem, ...]]:
+        followed = run_node(types, entry, files, instance, server.get)
+        return replace(node, endpoints=endpoints(followed.made, {}, server)), followed.problems
+
+    return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
 
 def run_node(
