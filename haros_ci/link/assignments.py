@@ -158,14 +158,10 @@ def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
     python = frame.source.program.language == "python"
     if python and target[0] == "name":
         is_module = run.modules.get(frame.source.path) is frame
-        cell = frame.scopes[0].get(target[1]) if is_module else frame.find(target[1])
-        if cell is not None and not is_module and not any(target[1] in scope for scope in frame.scopes):
-            before = cell.value  # the variable of a function around: ``nonlocal`` is not told from one of its own
-            run.state.write(cell, run.opaque("a function inside may assign to it", frame))
-            cell = frame.scopes[0][target[1]] = Cell(before)
+        scopes = frame.scopes[:1] if is_module else reversed(frame.scopes)
+        cell = next((scope[target[1]] for scope in scopes if target[1] in scope), None)
         if cell is None:
-            cell = Cell(NONE)
-            frame.scopes[0][target[1]] = cell
+            cell = frame.scopes[0][target[1]] = Cell(NONE)
         return cell
     cell = expressions.cell_of(run, frame, target)
     if cell is None and target[0] == "field":

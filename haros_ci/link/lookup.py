@@ -231,12 +231,20 @@ def imported(run: Run, frame: Frame, target: str) -> Value:
             value: Value = Module(source)
             for part in reversed(rest):
                 value = members.attribute(run, value, part, frame)
+            if rest and value is not run.found.get(("first", source.path, rest[-1]), value):
+                return run.opaque("it is imported by value, and a function of its module assigns to it", frame)
             return value
         head, dot, last = head.rpartition(".")
         if not dot:
             break
         rest.append(last)
     return Library(target)
+
+
+def _rebound(source: Source) -> set[str]:
+    """The variables of a Python module that its functions assign to (``global``)."""
+    statements = (statement for function in source.program.functions for statement in function.body or ())
+    return {name for each in statements if each[0] == "global" for name in each[1]}
 
 
 def module_frame(run: Run, source: Source) -> Frame:
@@ -252,4 +260,7 @@ def module_frame(run: Run, source: Source) -> Frame:
                 run.step()
                 if statements.STATEMENTS[statement[0]](run, frame, statement) != NEXT:
                     break
+        for name in _rebound(source):
+            if name in frame.scopes[0]:
+                run.found["first", source.path, name] = frame.scopes[0][name].value
     return frame

@@ -39,14 +39,7 @@ def loop(run: Run, frame: Frame, statement: Statement) -> str:
                 run.turns //= 2
                 if ended != NEXT:
                     return _leave(run, current, goes_on=False, ended=ended)
-            _widened(
-                run,
-                frame,
-                current,
-                lambda: statements.execute(run, frame, body),
-                line,
-                run.relevance.matters(body, frame.source, frame.function),
-            )
+            _widened(run, frame, current, body, line, lambda: statements.execute(run, frame, body))
             return _leave(run, current, goes_on=True)
     finally:
         frame.scopes.pop()
@@ -97,12 +90,13 @@ def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 
 
-def _widened(run: Run, frame: Frame, loop: Loop, body: Any, line: int, matters: bool) -> None:
+def _widened(run: Run, frame: Frame, loop: Loop, block: Block, line: int, body: Any) -> None:
     """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
 
-    Rehearsed until a turn changes nothing more that was known; then, if the body *matters*, followed for what it makes
-    (not in a rehearsal, which makes nothing).
+    *body* follows a turn. It is rehearsed until it changes nothing more that was known; then, if *block* may make
+    something, it is followed for what it makes (not in a rehearsal, which makes nothing).
     """
+    matters = run.relevance.matters(block, frame.source, frame.function)
     inner = Loop(run.state.mark())
     ended, writes = NEXT, {}
     for _ in range(1 if run.quiet else REHEARSALS):
@@ -154,29 +148,16 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
 
     current = Loop(run.state.mark())
     with run.under("for", text, frame, line, column):
+        unknown: Value | None = None
         if items is None:
             kind_ = static_types.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
-            _widened(
-                run,
-                frame,
-                current,
-                lambda: turn(unknown),
-                line,
-                run.relevance.matters(body, frame.source, frame.function),
-            )
-            return _leave(run, current, goes_on=True)
-        if run.turns >= NESTED or len(items) > TURNS * 4:
+        elif run.turns >= NESTED or len(items) > TURNS * 4:
             unknown = Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
-            _widened(
-                run,
-                frame,
-                current,
-                lambda: turn(unknown),
-                line,
-                run.relevance.matters(body, frame.source, frame.function),
-            )
+        if unknown is not None:
+            _widened(run, frame, current, body, line, partial(turn, unknown))
             return _leave(run, current, goes_on=True)
+        assert items is not None
         for item in items:
             run.turns *= 2
             ended = _turn(run, frame, current, partial(turn, item))

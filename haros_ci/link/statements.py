@@ -32,11 +32,20 @@ def truth(value: Value) -> bool | None:
     """Whether a condition holds, None if that is not known."""
     if isinstance(value, Known):
         return bool(value.value)
-    if isinstance(value, (Object,)):
-        return True
+    if isinstance(value, Object):
+        return None if _decides(value) else True
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         return bool(value.content.value)
     return None
+
+
+def _decides(value: Object) -> bool:
+    """Whether an object has a say in whether it is true."""
+    if value.definition is None:
+        return value.name.rpartition("::")[2] == "optional"
+    source, definition = value.definition
+    words = {f"{definition.name}{source.separator}{word}" for word in ("operator bool", "__bool__", "__len__")}
+    return any(function.name in words for function in source.program.functions)
 
 
 def _do(run: Run, frame: Frame, statement: Statement) -> str:
@@ -47,6 +56,34 @@ def _do(run: Run, frame: Frame, statement: Statement) -> str:
 def _variable(run: Run, frame: Frame, statement: Statement) -> str:
     _, name, kind, init, line, column = statement
     construct.declare(run, frame, name, kind, init, line, column)
+    return NEXT
+
+
+def _static(run: Run, frame: Frame, statement: Statement) -> str:
+    """A variable that is made once. What is made in a rehearsal only is not kept: it has made nothing of note."""
+    name, line, column = statement[1][1], statement[1][4], statement[1][5]
+    key = ("static", frame.source.path, line, column, name, *(kind[0] for kind in frame.templates.values()))
+    if key not in run.found:
+        _variable(run, frame, statement[1])
+        cell = frame.scopes[-1].get(name)
+        if run.quiet or cell is None:
+            return NEXT
+        run.found[key] = cell
+    frame.scopes[-1][name] = run.found[key]
+    return NEXT
+
+
+def _global(run: Run, frame: Frame, statement: Statement) -> str:
+    scope = lookup.module_frame(run, frame.source).scopes[0]
+    for name in statement[1]:
+        frame.scopes[0][name] = scope.setdefault(name, Cell(run.opaque(f"{name} is not set", frame)))
+    return NEXT
+
+
+def _nonlocal(run: Run, frame: Frame, statement: Statement) -> str:
+    for name in statement[1]:
+        cell = frame.outer.find(name) if frame.outer is not None else None
+        frame.scopes[0][name] = cell or Cell(run.opaque(f"{name} is not set", frame))
     return NEXT
 
 
@@ -248,6 +285,9 @@ def _import(run: Run, frame: Frame, statement: Statement) -> str:
 STATEMENTS = {
     "do": _do,
     "var": _variable,
+    "static": _static,
+    "global": _global,
+    "nonlocal": _nonlocal,
     "if": _if,
     "loop": lambda run, frame, s: loops.loop(run, frame, s),
     "each": lambda run, frame, s: loops.each(run, frame, s),

@@ -21,7 +21,8 @@ Expressions, ``E``:
                                    begins, receiver included. ``T(x)``, ``T{x}`` and Python calls are calls, too
     ("new", T, args, line, column)          at the ``new``
     ("op", operator, (E, ...))     unary and binary; ``not``, ``and``, ``or`` are spelled ``!``, ``&&``, ``||``
-    ("set", operator, E, E)        assignment: ``=``, ``+=``, ``<<`` stays an op; ``++`` and ``--`` are ``+=``, ``-=`` of 1
+    ("set", operator, E, E)        assignment: ``=``, ``+=``, ``<<`` stays an op; ``++x`` is ``x += 1``, ``x++`` is
+                                   ``(x += 1) - 1`` where its value is used
     ("if", E, E, E)                the conditional expression: test, then, else
     ("lambda", index)              the function at *index* of ``Program.functions``
     ("list", (E, ...))             braces, Python lists, tuples and sets
@@ -36,8 +37,10 @@ Expressions, ``E``:
 Statements, ``S``; a *block* is a tuple of them:
 
     ("do", E)                                        an expression statement
-    ("var", name, T, init, line, column)             a local variable; ``static`` ones, too. *init* is None, or
-                                                     ("=", E), ("(", args) or ("{", args)
+    ("var", name, T, init, line, column)             a local variable. *init* is None, or ("=", E), ("(", args) or
+                                                     ("{", args)
+    ("static", S)                                    a local variable that is made once
+    ("global", (name, ...))  ("nonlocal", (name, ...))   Python: whose variables the names are in this function
     ("if", line, column, text, E, block, else_line, else_column, block)   *text* is the condition as written, spaces
                                                      collapsed; else_line is 0 without else; ``else if`` is an else
                                                      with one if in it. Python's elif: the else stands at the ``elif``

@@ -545,7 +545,6 @@ NOT_SURE = (
 DEFECTS = (
     because(
         "a static local is made anew at every call (statements._variable)",
-        "singleton",
     )
     | because(
         ("a handler starts from the end of the try block only, and a function's throw ends there (statements._try)"),

@@ -480,10 +480,6 @@ NOT_SURE = (
 DEFECTS = (
     because(
         "a function that assigns to text outside its own members is skipped as inert (inert.py)",
-        "set by a method that makes nothing",
-        "global set",
-        "module that sets its own",
-        "set by a callback",
     )
     | because(
         "keyword arguments that are unpacked do not reach parameters with a default (activation.bind)",
@@ -537,7 +533,6 @@ DEFECTS = (
     )
     | because(
         "any object is true, whatever its __len__ or __bool__ says (statements.truth)",
-        "object with __len__",
     )
     | because(
         ("a handler starts from the end of the try block only, and a function's throw ends there (statements._try)"),
@@ -548,7 +543,6 @@ DEFECTS = (
     )
     | because(
         "callbacks are not thought to run before the end of main (follow._call_back)",
-        "set by a callback, read in main",
     )
     | because(
         "methods are looked up depth first, not in Python's order (construct.class_method, field_of)",

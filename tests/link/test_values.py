@@ -371,12 +371,9 @@ DEFECTS = (
     | because(
         "x++ is x += 1, whose value is the new one (extract/cpp expressions)",
         "post-increment",
-        "post-decrement",
     )
     | because(
         "a static local is made anew at every call (statements._variable)",
-        "static local",
-        "static local set later",
     )
     | because(
         ("of several definitions under #if, or after #undef, the first is taken for the only one (index.near)[0]"),
@@ -390,7 +387,6 @@ DEFECTS = (
         "any object is true, whatever its operator bool says (statements.truth)",
         "operator bool",
         "optional",
-        "operator bool of one's own",
     )
     | because(
         "captures by value are the captured variables (expressions._lambda)",

@@ -14,6 +14,7 @@ from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Unit
 
 _ARGUMENT = field("argument")
 _VALUE = field("value")
+_UPDATED = field("update")
 _TYPE = field("type")
 
 _SPELLED = {
@@ -35,6 +36,7 @@ _MENDED = kinds("assignment_expression binary_expression initializer_list")
 _BLOCK = kinds("compound_statement")
 _DESIGNATOR = kinds("field_designator")
 _DESCRIPTOR = kinds("type_descriptor")
+_UNUSED = kinds("expression_statement comma_expression")
 
 Handler = Callable[[Unit, Node, int], Any]
 
@@ -154,7 +156,11 @@ def _update(unit: Unit, node: Node, depth: int) -> Any:
         return unit.opaque(node)
     is_prefix = argument.start_byte > node.start_byte
     sign = unit.text[node.start_byte] if is_prefix else unit.text[node.end_byte - 1]
-    return ("set", sign + "=", expression(unit, argument, depth), ("num", 1))
+    changed = ("set", sign + "=", expression(unit, argument, depth), ("num", 1))
+    above = node.parent
+    if is_prefix or above is None or above.kind_id in _UNUSED or above.child_by_field_id(_UPDATED) == node:
+        return changed
+    return ("op", "-" if sign == "+" else "+", (changed, ("num", 1)))  # x++ is (x += 1) - 1
 
 
 def _conditional(unit: Unit, node: Node, depth: int) -> Any:

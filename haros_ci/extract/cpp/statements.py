@@ -73,11 +73,15 @@ def _bare(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 def _declaration(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     scope = Scope(unit.function, unit.function)
+    is_static = any(unit.cut(child) == "static" for child in node.children if child.end_byte - child.start_byte == 6)
     for each in declarations.variables(unit, node, scope, depth):
         if each[0].is_parenthesized and each[1] is None:
             out.append(("do", unit.opaque(node)))
-        else:
-            _variable(unit, each, depth, out)
+            continue
+        start = len(out)
+        _variable(unit, each, depth, out)
+        if is_static:
+            out[start:] = [("static", statement) for statement in out[start:]]
 
 
 def _variable(unit: Unit, each: declarations.Variable, depth: int, out: Statements) -> None:

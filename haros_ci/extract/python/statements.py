@@ -41,7 +41,11 @@ def _nothing(node: ast.stmt, scope: Scope, depth: int) -> Block:
 
 def _globals(node: ast.Global, scope: Scope, depth: int) -> Block:
     scope.file.rebound.update(node.names)
-    return ()
+    return (("global", tuple(node.names)),)
+
+
+def _nonlocals(node: ast.Nonlocal, scope: Scope, depth: int) -> Block:
+    return (("nonlocal", tuple(node.names)),)
 
 
 def _plain(node: ast.Expr, scope: Scope, depth: int) -> Block:
@@ -285,7 +289,7 @@ _LOWERED: dict[type[ast.AST], Callable[[Any, Scope, int], Block]] = {
     ast.Continue: lambda node, scope, depth: (("continue",),),
     ast.Pass: _nothing,
     ast.Global: _globals,
-    ast.Nonlocal: _nothing,
+    ast.Nonlocal: _nonlocals,
     ast.FunctionDef: _function,
     ast.AsyncFunctionDef: _function,
     ast.ClassDef: _class,

@@ -76,7 +76,7 @@ A, B, C = ("name", "a"), ("name", "b"), ("name", "c")
         ("(a, b)", ("op", ",", (A, B))),
         ("a = b", ("set", "=", A, B)),
         ("a += b", ("set", "+=", A, B)),
-        ("a++", ("set", "+=", A, ("num", 1))),
+        ("a++", ("op", "-", (("set", "+=", A, ("num", 1)), ("num", 1)))),
         ("--a", ("set", "-=", A, ("num", 1))),
         ("a ? b : c", ("if", A, B, C)),
         ("a ?: b", ("if", A, A, B)),
@@ -125,6 +125,16 @@ def test_expression(text: str, expected: Any) -> None:
     assert found == expected
 
 
+@pytest.mark.parametrize(
+    ("text", "sign"),
+    [("a++;", "+="), ("a--;", "-="), ("++a;", "+="), ("for (;; a++) {}", "+="), ("for (;; --a) {}", "-=")],
+)
+def test_a_step_whose_value_is_not_used(text: str, sign: str) -> None:
+    changed = ("do", ("set", sign, A, ("num", 1)))
+    found = body(text)
+    assert found == (changed,) or found[0][-1] == (changed,)
+
+
 def test_delete_and_comma_are_ops() -> None:
     assert body("delete a; delete[] b; a, b;") == (
         ("do", ("op", "delete", (A,))),
@@ -157,6 +167,7 @@ def test_delete_and_comma_are_ops() -> None:
 )
 def test_type(text: str, expected: Any) -> None:
     (found,) = body(f"{text} v = x;")
+    found = found[1] if found[0] == "static" else found
     assert found[:3] == ("var", "v", expected)
 
 

@@ -43,7 +43,6 @@ def call(name: str, line: int, column: int, *arguments: Any) -> tuple[Any, ...]:
         ("int v[3] = {1};", [("v", T("int", marks="*"), ("=", ("list", (("num", 1),))))]),
         ("const char *v[] = {a};", [("v", T("char", marks="c**"), ("=", ("list", (A,))))]),
         ("int (*v)(char) = a;", [("v", ("()", (T("int"), T("char")), "*"), ("=", A))]),
-        ("static A v;", [("v", T("A"), None)]),
         ("auto v = a;", [("v", T("auto"), ("=", A))]),
         (
             "auto &[v, w] = a;",
@@ -174,6 +173,12 @@ def test_a_variable_stands_at_its_name() -> None:
 )
 def test_statement(text: str, expected: Any) -> None:
     assert body(text) == (expected,)
+
+
+@pytest.mark.parametrize("text", ["static A v;", "static const A v;", "thread_local static A v;"])
+def test_a_static_variable_is_made_once(text: str) -> None:
+    ((kind, variable),) = body(text)
+    assert (kind, variable[:2]) == ("static", ("var", "v"))
 
 
 @pytest.mark.parametrize("text", [";", "static_assert(a);", "using A = B;", "enum E { X };", "#pragma once", "// a"])

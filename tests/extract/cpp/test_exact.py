@@ -92,7 +92,7 @@ def ask(tree: Path, source: str | bytes, flags: Sequence[str] = (), name: str = 
 
 def told(tree: Path, statements: str, before: str = "", **options: Any) -> dict[tuple[int, int], tuple[ExactCall, ...]]:
     """Line and column -> calls; *statements* begin on line 1, with ``mw::Handle nh``."""
-    head = f'#include <mw.h>\n{before}\nvoid f(mw::Handle nh) {{\n'
+    head = f"#include <mw.h>\n{before}\nvoid f(mw::Handle nh) {{\n"
     shift = head.count("\n")
     answer = ask(tree, f"{head}{statements}\n}}\n", **options)
     return {(line - shift, column): calls for (_, line, column), calls in exact.parse(answer).items() if line > shift}
@@ -140,7 +140,7 @@ def test_a_call_with_its_callee_types_values_and_templates(tree: Path) -> None:
         ("g", "int g = 3;", Argument("int", None, "int")),
         ("f(1)", "constexpr double f(double x) { return x * 2; }", Argument("double", 2.0, "double")),
         ("o.x()", "struct Q { const double & x() const; }; Q o;", Argument("double", None, "double")),
-        ("std::string(\"v\")", "", Argument("std::string", "v", "std::string")),
+        ('std::string("v")', "", Argument("std::string", "v", "std::string")),
     ],
 )
 def test_an_overload_and_its_argument(tree: Path, expression: str, before: str, expected: Argument) -> None:
@@ -241,7 +241,7 @@ def test_a_macro_makes_its_call_where_it_is_used(tree: Path) -> None:
 
 @needs_clang
 def test_constructions(tree: Path) -> None:
-    before = "struct N { N(mw::Handle & h) : sub(h, \"field\") {} mw::Sub sub; };\ntypedef mw::Sub Alias;"
+    before = 'struct N { N(mw::Handle & h) : sub(h, "field") {} mw::Sub sub; };\ntypedef mw::Sub Alias;'
     source = 'mw::Sub s(nh, "local", 2);\nauto p = new mw::Sub(nh, "new");\ng(Alias(nh, "alias"));'
     found = told(tree, source, f"void g(mw::Sub);\n{before}")
     assert found[1, 9][0].arguments[1:] == (Argument("std::string", "local", "char*"), Argument("int", 2, "int"))
