@@ -158,6 +158,8 @@ def bind(
             positional = []
             continue
         argument = positional.pop(0) if positional else named.get(parameter.name)
+        if argument is None and ("*" in named or "**" in named):
+            argument = named.get("*", named.get("**"))
         if argument is None:
             default = parameter.default or _declared_default(run, function, number)
             if default is not None:

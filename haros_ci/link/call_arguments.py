@@ -11,6 +11,7 @@ from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import INTEGERS, REALS
 from haros_ci.link.values import (
     Cell,
+    Mapped,
     Value,
 )
 from haros_ci.model.program import Type
@@ -40,12 +41,17 @@ def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
         if tag == "star":
             items = static_types.elements(run, frame, expression[1])
             if items is None:
-                result.append(Argument(run.opaque("unpacked arguments", frame), keyword="*"))
+                result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
             else:
                 result += [Argument(item.value if isinstance(item, Cell) else item) for item in items]
             continue
         if tag == "starstar":
-            result.append(Argument(run.opaque("unpacked arguments", frame), keyword="**"))
+            given = expressions.evaluate(run, frame, expression[1])
+            cells = given.content.value if isinstance(given, Mapped) else None
+            if isinstance(cells, dict) and all(isinstance(key, str) for key in cells):
+                result += [Argument(cell.value, cell, None, key) for key, cell in cells.items()]
+            else:
+                result.append(Argument(run.opaque(UNPACKED, frame), keyword="**"))
             continue
         keyword = ""
         if tag == "kw":
@@ -59,6 +65,8 @@ def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
     return tuple(result)
 
 
+#: Why an argument is not known.
+UNPACKED = "unpacked arguments"
 LVALUES = frozenset(("name", "field", "index", "*"))
 
 

@@ -31,7 +31,7 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
         name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
         anonymous = value_of(applied, entry.values["anonymous"]) if "anonymous" in entry.values else Known(False)
         if name is not None:
-            run.names.append((name, anonymous == Known(True)))
+            run.names.append((name, anonymous == Known(True) or _last(anonymous) == "AnonymousName"))
             if len(run.names) == 1 and run.context.renames(*run.names[0]):
                 raise Renamed
         return None
@@ -213,6 +213,11 @@ def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Val
         ("value", why.reason if why else "it is not plain data", (why and why.location) or applied.location)
     )
     return None, found
+
+
+def _last(value: object) -> str:
+    """The last part of a library's name."""
+    return value.name.rpartition("::")[2] if isinstance(value, Library) else ""
 
 
 def _integer(applied: Applied, entry: Entry, key: str, unknowns: Unknowns) -> int | None:

@@ -94,6 +94,9 @@ def value_of(applied: Applied, template: Template) -> Any:
             found = select_value(applied, alternative)
             if found is not None:
                 return found
+        unpacked = next((a.value for a in applied.args if a.keyword in ("*", "**")), None)
+        if unpacked is not None:
+            return unpacked
         return literal(default) if default is not None else None
     if len(parts) == 1 and isinstance(parts[0], str):
         return literal(parts[0])

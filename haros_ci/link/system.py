@@ -89,6 +89,10 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     """The node that a launch file starts."""
     words = _words(started.arguments)
     namespace = started.namespace if started.namespace.startswith("/") else f"/{started.namespace}"
+    for word in words or ():
+        if word.startswith("__ns:="):  # wiki.ros.org/Remapping Arguments
+            namespace = clean(f"/{word[6:]}")
+            started = replace(started, name=clean(f"{namespace}/{started.name.rpartition('/')[2]}"))
     remaps = {
         resolve(source, namespace, started.name): resolve(target, namespace, started.name)
         for source, target, _ in started.remaps

@@ -584,7 +584,6 @@ def test_names_from_the_command_line(arguments: str, expected: list[str]) -> Non
     assert got == (expected if arguments != "'a b'" else ["/a b"])
 
 
-@pytest.mark.xfail(strict=True, reason=DEFECTS["anonymous"])
 def test_an_anonymous_node_has_no_name_that_is_known() -> None:
     text = CPP_HEAD + (
         'int main(int c, char** v) { ros::init(c, v, "n", ros::init_options::AnonymousName); '
@@ -594,7 +593,6 @@ def test_an_anonymous_node_has_no_name_that_is_known() -> None:
     assert names(found) != ["/n/x"]
 
 
-@pytest.mark.xfail(strict=True, reason="__ns:= among a node's arguments is dropped (system.instantiate)")
 def test_the_command_line_can_set_the_namespace() -> None:
     launch = '<launch><node pkg="p" type="n" name="me" args="__ns:=/q"/></launch>'
     assert names(cpp('ADV("x", 1);', OUTSIDE, launch)) in (["/q/x"], ["/?/x"])

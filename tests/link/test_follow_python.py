@@ -483,8 +483,6 @@ DEFECTS = (
     )
     | because(
         "keyword arguments that are unpacked do not reach parameters with a default (activation.bind)",
-        "keyword dictionary",
-        "**options",
     )
     | because(
         "what is assigned to a class's or module's attribute is lost (assignments._target)",
