@@ -51,6 +51,8 @@ class Index:
     #: The workspace's message, service and action types (``pkg/T``), and its packages.
     interfaces: frozenset[str] = frozenset()
     packages: frozenset[str] = frozenset()
+    #: The macros that the build of each package defines.
+    defined: Mapping[str | None, tuple[str, ...]] = field(default_factory=dict)
     #: What look-ups have found, by the files of the node type that asked.
     caches: dict[frozenset[str], dict[Any, Any]] = field(default_factory=dict)
     #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.

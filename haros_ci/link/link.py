@@ -138,6 +138,7 @@ def types_of(
     cpp = build_index(s for s in by_path.values() if s.program.language != "python")
     python = build_index(s for s in by_path.values() if s.program.language == "python")
     python.interfaces = frozenset(each.name for build in builds.values() for each in build.interfaces)
+    cpp.defined = {build.package: build.defined for build in builds.values() if build.defined}
     python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
     tables: dict[str, dict[str, tuple[Row, ...]]] = {}

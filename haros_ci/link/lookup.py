@@ -137,6 +137,9 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value:
             return Callable(*methods.with_body(run, functions))
     macros = index.near(index.macros, name, frame.source, run.files)
     if macros:
+        packages = {frame.source.package, *(source.package for source, _ in macros)}
+        if any(name in index.defined.get(package, ()) for package in packages):
+            return run.opaque(f"the build defines {name}", frame)
         value = conversions.macro(macros[0][1])
         for _, body in macros[1:]:
             value = join(value, conversions.macro(body))

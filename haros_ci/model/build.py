@@ -136,7 +136,8 @@ class Build:
     """All of one package.
 
     *scripts* are Python files that are installed as programs or begin with a shebang. *python_roots* are pairs of an
-    import root (``""`` for all, or a top-level name) and the root-relative directory that it stands for.
+    import root (``""`` for all, or a top-level name) and the root-relative directory that it stands for. *defined* are
+    the macros that the build defines for C++.
     """
 
     package: str
@@ -148,4 +149,5 @@ class Build:
     entry_points: tuple[EntryPoint, ...] = ()
     scripts: tuple[str, ...] = ()
     python_roots: tuple[tuple[str, str], ...] = ()
+    defined: tuple[str, ...] = ()
     problems: tuple[Problem, ...] = ()

@@ -10,6 +10,7 @@ from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake import follow
 from haros_ci.workspace.cmake_state import MAX_MESSAGE, MAX_PROBLEMS, Made, State
+from haros_ci.workspace.cmake_targets import FLAG
 from haros_ci.workspace.interfaces import read_interface
 from haros_ci.workspace.language import HEAD, is_python_script
 from haros_ci.workspace.plugins_xml import exported_descriptions, read_plugins
@@ -64,8 +65,14 @@ def build_of(workspace: Workspace, package: Package, tree: Tree | None = None) -
         entry_points=setup.entry_points,
         scripts=_scripts(workspace, package, python, installed),
         python_roots=tuple(sorted(roots.items())),
+        defined=_defined(state),
         problems=tuple(sorted(set(problems), key=lambda p: (p.path, p.line or 0, p.message))),
     )
+
+
+def _defined(state: State) -> tuple[str, ...]:
+    flags = " ".join(state.get(name) or "" for name in ("CMAKE_CXX_FLAGS", "CMAKE_C_FLAGS"))
+    return tuple(sorted({*state.defined, *FLAG.findall(flags)}))
 
 
 def _base(package: Package) -> str:

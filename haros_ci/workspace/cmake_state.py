@@ -91,6 +91,7 @@ class State:
         self.interfaces: dict[str, Location] = {}
         self.configs: dict[str, Location] = {}
         self.python_packages: dict[str, str] = {}
+        self.defined: set[str] = set()
         self.testing = 0
         self.declares_interfaces = False
         self.file = ""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
@@ -228,6 +229,23 @@ def _components(state: State, call: Call) -> None:
         made.is_installed = True
 
 
+#: ``-DX``, ``-DX=1`` and, where only definitions are taken, ``X=1`` (cmake.org: add_compile_definitions).
+FLAG = re.compile(r"(?:^|[\s;\"'])[-/]D\s*([A-Za-z_]\w*)")
+_DEFINITION = re.compile(r"(?:-D)?([A-Za-z_]\w*)(?:=|$)")
+
+
+def _definitions(state: State, call: Call) -> None:
+    """target_compile_definitions and add_compile_definitions: macros whose values only a build knows for sure."""
+    words = call.words[1:] if call.name.startswith("target") else call.words
+    found = (_DEFINITION.match(bare(word)) for word in resolved(words) if word not in _SCOPES)
+    state.defined.update(match[1] for match in found if match)
+
+
+def _options(state: State, call: Call) -> None:
+    """Compiler options, among them definitions."""
+    state.defined.update(name for word in resolved(call.words) for name in FLAG.findall(bare(word)))
+
+
 TARGET_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
     {
         **dict.fromkeys(("add_executable", "cuda_add_executable", "hip_add_executable"), _executable),
@@ -247,6 +265,8 @@ TARGET_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
         **dict.fromkeys(("add_rostest_gtest", "add_rostest_gmock"), _test(1)),
         "target_sources": _target_sources,
         "target_link_libraries": _link,
+        **dict.fromkeys(("target_compile_definitions", "add_compile_definitions"), _definitions),
+        **dict.fromkeys(("add_definitions", "add_compile_options", "target_compile_options"), _options),
         "set_target_properties": _properties,
         "set_property": _set_property,
         **dict.fromkeys(("rclcpp_components_register_node", "rclcpp_components_register_nodes"), _components),

@@ -150,3 +150,25 @@ def test_components() -> None:
         ("arm::A", "arm::A", "rclcpp_components::NodeFactory", "c", 3),
         ("arm::B", "arm::B", "rclcpp_components::NodeFactory", "c", 3),
     ]
+
+
+@pytest.mark.parametrize(
+    ("cmake", "defined"),
+    [
+        ("add_definitions(-DA -DB=1 /DC)", ("A", "B", "C")),
+        ('add_definitions("-DA=\\"x\\"" -O2 -Wall)', ("A",)),
+        ("add_compile_definitions(A B=2 -DC)", ("A", "B", "C")),
+        ("add_library(t a.cpp)\ntarget_compile_definitions(t PRIVATE A PUBLIC B=1)", ("A", "B")),
+        ("add_library(t a.cpp)\ntarget_compile_options(t PRIVATE -DA -Wno-DB)", ("A",)),
+        ("set(X A)\nadd_definitions(-D${X})", ("A",)),
+        ('set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -O3 -DA=1 -std=c++14")', ("A",)),
+        ("find_package(y)\nif(y_FOUND)\nadd_definitions(-DA)\nendif()", ("A",)),
+        ("if(OFF)\nadd_definitions(-DA)\nendif()", ()),
+        ("add_library(t a.cpp)\ntarget_link_libraries(t -DA)", ()),
+        ("add_compile_options(-O2 -Werror)", ()),
+        ("add_definitions()", ()),
+        ("", ()),
+    ],
+)
+def test_macros_that_the_build_defines(cmake: str, defined: tuple[str, ...]) -> None:
+    assert built(cmake, "a.cpp").defined == defined
