@@ -61,11 +61,14 @@ def rendered(
 
 
 def write(text: str, path: Path | None) -> None:
-    """To stdout, or to a file that appears whole or not at all."""
+    """To stdout, or to a file that appears whole or not at all; into what is no plain file (``/dev/null``) as it is."""
     if path is None:
         sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
         return
     try:
+        if path.is_symlink() or (path.exists() and not path.is_file()):
+            path.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
+            return
         path.parent.mkdir(parents=True, exist_ok=True)
         draft = path.with_name(f".{path.name}.{os.getpid()}")
         draft.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
