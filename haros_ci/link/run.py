@@ -22,6 +22,8 @@ from haros_ci.model.program import Class, Function, Type
 
 #: Statements and calls that one node may take; what is beyond is named in a notification.
 STEPS = 60_000
+#: Why not all conditions are told.
+SEVERAL = "it is made on several ways, each under conditions of its own"
 #: Calls inside calls.
 DEPTH = 28
 #: Turns of a loop whose condition is known.
@@ -133,20 +135,19 @@ class Context:
 
 def either(
     one: tuple[Condition, ...], other: tuple[Condition, ...], pairs: Mapping[Location, Location]
-) -> tuple[Condition, ...]:
-    """The conditions of what is made on two ways: none from where one takes an ``if`` and the other its ``else``.
+) -> tuple[tuple[Condition, ...], bool]:
+    """The conditions of what is made on two ways, and whether they are all: what both ways have in common.
 
-    *pairs* has the place of each ``else``'s ``if``.
+    That is all where the other way has no more, or where one takes an ``if`` and the other its ``else``; *pairs* has
+    the place of each ``else``'s ``if``.
     """
     for number, (left, right) in enumerate(zip(one, other, strict=False)):
         if left != right:
             if left.statement == "else":
                 left, right = right, left
             both = left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location
-            if both and number == len(one) - 1 == len(other) - 1:
-                return one[:number]
-            break
-    return other if len(other) < len(one) else one
+            return one[:number], both and number == len(one) - 1 == len(other) - 1
+    return (other if len(other) < len(one) else one), True
 
 
 @dataclass(slots=True)
@@ -212,8 +213,13 @@ class Run:
         known = self.made.get(key)
         if self.doubts:
             made = replace(made, unknowns=(*made.unknowns, ("conditions", self.doubts[-1], made.location)))
-        conditions = made.conditions if known is None else either(known.conditions, made.conditions, self.pairs)
-        self.made[key] = replace(made, conditions=conditions)
+        if known is not None:
+            conditions, is_all = either(known.conditions, made.conditions, self.pairs)
+            made = replace(made, conditions=conditions)
+            if not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
+                made = replace(made, unknowns=(*made.unknowns, ("conditions", SEVERAL, made.location)))
+            made = replace(made, unknowns=tuple(dict.fromkeys((*known.unknowns, *made.unknowns))))
+        self.made[key] = made
 
     @contextmanager
     def doubted(self, reason: str | None) -> Iterator[None]:

@@ -174,3 +174,28 @@ def test_two_names_at_one_place_have_their_own_conditions() -> None:
     made = ends(python('def f(n):\n    PUB(n)\nf("a")\nif cond():\n    f("b")\n'))
     assert [(end.name, conditions(end)) for end in made] == [("/a", []), ("/b", [("if", "cond()", 8, 1)])]
     assert len({end.location for end in made}) == 1
+
+
+WAYS = (
+    ("if (a) { if (b) make(); } if (c) make();", [], True),
+    ("if (a) make(); if (b) make();", [], True),
+    ("if (a) { if (b) make(); if (c) make(); }", ["a"], True),
+    ("if (a) make(); else if (b) make();", [], True),
+    ("if (a) { if (b) make(); } else make();", [], True),
+    ("if (a) make(); make();", [], False),
+    ("if (a) { if (b) make(); make(); }", ["a"], False),
+    ("if (a) make(); else make();", [], False),
+    ("if (a) { if (b) make(); else make(); }", ["a"], False),
+    ("if (a) { if (b) make(); }", ["a", "b"], False),
+)
+
+
+@pytest.mark.parametrize(("body", "common", "is_open"), WAYS)
+def test_of_several_ways_counts_what_they_have_in_common(body: str, common: list[str], is_open: bool) -> None:
+    """And that the rest is not told is told."""
+    text = HEAD + 'void make() { ros::NodeHandle nh; nh.advertise<std_msgs::String>("a", 1); }\n'
+    text += f'int main(int n, char** v) {{ ros::init(n, v, "n"); bool a = n > 1, b = n > 2, c = n > 3;\n{body}\n}}\n'
+    files = {"p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n m.cpp)\n", "p/m.cpp": text}
+    made = ends(node(follow(files)))
+    assert [[condition for _, condition, _, _ in conditions(end)] for end in made] == [common]
+    assert ["conditions" in {unknown.field for unknown in end.unknowns} for end in made] == [is_open]
