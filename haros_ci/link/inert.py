@@ -72,7 +72,7 @@ def is_inert(
     if returns[0] and not call_arguments.is_scalar(returns) and returns[0] != "bool":
         return False
     changed = run.relevance.changes(definition, function.source)
-    if not changed.isdisjoint(run.relevance.shared):
+    if not changed.isdisjoint(run.relevance.shared) or not changed.isdisjoint(run.relevance.holding):
         return False
     if function.frame is not None and any(function.frame.find(name) is not None for name in changed):
         return False

@@ -14,7 +14,8 @@ from haros_ci.link.index import Source, build_index
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.parameters import ParameterServer, yaml_reader
 from haros_ci.link.relevance import Relevance
-from haros_ci.link.roslaunch import entry_files, evaluate
+from haros_ci.link.roslaunch import evaluate
+from haros_ci.link.roslaunch_entry import entry_files
 from haros_ci.link.roslaunch_files import files_of
 from haros_ci.link.run import Exact
 from haros_ci.link.system import Job, Types

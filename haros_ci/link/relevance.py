@@ -7,30 +7,25 @@ from collections.abc import Iterable
 from typing import Any
 
 from haros_ci.link.index import Index, Source
+from haros_ci.link.mentions import (
+    CALLED,
+    COLLECTING,
+    CONTAINERS,
+    ELEMENT,
+    callable_variables,
+    called_in,
+    holding,
+    last,
+    may_be_called,
+    targets,
+    type_names,
+)
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.program import Class, Function, Parameter
 
-#: Methods that build a list, whose turns are worth following one by one.
-COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplace", "extend"))
-
-
-#: Stands for an assignment to an element among the names of a block.
-ELEMENT = "[]="
-#: Stands for the call of a variable: what it holds may make something.
-CALLED = "()"
 #: Stands for the call of a parameter: whether what it holds may make something is seen where an argument is given.
 GIVEN = "(given)"
-#: Methods that leave what they are called on as it is.
-READING = frozenset(
-    "size length empty c_str str find at begin end count get front back data isValid ok now toSec".split()
-)
-
-
-#: Methods of containers, texts and pointers: called on an object, they are taken for these.
-CONTAINERS = (
-    READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
-)
 #: Words for methods of all sorts of classes.
 EVERYDAY = frozenset("start add call create configure init del search".split())
 
@@ -46,7 +41,7 @@ class Relevance:
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):
             for name, found in table.items():
-                self._by_name.setdefault(_last(name), []).extend(found)
+                self._by_name.setdefault(last(name), []).extend(found)
         self._blocks: dict[tuple[int, int], tuple[Any, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
         self._changes: dict[int, tuple[Function, frozenset[str]]] = {}
@@ -54,7 +49,7 @@ class Relevance:
         self._makes: dict[int, tuple[Function, bool]] = {}
         #: The last parts of the names of all global variables, module variables and static members.
         self.shared = frozenset(
-            [_last(name) for name, found in index.variables.items() if any("c" not in v.type[2] for _, v in found)]
+            [last(name) for name, found in index.variables.items() if any("c" not in v.type[2] for _, v in found)]
             + [
                 f.name
                 for found in index.classes.values()
@@ -64,6 +59,9 @@ class Relevance:
             ]
         )
         self._targets: dict[int, tuple[Any, frozenset[str]]] = {}
+        #: The names of members that hold, or may hold, a function; and how calls of them look.
+        self.holding = holding(index)
+        self._held = self.holding | {f".{name}" for name in self.holding}
 
     def matters(self, block: Any, source: Source, function: Function | None = None) -> bool:
         """Whether *block* (of a function in *source*) may make something, whatever its arguments are."""
@@ -81,12 +79,14 @@ class Relevance:
         if known is None:
             found: set[str] = set()
             mentioned: set[str] = set()
-            _walk(block, found, mentioned, source)
+            called_in(block, found, mentioned, source)
             if function is not None:
                 if not found.isdisjoint(self._variables_of(function, source)):
                     found.add(CALLED)
                 if any(p.name in found and self._is_open(p, function, source) for p in function.parameters):
                     found.add(GIVEN)
+            if not self._held.isdisjoint(found):
+                found.add(CALLED)
             if not self._registering.isdisjoint(found):
                 found |= mentioned  # any of them may be what is called back
             known = self._blocks[key] = (block, frozenset(found))
@@ -97,17 +97,17 @@ class Relevance:
         known = self._variables.get(id(function))
         if known is None:
             names = set[str]()
-            _variables(function.body, names, source)
+            callable_variables(function.body, names, source)
             known = self._variables[id(function)] = (function, frozenset(names))
         return known[1]
 
     @staticmethod
     def _is_open(parameter: Parameter, function: Function, source: Source) -> bool:
-        return _may_be_called(parameter.type, source) or parameter.type[0] in function.templates
+        return may_be_called(parameter.type, source) or parameter.type[0] in function.templates
 
     def named(self, name: str) -> bool:
         """Whether a function or class of this name, of an API or of the workspace, may make something."""
-        return self._name_matters(_last(name))
+        return self._name_matters(last(name))
 
     def makes(self, function: Function, source: Source) -> bool:
         """Whether a function may make something by itself; one without a body is not known to."""
@@ -144,7 +144,7 @@ class Relevance:
         known = self._targets.get(id(block))
         if known is None:
             found: set[str] = set()
-            _targets(block, found, source)
+            targets(block, found, source)
             known = self._targets[id(block)] = (block, frozenset(found))
         return known[1]
 
@@ -181,9 +181,7 @@ class Relevance:
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
         if isinstance(item, Class):
-            found = [_last(kind) for f in item.fields for kind in _type_names(f.type)] + [
-                _last(b[0]) for b in item.bases
-            ]
+            found = [last(kind) for f in item.fields for kind in type_names(f.type)] + [last(b[0]) for b in item.bases]
             for where, function in self._index.functions.get(f"{item.name}.__init__", ()):
                 if where.path == source.path and function.body is not None:
                     found += self.names(function.body, where)
@@ -209,103 +207,3 @@ def _spellings(name: str) -> Iterable[str]:
 
 def _makes(row: Row) -> bool:
     return bool(row.entry) or any(entry.kind in KINDS for entry in row.makes)
-
-
-def _walk(item: Any, found: set[str], mentioned: set[str], source: Source) -> None:
-    """Collect what is called or constructed in *item*, and what is mentioned in any other way."""
-    lambdas: set[int] = set()
-    waiting = _inner((item,))
-    while waiting:
-        node = waiting.pop()
-        tag = node[0]
-        if tag == "call" and len(node) == 6:
-            callee = node[1]
-            if callee[0] == "name":
-                found.add(_last(callee[1]))
-                found.add("::".join(callee[1].split("::")[-2:]))
-            elif callee[0] == "field":
-                found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2]}")
-            found.update(_last(name) for kind in node[3] for name in _type_names(kind))  # make_shared<T>()
-        elif tag == "set" and len(node) == 4 and node[2][0] == "index":
-            found.add(ELEMENT)
-        elif (tag == "new" and len(node) == 5) or (tag == "var" and len(node) == 6):
-            kind = node[1] if tag == "new" else node[2]
-            found.update(_last(name) for name in _type_names(kind))
-        elif tag in ("lambda", "def") and isinstance(node[-1], int) and node[-1] not in lambdas:
-            lambdas.add(node[-1])
-            if 0 <= node[-1] < len(source.program.functions):
-                waiting += _inner((source.program.functions[node[-1]].body,))
-        elif tag in ("name", "field") and isinstance(node[-1], str):
-            mentioned.add(_last(node[-1]))
-        waiting += _inner(node)
-
-
-def _may_be_called(kind: Any, source: Source) -> bool:
-    """Whether a parameter of the type may be a function; Python does not say."""
-    return kind[0] in ("", "()", "auto", "boost::function", "std::function") and (
-        kind[0] != "" or source.program.language == "python"
-    )
-
-
-def _variables(block: Any, names: set[str], source: Source) -> None:
-    """Collect the local variables of *block* that a function, lambda or class is assigned to."""
-    waiting = _inner((block,))
-    python = source.program.language == "python"
-    while waiting:
-        node = waiting.pop()
-        if node[0] == "var" and len(node) == 6:
-            init = node[3]
-            if _may_be_called(node[2], source) or (init and init[0] == "=" and init[1] and init[1][0] == "lambda"):
-                if node[2][0] != "auto" or (
-                    init and init[0] == "=" and init[1][0] in ("lambda", "name", "&", "call", "if")
-                ):
-                    names.add(node[1])
-        elif (
-            python
-            and node[0] == "set"
-            and len(node) == 4
-            and node[2][0] == "name"
-            and node[3][0] in ("lambda", "name", "field", "call")
-        ):
-            names.add(node[2][1])
-        elif node[0] == "def":
-            continue
-        waiting += _inner(node)
-
-
-def _inner(node: Any) -> list[Any]:
-    """The parts of a node that have parts themselves."""
-    return [part for part in node if (part.__class__ is list or part.__class__ is tuple) and part]
-
-
-def _targets(item: Any, found: set[str], source: Source) -> None:
-    """The last names of all that is assigned to, read into or built up in a block."""
-    waiting = _inner((item,))
-    while waiting:
-        node = waiting.pop()
-        target = None
-        if node[0] == "set" and len(node) == 4:
-            target = node[2]
-        elif node[0] == "op" and len(node) == 3 and node[1] in (">>", "<<") and len(node[2]) == 2:
-            target = node[2][1] if node[1] == ">>" else node[2][0]
-        elif node[0] == "call" and len(node) == 6 and node[1][0] == "field" and node[1][2] not in READING:
-            target = node[1][1]
-        while target is not None:
-            if target[0] in ("name", "field"):
-                found.add(_last(target[-1]))
-                break
-            target = (
-                target[1] if target[0] in ("index", "*", "&", "call") else target[2] if target[0] == "cast" else None
-            )
-        waiting += _inner(node)
-
-
-def _type_names(kind: Any) -> Iterable[str]:
-    if isinstance(kind, (tuple, list)) and len(kind) == 3 and isinstance(kind[0], str):
-        yield kind[0]
-        for inner in kind[1]:
-            yield from _type_names(inner)
-
-
-def _last(name: str) -> str:
-    return name.rpartition("::")[2].rpartition(".")[2]

@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from haros_ci.link.roslaunch_arg import arg, passed_arg
-from haros_ci.link.roslaunch_entry import entry_files as entry_files
 from haros_ci.link.roslaunch_files import files_of
 from haros_ci.link.roslaunch_names import Text, literal, quoted
 from haros_ci.link.roslaunch_node import environment as environment_tag

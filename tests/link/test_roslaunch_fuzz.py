@@ -9,7 +9,7 @@ import pytest
 from roslaunch_kit import MAIN, loader, run, workspace
 
 from haros_ci.extract.launch.xml import from_json, read_launch, to_json
-from haros_ci.link.roslaunch import entry_files
+from haros_ci.link.roslaunch_entry import entry_files
 
 hypothesis = pytest.importorskip("hypothesis")
 st = pytest.importorskip("hypothesis.strategies")
