@@ -40,6 +40,8 @@ from haros_ci.model.program import Expression, Function, Type
 
 #: Steps that may go into one function that makes nothing; after that its results are not known.
 SPENT = 300
+#: Steps that may go into one function in rehearsals, even if it makes something.
+REHEARSED = 10_000
 
 
 def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_arguments.Argument, ...]) -> Callable:
@@ -98,15 +100,16 @@ def invoke(
         return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
     given = _with_bound(function.bound, args)
     makes_nothing = not inert.may_make(run, function, given)
-    if makes_nothing and (
-        run.spent.get(id(definition), 0) > SPENT or inert.is_inert(run, function, definition, returns, given)
+    spent = run.spent.get(id(definition), 0)
+    if (makes_nothing and (spent > SPENT or inert.is_inert(run, function, definition, returns, given))) or (
+        run.quiet and spent > REHEARSED
     ):
         return inert.skipped(run, inner, function, definition, returns, given)
     bind(run, frame, inner, definition, given, ())
     before = run.steps
     value = conversions.converted(follow_body(run, inner, definition), returns)
     value = copies.returned(run, inner, definition, returns, value)
-    if makes_nothing:
+    if makes_nothing or run.quiet:
         run.spent[id(definition)] = run.spent.get(id(definition), 0) + run.steps - before
     return value
 

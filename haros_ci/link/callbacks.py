@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.link import call_arguments, library_objects, methods
-from haros_ci.link.run import Root, Run
+from haros_ci.link.run import CHAIN, ROOTS, Root, Run
 from haros_ci.link.values import (
     Callable,
     Choice,
@@ -12,6 +12,7 @@ from haros_ci.link.values import (
     Pointer,
     Value,
 )
+from haros_ci.model.location import Location
 
 
 def register(run: Run, value: Value, others: tuple[call_arguments.Argument, ...] = ()) -> None:
@@ -38,9 +39,25 @@ def register(run: Run, value: Value, others: tuple[call_arguments.Argument, ...]
                 value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
                 break
     key = (id(value.function), id(value.this), len(value.bound))
-    if key not in run.known_roots:
+    if key not in run.known_roots and not _is_endless(run, value):
         run.known_roots.add(key)
         run.roots.append(Root(value, tuple(run.conditions)))
+
+
+def _is_endless(run: Run, function: Callable) -> bool:
+    """Whether callbacks go on registering *function*, each time for another object.
+
+    In a rehearsal one stands for all of them: what it makes is seen where it is registered in earnest.
+    """
+    registered = sum(root.function.function is function.function for root in run.roots)
+    if run.quiet:
+        return registered > 0
+    if registered < (CHAIN if run.is_called_back else ROOTS):
+        return False
+    if run.relevance.makes(function.function, function.source):
+        reason = f"{function.function.name or 'a function'} is called back for more objects than are followed"
+        run.gaps.setdefault(reason, Location(function.source.path, function.function.line))
+    return True
 
 
 def framework_entries(run: Run, this: Object) -> None:

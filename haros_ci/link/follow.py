@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from haros_ci.link import activation, call_arguments, construct, inert, lookup
 from haros_ci.link.index import Source
-from haros_ci.link.run import Frame, OutOfSteps, Root, Run
+from haros_ci.link.run import ROOTS, Frame, OutOfSteps, Root, Run
 from haros_ci.link.state import Writes, joined
 from haros_ci.link.values import Callable, Cell, Known, Object, Opaque, Sequence, Text, Value
 from haros_ci.model.location import Location
@@ -16,8 +16,6 @@ from haros_ci.model.program import Class, Function
 
 #: Steps that a second rehearsal of all callbacks may take.
 CHEAP = 2_000
-#: Callbacks of one node that are followed.
-ROOTS = 400
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,6 +64,7 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
 
 def _call_back(run: Run, frame: Frame) -> None:
     """Follow the callbacks: each from the state after initialisation, joined with what the others leave behind."""
+    run.is_called_back = True
     done = 0
     effects: list[Writes] = []
     while done < min(len(run.roots), ROOTS):
@@ -78,10 +77,10 @@ def _call_back(run: Run, frame: Frame) -> None:
         for number, root in enumerate(batch, start=done):
             if not inert.may_make(run, root.function, ()):
                 continue
-            mark = run.state.mark()
+            mark, known = run.state.mark(), len(run.roots)
             _disturb(run, effects, number)
             _invoke(run, frame, root)
-            run.state.undo(mark)
+            _hand_on(run, known, run.state.undo(mark))
         done += len(batch)
 
 
@@ -95,7 +94,7 @@ def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number:
     """What a callback writes, from a state that the *others* have disturbed."""
     start = run.state.mark()
     _disturb(run, others, number)
-    mark = run.state.mark()
+    mark, known = run.state.mark(), len(run.roots)
     before = run.steps
     run.quiet += 1
     try:
@@ -104,8 +103,14 @@ def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number:
         run.quiet -= 1
         run.rehearsed += run.steps - before
     writes = run.state.since(mark)
-    run.state.undo(start)
+    _hand_on(run, known, run.state.undo(start))
     return writes
+
+
+def _hand_on(run: Run, known: int, writes: Writes) -> None:
+    """The callbacks that were registered after the first *known* ones begin with the *writes* of the one that did it."""
+    for number in range(known, len(run.roots)):
+        run.roots[number] = replace(run.roots[number], writes=writes)
 
 
 def interlude(run: Run, frame: Frame) -> None:
@@ -134,6 +139,8 @@ def _disturb(run: Run, effects: Iterable[Writes], own: int) -> None:
 def _invoke(run: Run, frame: Frame, root: Root) -> None:
     before = run.conditions[:]
     run.conditions[:] = root.conditions
+    for cell, value in root.writes.items():
+        run.state.write(cell, value)
     activation.invoke(run, frame, root.function, _arguments(run, root, frame), Location(frame.source.path))
     run.conditions[:] = before
 

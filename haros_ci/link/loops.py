@@ -3,18 +3,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 from haros_ci.link import expressions, statements, static_types
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
 from haros_ci.link.state import joined
 from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Sequence, Value, opaque_of
 from haros_ci.model.location import Location
-from haros_ci.model.program import Block, Statement
+from haros_ci.model.program import Block, Expression, Statement
 
 #: Turns that are tried to find what a loop changes.
 REHEARSALS = 3
+#: Steps after which the turns of a loop are no longer gone through one by one.
+LONG = 2_000
 #: Turns around a loop from which on it is widened: 2 for each loop that is gone through, all of them in a rehearsal.
 NESTED = 8
 
@@ -23,30 +25,62 @@ def loop(run: Run, frame: Frame, statement: Statement) -> str:
     _, keyword, line, column, text, first, test, body = statement
     frame.scopes.append({})
     current = Loop(run.state.mark())
+    known = len(run.made)
+
+    step = body[-1] if body and body[-1][0] == "step" else None
+
+    def one() -> str:
+        return statements.execute(run, frame, body[:-1] if step else body)
+
+    def after() -> None:
+        if step is not None:
+            expressions.evaluate(run, frame, step[1])
+
+    def after_and_test() -> None:
+        after()
+        if test is not None:
+            expressions.evaluate(run, frame, test)
+
     try:
         for item in first:
             statements.STATEMENTS[item[0]](run, frame, item)
         with run.under(keyword, text, frame, line, column):
-            for turn in range(TURNS if _worthwhile(run, frame, body) else 0):
+            before = run.steps
+            worthwhile = _worthwhile(run, frame, body, test)
+            for turn in range(TURNS):
                 if turn or keyword != "do":
                     holds = statements.truth(expressions.evaluate(run, frame, test)) if test is not None else None
+                    if holds is False:
+                        return _leave(run, current, goes_on=True)
                     if holds is None:
                         break
-                    if not holds:
-                        return _leave(run, current, goes_on=True)
+                if not worthwhile or run.steps - before > LONG:
+                    break
                 run.turns *= 2
-                ended = _turn(run, frame, current, lambda: statements.execute(run, frame, body))
+                current.turn = turn
+                ended = _turn(run, frame, current, one, after)
                 run.turns //= 2
                 if ended != NEXT:
                     return _leave(run, current, goes_on=False, ended=ended)
-            _widened(run, frame, current, body, line, lambda: statements.execute(run, frame, body))
+            current.turn = 0
+            matters = _matters(run, frame, body, test)
+            _widened(run, frame, current, matters, line, one, after_and_test)
             return _leave(run, current, goes_on=True)
     finally:
         frame.scopes.pop()
+        run.forget_dead(known)
 
 
-def _turn(run: Run, frame: Frame, loop: Loop, body: Any) -> str:
-    """One turn of a loop: the ways that continue are joined with the one that comes to its end."""
+def _turn(run: Run, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:
+    """One turn of a loop, and what comes *after* it if the loop goes on."""
+    ended = _body(run, frame, loop, body)
+    if ended == NEXT and after is not None:
+        after()
+    return ended
+
+
+def _body(run: Run, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
+    """The body of a loop: the ways that continue are joined with the one that comes to its end."""
     was_dead = frame.is_dead
     loop.continues = []
     broken = len(loop.breaks)
@@ -83,20 +117,32 @@ def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
     return NEXT
 
 
-def _worthwhile(run: Run, frame: Frame, body: Block) -> bool:
+def _matters(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
+    blocks = (body,) if test is None else (body, test)
+    return any(run.relevance.matters(block, frame.source, frame.function) for block in blocks)
+
+
+def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
-    if run.relevance.matters(body, frame.source, frame.function):
+    if _matters(run, frame, body, test):
         return run.turns < NESTED
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 
 
-def _widened(run: Run, frame: Frame, loop: Loop, block: Block, line: int, body: Any) -> None:
+def _widened(
+    run: Run,
+    frame: Frame,
+    loop: Loop,
+    matters: bool,
+    line: int,
+    body: Callable[[], str],
+    after: Callable[[], None] | None = None,
+) -> None:
     """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
 
-    *body* follows a turn. It is rehearsed until it changes nothing more that was known; then, if *block* may make
-    something, it is followed for what it makes (not in a rehearsal, which makes nothing).
+    *body* follows a turn. It is rehearsed until it changes nothing more that was known; then, if it *matters*, as it may
+    make something, it is followed for what it makes (not in a rehearsal, which makes nothing).
     """
-    matters = run.relevance.matters(block, frame.source, frame.function)
     inner = Loop(run.state.mark())
     ended, writes = NEXT, {}
     for _ in range(1 if run.quiet else REHEARSALS):
@@ -104,17 +150,17 @@ def _widened(run: Run, frame: Frame, loop: Loop, block: Block, line: int, body: 
         run.quiet += 1
         run.turns *= NESTED
         try:
-            ended = _turn(run, frame, inner, body)
+            ended = _turn(run, frame, inner, body, after)
         finally:
             run.quiet -= 1
             run.turns //= NESTED
         writes = run.state.undo(inner.mark)
         changed = False
         for cell, value in [item for way in (writes, *inner.breaks) for item in way.items()]:
-            after = joined(cell.value, value)
-            if after is cell.value or isinstance(after, (tuple, dict)) or opaque_of(after) is None:
+            then = joined(cell.value, value)
+            if then is cell.value or isinstance(then, (tuple, dict)) or opaque_of(then) is None:
                 continue
-            if isinstance(after, (Known, Object, Sequence, Mapped)) or isinstance(cell.value, Opaque):
+            if isinstance(then, (Known, Object, Sequence, Mapped)) or isinstance(cell.value, Opaque):
                 continue
             changed = True
             run.state.write(cell, Opaque("it changes in a loop", Location(frame.source.path, line), cell.type))
@@ -122,7 +168,7 @@ def _widened(run: Run, frame: Frame, loop: Loop, block: Block, line: int, body: 
             break
     if matters and not run.quiet:
         inner = Loop(run.state.mark())
-        ended = _turn(run, frame, inner, body)
+        ended = _turn(run, frame, inner, body, after)
         writes = run.state.undo(inner.mark)
     before = run.state.since(loop.mark)
     loop.breaks += [{**before, **way} for way in inner.breaks]
@@ -155,13 +201,16 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
         elif run.turns >= NESTED or len(items) > TURNS * 4:
             unknown = Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
         if unknown is not None:
-            _widened(run, frame, current, body, line, partial(turn, unknown))
+            _widened(run, frame, current, _matters(run, frame, body, None), line, partial(turn, unknown))
             return _leave(run, current, goes_on=True)
         assert items is not None
-        for item in items:
+        known = len(run.made)
+        for number, item in enumerate(items):
             run.turns *= 2
+            current.turn = number
             ended = _turn(run, frame, current, partial(turn, item))
             run.turns //= 2
+            run.forget_dead(known)
             if ended != NEXT:
                 return _leave(run, current, goes_on=False, ended=ended)
     return _leave(run, current, goes_on=True)

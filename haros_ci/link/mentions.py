@@ -41,8 +41,10 @@ def called_in(item: Any, found: set[str], mentioned: set[str], source: Source) -
                 found.add("::".join(callee[1].split("::")[-2:]))
             elif callee[0] == "field":
                 found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2]}")
-            elif callee[0] == "index":
+            elif callee[0] == "index" and source.separator == ".":
                 found.add(CALLED)
+            elif callee[0] == "index" and callee[1][0] in ("name", "field"):
+                found.add(last(callee[1][-1]))
             found.update(last(name) for kind in node[3] for name in type_names(kind))  # make_shared<T>()
         elif tag == "set" and len(node) == 4 and node[2][0] == "index":
             found.add(ELEMENT)
@@ -109,7 +111,11 @@ def callable_variables(block: Any, names: set[str], source: Source) -> None:
         node = waiting.pop()
         if node[0] == "var" and len(node) == 6:
             init = node[3]
-            if may_be_called(node[2], source) or (init and init[0] == "=" and init[1] and init[1][0] == "lambda"):
+            if (
+                may_be_called(node[2], source)
+                or any(name in FUNCTIONS for name in type_names(node[2]))
+                or (init and init[0] == "=" and init[1] and init[1][0] == "lambda")
+            ):
                 if node[2][0] != "auto" or (
                     init and init[0] == "=" and init[1][0] in ("lambda", "name", "&", "call", "if")
                 ):

@@ -26,6 +26,8 @@ STEPS = 60_000
 SEVERAL = "it is made on several ways, each under conditions of its own"
 #: Calls inside calls.
 DEPTH = 28
+#: Callbacks of one node that are followed, and those of one function that are registered by callbacks.
+ROOTS, CHAIN = 400, 8
 #: Turns of a loop whose condition is known.
 TURNS = 64
 #: How a block ends: it falls through, or it leaves in one of these ways.
@@ -82,6 +84,8 @@ class Loop:
 
     mark: int
     is_switch: bool = False
+    #: How many turns have been gone through, where that is done one by one.
+    turn: int = 0
     breaks: list[dict[Cell, Any]] = field(default_factory=list)
     continues: list[dict[Cell, Any]] = field(default_factory=list)
 
@@ -100,15 +104,21 @@ class Made:
     value: Any = None
     implicit: bool = False
     is_exact: bool = False
+    #: Whether it stands in a branch that is not taken as things are.
+    is_dead: bool = False
     unknowns: tuple[tuple[str, str, Location | None], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Root:
-    """A function that is called back later, under the conditions of its registration."""
+    """A function that is called back later, under the conditions of its registration.
+
+    *writes* are what the callback that registered it leaves behind, if it was one.
+    """
 
     function: Callable
     conditions: tuple[Condition, ...]
+    writes: Mapping[Cell, Any] = field(default_factory=dict)
 
 
 @dataclass(slots=True)
@@ -178,6 +188,8 @@ class Run:
     pairs: dict[Location, Location] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
     is_interlude: bool = False
+    #: Whether callbacks are followed, not initialisation.
+    is_called_back: bool = False
     #: Why there may be more than what was made, and where.
     gaps: dict[str, Location] = field(default_factory=dict)
     #: The cells that the last function returned a reference to: None if it was no reference, empty if they are not known.
@@ -189,6 +201,8 @@ class Run:
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
     quiet: int = 0
+    #: Branches around what is followed that are not taken as things are.
+    dead: int = 0
     steps: int = 0
     turns: int = 1
     #: Steps spent in functions that make nothing, by function.
@@ -213,6 +227,7 @@ class Run:
         known = self.made.get(key)
         if self.doubts:
             made = replace(made, unknowns=(*made.unknowns, ("conditions", self.doubts[-1], made.location)))
+        made = replace(made, is_dead=self.dead > 0 and (known is None or known.is_dead))
         if known is not None:
             conditions, is_all = either(known.conditions, made.conditions, self.pairs)
             made = replace(made, conditions=conditions)
@@ -220,6 +235,15 @@ class Run:
                 made = replace(made, unknowns=(*made.unknowns, ("conditions", SEVERAL, made.location)))
             made = replace(made, unknowns=tuple(dict.fromkeys((*known.unknowns, *made.unknowns))))
         self.made[key] = made
+
+    def forget_dead(self, known: int) -> None:
+        """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes."""
+        if len(self.made) > known:
+            since = list(self.made.items())[known:]
+            taken = {(made.kind, made.location) for _, made in since if not made.is_dead}
+            for key, made in since:
+                if made.is_dead and (made.kind, made.location) in taken:
+                    del self.made[key]
 
     @contextmanager
     def doubted(self, reason: str | None) -> Iterator[None]:

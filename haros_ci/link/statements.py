@@ -112,10 +112,12 @@ def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
     """Follow a branch; what one that cannot be taken returns does not count."""
     before = frame.is_dead
     frame.is_dead = before or not can_be
+    run.dead += not can_be
     try:
         return execute(run, frame, block)
     finally:
         frame.is_dead = before
+        run.dead -= not can_be
 
 
 def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
@@ -126,7 +128,7 @@ def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: lis
         run.state.merge(going)
         return NEXT
     rest = [writes for ended, writes in branches if ended == NEXT]
-    if rest:
+    if rest and not (run.loops and run.loops[-1].turn):  # what no turn reaches was gone through in the first
         frame.is_dead = True
         run.state.merge(rest)
         return NEXT

@@ -41,20 +41,30 @@ def element_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
 
 
 def static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
-    """The declared (resolved) type of *expression*, as far as it can be told without running it."""
+    """The declared (resolved) type of *expression*; what it makes and changes is not kept."""
+    mark = run.state.mark()
+    run.quiet += 1
+    try:
+        return _static_type(run, frame, expression)
+    finally:
+        run.quiet -= 1
+        run.state.undo(mark)
+
+
+def _static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
     tag = expression[0]
     if tag in LITERAL_TYPES:
         return LITERAL_TYPES[tag]
     if tag == "num":
         return ("int", (), "") if isinstance(expression[1], int) else ("double", (), "")
     if tag in ("&", "*", "kw"):
-        return static_type(run, frame, expression[-1])
+        return _static_type(run, frame, expression[-1])
     if tag == "cast":
         return run.type_in(expression[1], frame)
     if tag == "op" and expression[1] in ("==", "!=", "<", ">", "<=", ">=", "!", "&&", "||"):
         return ("bool", (), "")
     if tag == "op":
-        kinds = [static_type(run, frame, item) for item in expression[2]]
+        kinds = [_static_type(run, frame, item) for item in expression[2]]
         known = [kind for kind in kinds if kind is not None]
         for name in ("std::string", "double", "float"):
             if any(kind[0] == name for kind in known):

@@ -260,6 +260,8 @@ def opaque_of(value: Value) -> Opaque | None:
     if isinstance(value, Choice):
         shown = ", ".join(sorted(repr(o.value) for o in value.options if isinstance(o, Known)))
         return Opaque(f"it may be one of {shown}" if shown else "it may be one of several values")
+    if isinstance(value, Library) and value.this is None:
+        return Opaque(f"{value.name} is not in the workspace")
     return Opaque("it is not plain data")
 
 

@@ -45,7 +45,8 @@ Statements, ``S``; a *block* is a tuple of them:
                                                      collapsed; else_line is 0 without else; ``else if`` is an else
                                                      with one if in it. Python's elif: the else stands at the ``elif``
     ("loop", keyword, line, column, text, block, E or None, block)   keyword for, while or do; block before the first
-                                                     turn, condition, then the body with the step expression last
+                                                     turn, condition, then the body
+    ("step", E)                                      the step expression, last in the body of a ``for``: ``continue`` goes here
     ("each", line, column, text, name, T, E, block)  range-for and Python for (name "" where it is a pattern)
     ("switch", line, column, text, E, ((E or None, block), ...))      None is default; fall-through is kept: a block
                                                      that does not end in break is followed by the next one's

@@ -464,10 +464,6 @@ NOT_SURE = (
 #: Why a row does not hold yet.
 DEFECTS = (
     because(
-        "x++ is x += 1, whose value is the new one (extract/cpp expressions)",
-        "counted by itself",
-    )
-    | because(
         ("overloads and specialisations are told apart by their number of arguments only (construct.overload)"),
         "function of the argument's namespace",
     )

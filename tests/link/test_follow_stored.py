@@ -29,6 +29,7 @@ CPP = (
      "R r; r.fs.push_back(work); r.fire();", ["/x"]),
     ("struct R { std::map<std::string, std::function<void()>> fs; void fire() { fs[\"a\"](); } };",
      'R r; r.fs["a"] = work; r.fire();', ["/x"]),
+    ("void fire() { std::vector<std::function<void()>> fs; fs.push_back(work); fs[0](); }", "fire();", ["/x"]),
     # and what is not called, or not it
     ("struct R { std::function<void()> f; void fire() {} };", "R r; r.f = work; r.fire();", []),
     ("struct R { std::function<void()> f; void fire() { f(); } };", "R r; r.f = work;", []),

@@ -369,13 +369,6 @@ DEFECTS = (
         "signed compared with unsigned",
     )
     | because(
-        "x++ is x += 1, whose value is the new one (extract/cpp expressions)",
-        "post-increment",
-    )
-    | because(
-        "a static local is made anew at every call (statements._variable)",
-    )
-    | because(
         ("of several definitions under #if, or after #undef, the first is taken for the only one (index.near)[0]"),
         "locals under #if",
     )

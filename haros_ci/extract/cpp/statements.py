@@ -170,7 +170,7 @@ def _for(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     body = _body(unit, node.child_by_field_id(_BODY), depth)
     update = node.child_by_field_id(_UPDATE)
     if update is not None:
-        body = (*body, ("do", expressions.expression(unit, update, depth)))
+        body = (*body, ("step", expressions.expression(unit, update, depth)))
     out.append(("loop", "for", line, column, text, before, value, body))
 
 

@@ -104,7 +104,7 @@ def test_a_variable_stands_at_its_name() -> None:
                 "a < 3",
                 (("var", "a", T("int"), ("=", ("num", 0)), 2, 10),),
                 ("op", "<", (A, ("num", 3))),
-                (("continue",), ("do", ("set", "+=", A, ("num", 1)))),
+                (("continue",), ("step", ("set", "+=", A, ("num", 1)))),
             ),
         ),
         ("for (a = 0; ; ) { }", ("loop", "for", 2, 1, "", (("do", ("set", "=", A, ("num", 0))),), None, ())),
