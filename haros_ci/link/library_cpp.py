@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import construct, conversions, library_containers, library_yaml, methods, texts
+from haros_ci.link import algorithms, construct, conversions, library_containers, library_yaml, methods, texts
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import STRINGS
 from haros_ci.link.values import (
@@ -92,6 +92,10 @@ def function(
         return Library(name)
     if name in BINDERS and args:
         return _bind(args)
+    if name.startswith(("std::", "boost::")):
+        text = algorithms.rewritten(run, name, args)
+        if text is not None:
+            return text
     if name in MAKERS:
         if name.endswith("_ptr"):
             return args[0].value if args else NONE

@@ -161,13 +161,13 @@ UNKNOWN = (
     case("getline", 'std::string s = "a"; std::getline(std::cin, s); ADV(s, 1);', "/?"),
     case("swap", 'std::string s = "a", t = "b"; std::swap(s, t); ADV(s, 1);', "/b"),
     case("swap of members", 'std::string s = "a", t = "b"; s.swap(t); ADV(t, 1);', "/a"),
-    case("replace_all", 'std::string s = "a"; boost::replace_all(s, "a", "b"); ADV(s, 1);', "/?"),
-    case("to_lower", 'std::string s = "A"; boost::algorithm::to_lower(s); ADV(s, 1);', "/?"),
-    case("std::replace", "std::string s = \"a\"; std::replace(s.begin(), s.end(), 'a', 'b'); ADV(s, 1);", "/?"),
+    case("replace_all", 'std::string s = "a"; boost::replace_all(s, "a", "b"); ADV(s, 1);', "/b"),
+    case("to_lower", 'std::string s = "A"; boost::algorithm::to_lower(s); ADV(s, 1);', "/a"),
+    case("std::replace", "std::string s = \"a\"; std::replace(s.begin(), s.end(), 'a', 'b'); ADV(s, 1);", "/b"),
     case(
         "std::transform",
         'std::string s = "A"; std::transform(s.begin(), s.end(), s.begin(), ::tolower); ADV(s, 1);',
-        "/?",
+        "/a",
     ),
     case("std::sort", 'std::vector<std::string> v = {"b", "a"}; std::sort(v.begin(), v.end()); ADV(v[0], 1);', "/?"),
     case(
