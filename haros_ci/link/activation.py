@@ -193,7 +193,11 @@ def bind(
 def _declared_default(run: Run, function: Function, number: int) -> Expression | None:
     """A default argument that stands at the function's declaration, and not at its definition."""
     found = None
-    for _, declared in run.index.functions.get(function.name, ()):
+    declarations = [*run.index.functions.get(function.name, ())]
+    if function.owner and function.owner not in run.index.classes:  # defined under a using-directive
+        tail = "::".join(function.name.split("::")[-2:])
+        declarations += [each for each in run.index.by_tail.get(tail, ()) if each[1].name.endswith(f"::{function.name}")]
+    for _, declared in declarations:
         if declared is not function and len(declared.parameters) == len(function.parameters):
             default = declared.parameters[number].default
             if default is not None:
