@@ -29,7 +29,7 @@ from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.workspace.build import builds
 
 #: Part of every key: a front end that says something else of the same bytes gets another.
-FACTS = f"{__version__}-3"
+FACTS = f"{__version__}-4"
 
 
 def architecture(
@@ -53,7 +53,8 @@ def architecture(
     where = settings.project_file or "the project file"
     project = settings.project
     chosen_ones = configurations(workspace, project, problems, where) if wanted is None else wanted
-    known = known_types(project.get("known_nodes"), where, problems) if known_nodes else None
+    own = frozenset(package.name for package in workspace.packages)
+    known = known_types(project.get("known_nodes"), where, problems, own) if known_nodes else None
     link_all = partial(
         link,
         workspace,
@@ -171,8 +172,11 @@ def launch_reader(workspace: Workspace, store: Store) -> Callable[[str], LaunchF
     return load
 
 
-def known_types(declared: object, where: str, problems: list[Problem]) -> KnownNodes:
-    """What is known of node types outside the workspace; a project file's ``known_nodes`` come first."""
+def known_types(declared: object, where: str, problems: list[Problem], here: frozenset[str]) -> KnownNodes:
+    """What is known of node types outside the workspace; a project file's ``known_nodes`` come first.
+
+    Of the packages that are *here*, in the workspace, the project file alone is asked.
+    """
     from haros_ci.link.known.load import load_known, load_user
 
     own: Mapping[str, Mapping[str, KnownNode]] = {}
@@ -181,7 +185,7 @@ def known_types(declared: object, where: str, problems: list[Problem]) -> KnownN
         problems += said
 
     def known(package: str, name: str) -> KnownNode | None:
-        for nodes in (own.get(package), load_known(package)):
+        for nodes in (own.get(package), None if package in here else load_known(package)):
             if nodes is not None and name in nodes:
                 return nodes[name]
         return None

@@ -36,13 +36,15 @@ def is_scalar(kind: Type) -> bool:
 def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
     """The arguments of a call, evaluated from left to right; unpacked sequences are spread where known."""
     result: list[Argument] = []
+    is_open = False  # what stands behind an unpacked list that is not known has no place that is known
     for expression in written:
         tag = expression[0]
         if tag == "star":
             items = static_types.elements(run, frame, expression[1])
             if items is None:
                 result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
-            else:
+                is_open = True
+            elif not is_open:
                 result += [Argument(item.value if isinstance(item, Cell) else item) for item in items]
             continue
         if tag == "starstar":
@@ -61,6 +63,9 @@ def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
         kind = cell.type if cell is not None and cell.type is not None else None
         if kind is None and expression[0] in TYPED:
             kind = static_types.static_type(run, frame, expression)
+        if is_open and not keyword:
+            result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
+            continue
         result.append(Argument(value, cell, kind or conversions.value_type(value), keyword))
     return tuple(result)
 

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import activation, call_arguments, formats, library_yaml, members
+from haros_ci.link import comprehensions, formats, library_yaml, members, partials, python_texts
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     LIST_LIMIT,
     NONE,
-    TEXT_LIMIT,
-    Callable,
     Cell,
+    ClassValue,
     Known,
     Library,
     Mapped,
@@ -28,9 +27,8 @@ from haros_ci.link.values import (
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
 
-TEXT_METHODS = frozenset(
-    "strip lstrip rstrip lower upper replace split startswith endswith title capitalize rsplit".split()
-)
+#: What makes a dictionary; ``[dict]`` is the one of a comprehension.
+DICTS = frozenset(("dict", "[dict]", "collections.OrderedDict"))
 YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
 
 
@@ -64,44 +62,46 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
             if len(numbers) <= 1000:
                 return Known(list(numbers))
         return run.opaque("a range that is not known", frame)
-    if name in ("list", "tuple", "sorted", "set", "frozenset") and first is not None:
-        items = _items(first)
-        if items is None and isinstance(first, Known) and isinstance(first.value, (str, dict)):
-            items = [Known(item) for item in list(first.value)[:LIST_LIMIT]]
-        if items is None and isinstance(first, Mapped) and isinstance(first.content.value, dict):
-            items = [Known(item) for item in first.content.value]
+    if name in ("list", "tuple", "sorted", "set", "frozenset", "reversed", "iter") and first is not None:
+        items = comprehensions.items(first)
         if name in ("sorted", "set", "frozenset") and items is not None:
             items = _ordered(items) if len(args) == 1 else None
             if items is not None and name != "sorted":
                 items = [item for number, item in enumerate(items) if item not in items[:number]]
             if items is not None and name != "sorted" and len(items) > 1:
                 items = None  # in no order that is known
+        if items is not None and name == "reversed":
+            items = items[::-1]
         if items is not None:
             return Sequence(Cell(tuple(Cell(item) for item in items)))
         return Sequence(Cell(run.opaque(f"a list made by {name}", frame)))
-    if name == "enumerate" and isinstance(first, (Sequence, Known)):
-        items = _items(first)
+    if name == "enumerate" and first is not None:
+        items = comprehensions.items(first)
         begin = args[1].value if len(args) > 1 else Known(0)
         if items is not None and isinstance(begin, Known) and isinstance(begin.value, int):
             pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items, begin.value)]
             return Sequence(Cell(tuple(Cell(pair) for pair in pairs)))
     if name == "zip":
-        columns = [_items(a.value) for a in args]
+        columns = [None if a.keyword else comprehensions.items(a.value) for a in args]
         if columns and all(column is not None for column in columns):
             rows = list(zip(*(c for c in columns if c is not None), strict=False))
             made = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
             return Sequence(Cell(made))
-    if name == "dict":
-        made_of: Any = first.content.value if isinstance(first, Mapped) and len(args) == 1 else None if args else {}
-        if args and all(argument.keyword and argument.keyword != "**" for argument in args):
-            made_of = {argument.keyword: Cell(argument.value) for argument in args}
-        if isinstance(made_of, dict):
-            return Mapped(Cell({key: Cell(cell.value, cell.type) for key, cell in made_of.items()}))
-        return Mapped(Cell(run.opaque("a dictionary made from what is not known", frame)))
-    if name == "[for]" and len(args) == 2 and isinstance(args[1].value, Callable):
-        return _comprehension(run, frame, args[0].value, args[1].value)
+    if name in DICTS:
+        return comprehensions.dictionary(run, frame, args)
+    if name in ("[for]", "[for in]"):
+        return comprehensions.comprehension(run, frame, name == "[for in]", args)
+    if name in ("map", "filter"):
+        return comprehensions.applied(run, frame, name, args)
+    if name == "[slice]" and all(isinstance(a.value, Known) for a in args):
+        return Object("slice", fields={str(n): Cell(a.value) for n, a in enumerate(args)})
+    plain = python_texts.computed(run, frame, name, args)
+    if plain is not None:
+        return plain
     if name in ("os.path.join", "posixpath.join") and args:
         return formats.path(run, frame, args)
+    if name in formats.PATHS and isinstance(first, Known) and isinstance(first.value, str) and len(args) == 1:
+        return formats.of_path(name, first.value)
     if name in ("open", "io.open", "file") and first is not None:
         return Object("file", fields={"[path]": Cell(first)})
     if name in YAML and first is not None:
@@ -112,9 +112,10 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
         return Object("rospkg.RosPack")
     if name in ("roslib.packages.get_pkg_dir", "ament_index_python.packages.get_package_share_directory"):
         return Known(f"$(find {first.value})") if isinstance(first, Known) else None
-    if name in ("functools.partial", "partial") and isinstance(first, Callable):
-        bound = tuple(a.value for a in args[1:] if not a.keyword)
-        return Callable(first.source, first.function, first.this, (*first.bound, *bound), first.frame, first.templates)
+    if name == "functools.partial" and first is not None:
+        return partials.partial(first, args[1:])
+    if name == "type" and len(args) == 1 and isinstance(first, Object) and first.definition is not None:
+        return ClassValue(*first.definition)
     if name in ("rospy.myargv", "sys.argv") and run.context.arguments is not None:
         return argv(run, name == "rospy.myargv")
     if name == "getattr" and len(args) >= 2 and isinstance(args[1].value, Known):
@@ -139,21 +140,8 @@ def argv(run: Run, is_own: bool = False) -> Value:
     return Sequence(Cell(tuple(Cell(word) for word in words)))
 
 
-def _items(value: Value) -> list[Value] | None:
-    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
-        return [cell.value for cell in value.content.value]
-    if isinstance(value, Known) and isinstance(value.value, list):
-        return [Known(item) for item in value.value]
-    return None
-
-
-def _comprehension(run: Run, frame: Frame, iterable: Value, element: Callable) -> Value:
-
-    items = _items(iterable)
-    if items is None or len(items) > 256:
-        return Sequence(Cell(run.opaque("a list made from one that is not known", frame)))
-    made = [activation.invoke(run, frame, element, (call_arguments.Argument(item),), None) for item in items]
-    return Sequence(Cell(tuple(Cell(value) for value in made)))
+def _may_be_text(value: Value) -> bool:
+    return not isinstance(value, Known) or isinstance(value.value, str)
 
 
 def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argument, ...]) -> Value | None:
@@ -162,23 +150,13 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
         if name == "format":
             return formats.braces(run, frame, receiver.value, args)
         if name == "join" and args:
-            items = _items(args[0].value)
-            if items is not None:
+            items = comprehensions.items(args[0].value)
+            if items is not None and all(_may_be_text(item) for item in items):
                 parts: list[Value] = []
                 for item in items:
                     parts += [receiver, item] if parts else [item]
                 return concatenate(tuple(parts), printed)
-        values = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
-        if name in TEXT_METHODS and None not in values and not any(argument.keyword for argument in args):
-            longest = max((len(value) for value in values if isinstance(value, str)), default=0)
-            if name == "replace" and longest * (len(receiver.value) + 1) > 100 * TEXT_LIMIT:
-                return run.opaque("it is a long text", frame)
-            try:
-                made = getattr(receiver.value, name)(*values)
-            except (TypeError, ValueError):
-                return None
-            return run.opaque("it is a long text", frame) if len(made) > TEXT_LIMIT else Known(made)
-        return None
+        return python_texts.method(run, frame, receiver.value, name, args)
     if isinstance(receiver, Sequence):
         cells: Any = receiver.content.value
         if name == "append" and args and isinstance(cells, tuple) and len(cells) < LIST_LIMIT:
@@ -190,7 +168,7 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
         if name == "copy" and isinstance(cells, tuple):
             return Sequence(Cell(tuple(Cell(cell.value) for cell in cells)))
         if name == "extend" and args and isinstance(cells, tuple):
-            more = _items(args[0].value)
+            more = comprehensions.items(args[0].value)
             if more is not None and len(cells) + len(more) <= LIST_LIMIT:
                 run.state.write(receiver.content, (*cells, *(Cell(item) for item in more)))
                 return NONE

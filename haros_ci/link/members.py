@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from haros_ci.link import expressions, library_python, lookup, methods
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
@@ -13,6 +15,7 @@ from haros_ci.link.values import (
     Cell,
     Choice,
     ClassValue,
+    Known,
     Library,
     Module,
     Object,
@@ -86,6 +89,8 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         deeper = run.index.modules.get(f"{value.source.module}.{name}")
         if deeper:
             return Module(deeper[0])
+        if lookup.is_generated(run, value.source, name):
+            return Library(f"{value.source.module}.{name}")
         return lookup.python_name(run, inner, name)
     if isinstance(value, Library):
         if value.name == "sys" and name == "argv":
@@ -98,8 +103,10 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         method = methods.method_of(run, value, name)
         if method is not None:
             return method
-        if name == "__class__" and value.definition is not None:
-            return ClassValue(*value.definition)
+        if frame.source.separator == ".":
+            held = of_class(run, value, name, frame)
+            if held is not None:
+                return held
         return Library(f"{value.name}{frame.source.separator}{name}", value)
     if isinstance(value, ClassValue):
         found = methods.field_of(run, value.source, value.definition, name, {})
@@ -111,6 +118,12 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         unbound = methods.class_method(run, value.source, value.definition, name)
         if unbound is not None:
             return Callable(*unbound)
+        if value.source.separator == ".":
+            inside = class_inside(run, value.source, value.definition, name)
+            if inside is not None:
+                return inside
+            if name == "__name__":
+                return Known(value.definition.name.rpartition(".")[2])
         return Library(f"{value.definition.name}.{name}")
     if isinstance(value, Choice):
         result: Value | None = None
@@ -132,6 +145,44 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
             return Library(f"{pointee(kind)[0]}{frame.source.separator}{name}", value)
         return Opaque(value.reason, value.location)
     return Library(name, value)
+
+
+def of_class(run: Run, value: Object, name: str, frame: Frame) -> Value | None:
+    """What a Python object's class has under *name* that is no method: an attribute, a class in it, ``__class__``.
+
+    A function is a method there, be it a lambda or a method by another name.
+    """
+    if value.definition is None:
+        return None
+    if name == "__class__":
+        return ClassValue(*value.definition)
+    source, definition = value.definition
+    cell = static_cell(run, source, definition, name)
+    if cell is None:
+        return class_inside(run, source, definition, name)
+    held = cell.value
+    if isinstance(held, Callable) and held.this is None:
+        if not held.function.owner:
+            return replace(held, bound=(value, *held.bound))
+        if not held.function.is_static:
+            return replace(held, this=value)
+    return held
+
+
+def class_inside(run: Run, source: Source, definition: Class, name: str, depth: int = 0) -> ClassValue | None:
+    """The Python class *name* that is defined inside of a class or one of its bases."""
+    wanted = f"{definition.name}.{name}"
+    found = [item for item in run.index.classes.get(wanted, ()) if item[0].path == source.path]
+    if found:
+        return ClassValue(*found[-1]) if len(found) == 1 else None
+    if depth < methods.BASES:
+        for base in run.bases(source, definition, {}):
+            owner = methods.python_class(run, base, source)
+            if owner is not None and owner[1] is not definition:
+                inside = class_inside(run, owner[0], owner[1], name, depth + 1)
+                if inside is not None:
+                    return inside
+    return None
 
 
 def field(run: Run, frame: Frame, expression: Expression) -> Value:

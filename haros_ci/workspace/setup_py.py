@@ -18,6 +18,7 @@ from haros_ci.workspace.python_values import MISSING, dotted, parse_python, valu
 from haros_ci.workspace.tree import Tree
 
 MAX_GLOBS = 100
+MAX_NESTED = 10
 _CALLS = ("setup", "setuptools.setup", "distutils.core.setup", "generate_distutils_setup", "dict")
 _ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\])?\s*\Z")
 
@@ -52,13 +53,18 @@ class _Reader:
         self.path = path
         self.names: dict[str, Any] = {}
         self.given: dict[str, ast.expr] = {}
+        self.calls: dict[str, str] = {}
         self.problems: list[Problem] = []
         self.globs = 0
         statements = deque(module.body)
         while statements:
             node = statements.popleft()
-            if isinstance(node, ast.If) or (isinstance(node, ast.FunctionDef) and node.name == "main"):
+            if isinstance(node, (ast.If, ast.Try, ast.With)) or (
+                isinstance(node, ast.FunctionDef) and node.name == "main"
+            ):
                 statements.extendleft(reversed(node.body))
+            elif isinstance(node, (ast.Import, ast.ImportFrom)):
+                self.calls.update({item.asname: item.name for item in node.names if item.asname is not None})
             elif isinstance(node, ast.Assign):
                 self.assign(node)
             elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
@@ -66,23 +72,41 @@ class _Reader:
 
     def assign(self, node: ast.Assign) -> None:
         target = node.targets[0]
-        if isinstance(node.value, ast.Call) and dotted(node.value.func).rpartition(".")[2] in _CALLS:
+        if isinstance(node.value, ast.Call) and self.is_setup(node.value):
             self.keywords(node.value)
         elif isinstance(target, ast.Subscript) and isinstance(target.slice, ast.Constant):
             if isinstance(target.slice.value, str):
                 self.given[target.slice.value] = node.value
         elif name := dotted(target):
             if isinstance(node.value, ast.Dict):
-                for key, value in zip(node.value.keys, node.value.values, strict=True):
-                    if isinstance(key, ast.Constant) and key.value in ("scripts", "package_dir", "entry_points"):
-                        self.given[str(key.value)] = value
+                self.entries(node.value)
             self.names[name] = self.value(node.value)
 
-    def keywords(self, call: ast.Call) -> None:
-        if dotted(call.func).rpartition(".")[2] in _CALLS:
-            for keyword in call.keywords:
-                if keyword.arg is not None:
-                    self.given[keyword.arg] = keyword.value
+    def is_setup(self, call: ast.Call) -> bool:
+        """Whether a call gives what is installed: setup(), what it unpacks, an update of it."""
+        first, _, rest = dotted(call.func).partition(".")
+        name = f"{self.calls.get(first, first)}.{rest}".rstrip(".").rpartition(".")[2]
+        return name in _CALLS or (name == "update" and bool(rest))
+
+    def keywords(self, call: ast.Call, depth: int = 0) -> None:
+        """What a call says, calls and dictionaries that it is given or unpacks included: ``setup(**dict(a(b=c), d=e))``."""
+        if not self.is_setup(call) or depth > MAX_NESTED:
+            return
+        for inner in (*call.args, *(keyword.value for keyword in call.keywords if keyword.arg is None)):
+            if isinstance(inner, ast.Call):
+                self.keywords(inner, depth + 1)
+            elif isinstance(inner, ast.Dict):
+                self.entries(inner, depth + 1)
+        for keyword in call.keywords:
+            if keyword.arg is not None:
+                self.given[keyword.arg] = keyword.value
+
+    def entries(self, node: ast.Dict, depth: int = 0) -> None:
+        for key, value in zip(node.keys, node.values, strict=True):
+            if isinstance(key, ast.Constant) and key.value in ("scripts", "package_dir", "entry_points", "data_files"):
+                self.given[str(key.value)] = value
+            elif key is None and isinstance(value, ast.Call):
+                self.keywords(value, depth + 1)
 
     def value(self, node: ast.expr) -> Any:
         """As value_of, with os.path.join() of strings."""

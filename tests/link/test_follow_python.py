@@ -495,14 +495,6 @@ DEFECTS = (
         "vars()",
     )
     | because(
-        "a namespace that is set does not reach the parameters below it (run.parameter)",
-        "struct set, member read",
-    )
-    | because(
-        "a list after % is taken for its elements (operators._formatted)",
-        "percent of a list",
-    )
-    | because(
         ("first values and default arguments are computed when they are first used (lookup.global_cell, bind)"),
         "default evaluated once",
         "mutable default",

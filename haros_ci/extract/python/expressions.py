@@ -6,9 +6,9 @@ from __future__ import annotations
 import ast
 import math
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
+from haros_ci.extract.python import comprehensions
 from haros_ci.extract.python.annotations import NO_TYPE, type_of
 from haros_ci.extract.python.scope import DEEPEST, Scope, qualified, too_deep
 from haros_ci.extract.python.source import place, unknown
@@ -93,7 +93,8 @@ def this_within(scope: Scope, names: set[str]) -> str | None:
     return None if scope.this in names else scope.this
 
 
-def _lambda(node: ast.expr, found: tuple[Parameter, ...], scope: Scope, body: Callable[[Scope], Block]) -> Expression:
+def anonymous(node: ast.expr, found: tuple[Parameter, ...], scope: Scope, body: Callable[[Scope], Block]) -> Expression:
+    """A function without a name that takes *found*, at the place of *node*; *body* lowers what it does."""
     file = scope.file
     index = len(file.functions)
     file.functions.append(None)
@@ -109,28 +110,11 @@ def _lambda(node: ast.expr, found: tuple[Parameter, ...], scope: Scope, body: Ca
 
 def _plain_lambda(node: ast.Lambda, scope: Scope, depth: int) -> Expression:
     found = parameters(node.args, scope, depth)
-    return _lambda(node, found, scope, lambda inner: (("return", expression(node.body, inner, depth)),))
+    return anonymous(node, found, scope, lambda inner: (("return", expression(node.body, inner, depth)),))
 
 
-def _comprehension(node: ast.ListComp | ast.SetComp | ast.GeneratorExp, scope: Scope, depth: int) -> Expression:
-    """``[f(x) for x in xs]`` is ``[for](xs, lambda x: f(x))``; a pattern is taken apart in the lambda's body."""
-    each = node.generators[0]
-    if len(node.generators) > 1 or each.ifs or each.is_async:
-        return unknown(scope.file.source, node)
-    iterable = expression(each.iter, scope, depth)
-    target = each.target
-    name = target.id if isinstance(target, ast.Name) else ""
-    bound = {part.id for part in ast.walk(target) if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store)}
-
-    def body(inner: Scope) -> Block:
-        inner = replace(inner, this=this_within(scope, bound))
-        result = ("return", expression(node.elt, inner, depth))
-        if name:
-            return (result,)
-        return (("do", ("set", "=", expression(target, inner, depth), ("name", ""))), result)
-
-    function = _lambda(node, (Parameter(name, NO_TYPE),), scope, body)
-    return ("call", ("name", "[for]"), (iterable, function), (), *place(scope.file.source, node))
+def _comprehension(node: Any, scope: Scope, depth: int) -> Expression:
+    return comprehensions.comprehension(node, scope, depth)
 
 
 def _constant(node: ast.Constant, scope: Scope, depth: int) -> Expression:
@@ -160,6 +144,14 @@ def _subscript(node: ast.Subscript, scope: Scope, depth: int) -> Expression:
     return ("index", expression(node.value, scope, depth), expression(node.slice, scope, depth))
 
 
+def _slice(node: ast.Slice, scope: Scope, depth: int) -> Expression:
+    """``a:b:c`` is ``[slice](a, b, c)``, None for what is not written."""
+    parts = [
+        ("none",) if part is None else expression(part, scope, depth) for part in (node.lower, node.upper, node.step)
+    ]
+    return ("call", ("name", "[slice]"), tuple(parts), (), *place(scope.file.source, node))
+
+
 def _call(node: ast.Call, scope: Scope, depth: int) -> Expression:
     callee = expression(node.func, scope, depth)
     arguments = [expression(item, scope, depth) for item in node.args]
@@ -174,6 +166,8 @@ def _unary(node: ast.UnaryOp, scope: Scope, depth: int) -> Expression:
 
 
 def _binary(node: ast.BinOp, scope: Scope, depth: int) -> Expression:
+    if isinstance(node.op, ast.Mod) and isinstance(node.right, (ast.List, ast.Set)):
+        return unknown(scope.file.source, node)  # the whole list is formatted, where a tuple's elements are
     return (
         "op",
         _OPERATORS[type(node.op)],
@@ -231,16 +225,33 @@ def _dict(node: ast.Dict, scope: Scope, depth: int) -> Expression:
 
 
 def _format(node: ast.JoinedStr, scope: Scope, depth: int) -> Expression:
-    """A part with a conversion or a format is unknown: joined as plain text it would be wrong."""
+    """A part with a conversion or a format is ``"{!r:>3}".format(x)``; unknown where the format is computed."""
     parts: list[Expression] = []
     for part in node.values:
         if not isinstance(part, ast.FormattedValue):
             parts.append(expression(part, scope, depth))
-        elif part.format_spec is not None or part.conversion not in (-1, _STR_CONVERSION):
+            continue
+        spec = _format_text(part.format_spec)
+        if spec is None:
             parts.append(unknown(scope.file.source, node))
-        else:
-            parts.append(expression(part.value, scope, depth))
+            continue
+        value = expression(part.value, scope, depth)
+        mark = "" if part.conversion in (-1, _STR_CONVERSION) else f"!{chr(part.conversion)}"
+        if mark or spec:
+            text = ("str", f"{{{mark}:{spec}}}")
+            value = ("call", ("field", text, "format"), (value,), (), *place(scope.file.source, node))
+        parts.append(value)
     return ("format", tuple(parts))
+
+
+def _format_text(node: ast.expr | None) -> str | None:
+    """The format of a part of an f-string, "" without one; None if it is computed."""
+    if node is None:
+        return ""
+    parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+    texts = [part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, str)]
+    text = "".join(texts)
+    return text if len(texts) == len(parts) and text.isascii() and not set("{}") & set(text) else None
 
 
 def _walrus(node: ast.NamedExpr, scope: Scope, depth: int) -> Expression:
@@ -278,6 +289,8 @@ _LOWERED: dict[type[ast.AST], Callable[[Any, Scope, int], Expression]] = {
     ast.ListComp: _comprehension,
     ast.SetComp: _comprehension,
     ast.GeneratorExp: _comprehension,
+    ast.DictComp: _comprehension,
+    ast.Slice: _slice,
     ast.Await: _inner,
     ast.Yield: _inner,
     ast.YieldFrom: _inner,

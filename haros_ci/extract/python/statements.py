@@ -250,7 +250,7 @@ def _function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope, depth:
 def _class(node: ast.ClassDef, scope: Scope, depth: int) -> Block:
     rebind(scope, node.name)
     name = define_class(node, scope, depth, block)
-    return (("class", name),) if scope.kind == "function" else ()
+    return (("class", name),) if scope.kind != "class" else ()
 
 
 def _import(node: ast.Import | ast.ImportFrom, scope: Scope, depth: int) -> Block:

@@ -36,6 +36,10 @@ def call(name: str, *arguments: Any, line: int = 1, column: int = 1) -> Any:
     return ("call", ("name", name), arguments, (), line, column)
 
 
+def formatted(form: str, argument: Any) -> Any:
+    return ("call", ("field", ("str", form), "format"), (argument,), (), 1, 1)
+
+
 A, B, C, X = ("name", "a"), ("name", "b"), ("name", "c"), ("name", "x")
 
 
@@ -46,8 +50,8 @@ A, B, C, X = ("name", "a"), ("name", "b"), ("name", "c"), ("name", "x")
         ("a.b.c", ("field", ("field", A, "b"), "c")),
         ("a[b]", ("index", A, B)),
         ("a[1, 'k']", ("index", A, ("list", (("num", 1), ("str", "k"))))),
-        ("a[1:b]", ("index", A, ("?", "1:b"))),
-        ("a[::2]", ("index", A, ("?", "::2"))),
+        ("a[1:b]", ("index", A, call("[slice]", ("num", 1), B, ("none",), column=3))),
+        ("a[::2]", ("index", A, call("[slice]", ("none",), ("none",), ("num", 2), column=3))),
         ("x = 'a' \"b\"", ("set", "=", X, ("str", "ab"))),
         ("x = -1.5", ("set", "=", X, ("op", "-", (("num", 1.5),)))),
         ("x = True", ("set", "=", X, ("bool", True))),
@@ -84,18 +88,45 @@ A, B, C, X = ("name", "a"), ("name", "b"), ("name", "c"), ("name", "x")
         ("'é'.a()", ("call", ("field", ("str", "é"), "a"), (), (), 1, 1)),
         ("f'a{b}c'", ("format", (("str", "a"), B, ("str", "c")))),
         ("f'{a!s}'", ("format", (A,))),
-        ("f'{a!r}'", ("format", (("?", "f'{a!r}'"),))),
-        ("f'cam{a:02d}'", ("format", (("str", "cam"), ("?", "f'cam{a:02d}'")))),
-        ("f'{a=}'", ("format", (("str", "a="), ("?", "f'{a=}'")))),
-        ("{a: b for a in c}", ("?", "{a: b for a in c}")),
-        ("[a for a in b if c]", ("?", "[a for a in b if c]")),
-        ("[a for b in c for a in b]", ("?", "[a for b in c for a in b]")),
+        ("f'{a!r}'", ("format", (formatted("{!r:}", A),))),
+        ("f'cam{a:02d}'", ("format", (("str", "cam"), formatted("{:02d}", A)))),
+        ("f'{a=}'", ("format", (("str", "a="), formatted("{!r:}", A)))),
+        ("f'{a:{b}}'", ("format", (("?", "f'{a:{b}}'"),))),
+        ("'%s' % [a]", ("?", "'%s' % [a]")),
+        ("'%s' % (a,)", ("op", "%", (("str", "%s"), ("list", (A,))))),
+        ("{a: b for a in c}", call("[dict]", call("[for]", C, ("lambda", 1)))),
+        ("[a for a in b if c]", call("[for]", B, ("lambda", 1), ("lambda", 2), ("str", "c"))),
+        (
+            "{a for a in b if c if x}",
+            call("[for]", B, ("lambda", 1), ("lambda", 2), ("str", "c if x")),
+        ),
+        ("[a for b in c for a in b]", call("[for in]", C, ("lambda", 1))),
+        ("[a async for a in b]", ("?", "[a async for a in b]")),
         ("assert a, b", A),
         ("del a", ("?", "del a")),
     ],
 )
 def test_expressions(text: str, lowered: Any) -> None:
     assert value(text) == lowered
+
+
+def test_comprehensions_within_each_other_are_functions_within_each_other() -> None:
+    program = read_python("[f(a, b) for a in b if a for (a, c) in a if c]\n{a: x for a in b}\n")
+    pair = ("do", ("set", "=", ("list", (A, C)), ("name", "")))
+    inner = call("[for]", A, ("lambda", 2), ("lambda", 3), ("str", "c"))
+    assert [function.body for function in program.functions[1:]] == [
+        (("return", inner),),
+        (pair, ("return", call("f", A, B, column=2))),
+        (pair, ("return", C)),
+        (("return", A),),
+        (("return", ("list", (A, X))),),
+    ]
+    assert [(function.line, function.column) for function in program.functions[3:5]] == [(1, 45), (1, 24)]
+
+
+def test_a_walrus_in_a_comprehension_sets_a_variable_outside() -> None:
+    program = read_python("[(x := a) for a in b]\n")
+    assert program.functions[1].body == (("nonlocal", ("x",)), ("return", ("set", "=", X, A)))
 
 
 def test_columns_are_code_points() -> None:
@@ -108,8 +139,8 @@ def test_columns_are_code_points() -> None:
 
 
 def test_unknown_text_is_cut() -> None:
-    found = value("{a: '" + "x" * 500 + "' for a in b}")
-    assert found == ("?", "{a: '" + "x" * 195)
+    found = value("['" + "x" * 500 + "' async for a in b]")
+    assert found == ("?", "['" + "x" * 198)
 
 
 def test_lambda_and_comprehension_are_functions() -> None:
@@ -230,7 +261,8 @@ def test_lambda_and_comprehension_are_functions() -> None:
                 ),
             ),
         ),
-        ("import a\nfrom b import c\ndef f(): pass\nclass D: pass\n", ()),
+        ("import a\nfrom b import c\ndef f(): pass\n", ()),
+        ("class D:\n  class E: pass\n", (("class", "D"),)),
     ],
 )
 def test_statements(text: str, lowered: tuple[Any, ...]) -> None:

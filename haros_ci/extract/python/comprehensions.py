@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python comprehensions and generator expressions in the little language of ``model.program``."""
+
+from __future__ import annotations
+
+import ast
+from dataclasses import replace
+from typing import Any
+
+from haros_ci.extract.python import expressions
+from haros_ci.extract.python.annotations import NO_TYPE
+from haros_ci.extract.python.scope import DEEPEST, Scope, too_deep
+from haros_ci.extract.python.source import condition, place, unknown
+from haros_ci.model.program import Block, Expression, Parameter
+
+
+def comprehension(
+    node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp, scope: Scope, depth: int
+) -> Expression:
+    """``[f(x) for x in xs if x]`` is ``[for](xs, lambda x: f(x), lambda x: x, "x")``, the text that of the condition.
+
+    ``for x in xs for y in ys`` is ``[for in](xs, lambda x: [for](ys, ...))``, its lists one after the other. A
+    dictionary is ``[dict]`` of a list of pairs. A pattern is taken apart in the lambda's body.
+    """
+    if any(each.is_async for each in node.generators):
+        return unknown(scope.file.source, node)
+    made = _level(node, 0, scope, depth)
+    if isinstance(node, ast.DictComp):
+        return ("call", ("name", "[dict]"), (made,), (), *place(scope.file.source, node))
+    return made
+
+
+def _level(node: Any, number: int, scope: Scope, depth: int) -> Expression:
+    """The for of that *number*, with all that stands behind it."""
+    if depth > DEEPEST:
+        too_deep(scope, node)
+        return unknown(scope.file.source, node)
+    source = scope.file.source
+    each = node.generators[number]
+    is_last = number + 1 == len(node.generators)
+
+    def element(inner: Scope) -> Expression:
+        if not is_last:
+            return _level(node, number + 1, inner, depth + 1)
+        if isinstance(node, ast.DictComp):
+            pair = (node.key, node.value)
+            return ("list", tuple([expressions.expression(item, inner, depth) for item in pair]))
+        return expressions.expression(node.elt, inner, depth)
+
+    parts = [expressions.expression(each.iter, scope, depth), _function(node, each.target, scope, depth, element)]
+    if each.ifs:
+        test = each.ifs[0] if len(each.ifs) == 1 else ast.copy_location(ast.BoolOp(ast.And(), each.ifs), each.ifs[0])
+        guard = _function(
+            each.ifs[0], each.target, scope, depth, lambda inner: expressions.expression(test, inner, depth)
+        )
+        parts += [guard, ("str", condition(source, each.ifs[0], each.ifs[-1])[:200])]
+    name = "[for]" if is_last else "[for in]"
+    return ("call", ("name", name), tuple(parts), (), *place(source, node))
+
+
+def _function(node: ast.expr, target: ast.expr, scope: Scope, depth: int, value: Any) -> Expression:
+    """A lambda of one parameter, *target*, that returns what *value* lowers; ``:=`` in it sets variables outside."""
+    name = target.id if isinstance(target, ast.Name) else ""
+    bound = {part.id for part in ast.walk(target) if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store)}
+    outside = sorted({part.target.id for part in ast.walk(node) if isinstance(part, ast.NamedExpr)})
+
+    def body(inner: Scope) -> Block:
+        inner = replace(inner, this=expressions.this_within(scope, bound))
+        statements: list[Any] = [("nonlocal", tuple(outside))] if outside else []
+        if not name:
+            statements.append(("do", ("set", "=", expressions.expression(target, inner, depth), ("name", ""))))
+        return (*statements, ("return", value(inner)))
+
+    return expressions.anonymous(node, (Parameter(name, NO_TYPE),), scope, body)
