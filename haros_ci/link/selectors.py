@@ -7,20 +7,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import conversions, handles, members, methods
-from haros_ci.link.names import clean, pattern, resolve
+from haros_ci.link import conversions, handles, members, methods, name_selectors
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_type, parameter_type
 from haros_ci.link.values import (
     Callable,
-    Choice,
     ClassValue,
     Known,
     Library,
     Object,
     Opaque,
     Pointer,
-    Text,
     Value,
     concatenate,
 )
@@ -158,10 +155,16 @@ def select_value(applied: Applied, selector: str) -> Any:
     if function == "handle":
         return Object("ros::NodeHandle", namespace=Known(context.name if inside == "~" else context.namespace))
     if function == "parent":
-        return _parent(applied, inside)
+        return name_selectors.parent(applied, inside)
     if function == "search":
-        return _search(applied, inside)
+        return name_selectors.search(applied, inside)
     where, _, index = inside.partition(",")
+    if function == "resolve":
+        return name_selectors.resolved(applied, where, index)
+    if function == "remap":
+        return name_selectors.remapped(applied, inside)
+    if function == "canonical":
+        return name_selectors.canonical(applied, inside)
     if function == "typeof":
         return next((kind for kind in (_type_of(applied, part) for part in where.split("|")) if kind is not None), None)
     found = next((f for f in (given(applied.args, part) for part in where.split("|")) if f is not None), None)
@@ -189,58 +192,6 @@ def _type_of(applied: Applied, selector: str) -> TypeValue | None:
         if parameter_type(kind) is not None:
             return TypeValue(kind)
     return None
-
-
-def _absolute(applied: Applied, selector: str) -> tuple[str, Opaque | None]:
-    """The full name that a selected name has at the receiver, and why it is not wholly known."""
-    context = applied.run.context
-    value = select_value(applied, selector)
-    name, why, where = (
-        pattern(value) if isinstance(value, (Known, Text, Opaque, Choice)) else ("?", "it is not known", None)
-    )
-    receiver = applied.receiver
-    space = receiver.namespace if isinstance(receiver, Object) and receiver.namespace is not None else None
-    prefix, space_why, _ = pattern(space if space is not None else Known(context.namespace))
-    reason = why or (space_why if name[:1] not in ("/", "~") else None)
-    full = resolve(name, prefix, context.name)
-    return (full, Opaque(reason, where)) if reason else (context.remap(full), None)
-
-
-def _parent(applied: Applied, selector: str) -> Value:
-    full, why = _absolute(applied, selector)
-    head = f"{full.rpartition('/')[0]}/"
-    return (
-        Known(head) if why is None else Text((head.partition("?")[0] or "/", why)) if "?" in head else Text((head, why))
-    )
-
-
-def _search(applied: Applied, selector: str) -> Value:
-    """searchParam: the nearest namespace upwards that has the parameter (wiki.ros.org/Parameter Server).
-
-    Where nothing sets it, the first that is looked at: there it would be found before all others.
-    """
-    context = applied.run.context
-    value = select_value(applied, selector)
-    name, why, where = (
-        pattern(value) if isinstance(value, (Known, Text, Opaque, Choice)) else ("?", "it is not known", None)
-    )
-    if why is not None:
-        return Opaque(why, where)
-    if name.startswith("/"):
-        return Known(name)
-    receiver = applied.receiver
-    space: Value = Known(context.name)
-    if isinstance(receiver, Object) and receiver.namespace is not None:
-        space = receiver.namespace
-    prefix, why, where = pattern(space)
-    while why is None:
-        full = clean(f"{prefix}/{name}")
-        if applied.run.parameter(full) is not None:
-            return Known(full)
-        if prefix in ("", "/"):
-            return Known(clean(f"{pattern(space)[0]}/{name}"))
-        prefix = prefix.rpartition("/")[0]
-    return Opaque(why, where)
 
 
 def _members(applied: Applied, value: Value, names: list[str]) -> Any:

@@ -25,6 +25,10 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
     typeof(1)       parameter type of an argument: bool, int, double, str, yaml; typeof(<0>|1|2): the first known one
     typename(1)     the name of its C++ or Python type
     parent(0)       the namespace of a name as it is resolved and remapped, with its last slash: ``/left/``
+    resolve(0)      the full name that a name is resolved and remapped to, from the receiver's or the node's namespace;
+                    resolve(0,1): argument 1 says whether it is remapped
+    remap(0)        what a name is remapped to, else the name itself
+    canonical(0)    a name without doubled and trailing slashes
     search(0)       the full name of a parameter as searchParam finds it, from the entry's namespace upwards; unknown
                     where nothing sets it
     item.name       in an entry with ``each``: the item's name, type, default, group
@@ -51,7 +55,7 @@ an argument to a template that is stored through it (``{"1": "{parameter}"}``); 
 that is no default, the argument may also keep what it had. ``fills`` maps members of the receiver (or, for a
 constructor or static factory, of the returned object) to templates. ``calls`` lists selectors of arguments that are
 called back later; those that are not there or are no functions are passed over. ``transparent: "{0}"`` returns the
-argument itself, as resolveName does. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases;
+argument itself. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases;
 ``entry`` the methods of it that a framework calls (onInit).
 """
 
@@ -110,7 +114,7 @@ ENTRY_KEYS = (
 SELECTOR = re.compile(r"\{([^{}]*)\}")
 ALTERNATIVE = re.compile(
     r"\d+(\.\w+)*|<\d+>|this(<\d+>|(\.\w+)+)?|item\.(name|type|default|group)|parameter|[A-Za-z_]\w*(\.\w+)*"
-    r"|callback\([\w|]+(,\d+)?\)|(typeof|typename|parent|search)\([\w.|<>]+\)|handle\(~?\)"
+    r"|callback\([\w|]+(,\d+)?\)|(typeof|typename|parent|search|remap|canonical)\([\w.|<>]+\)|resolve\([\w.|]+(,\d+)?\)|handle\(~?\)"
 )
 
 

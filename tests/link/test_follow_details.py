@@ -230,7 +230,7 @@ PYTHON_REACHED = (
     case("generator", 'def g():\n    make("a")\n    yield 1\nfor x in g():\n    pass', "/a"),
     case("comprehension", '[make(s) for s in ["a", "b"]]', "/a", "/b"),
     case("comprehension of unknown length", '[make("a") for s in text()]', "/a"),
-    case("map", 'list(map(make, ["a"]))', "/a|/?"),
+    case("map", 'list(map(make, ["a"]))', "/a"),
     case("assert", 'assert make("a") is None', "/a"),
     case("default argument", 'def f(x=make("a")):\n    pass', "/a"),
     case("class body", 'class W:\n    p = make("a")', "/a"),
@@ -254,12 +254,11 @@ NOT_REACHED_IN_PYTHON = (
         "alias of a function",
         "partial in a loop of unknown length",
         "class in a variable",
-        "comprehension of unknown length",
     )
     | because("a call of what a decorator returned is skipped as inert", "wrapper by a decorator")
     | because("with calls no __enter__", "context manager")
     | because("properties are not called", "property")
-    | because("default arguments and class bodies are not carried out", "default argument", "class body")
+    | because("default arguments are not carried out", "default argument")
 )
 
 

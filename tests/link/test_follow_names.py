@@ -151,10 +151,6 @@ ONE_OF_TWO = {
 #: Why a row does not hold yet.
 DEFECTS = (
     because(
-        "resolveName does not use the handle's namespace (apis/roscpp: transparent {0})",
-        "resolveName",
-    )
-    | because(
         ("one of two callees or objects makes both endpoints, both without a condition (Choice in calls.call, apply)"),
         "one of two: handle",
         "one of two: pointer",
@@ -166,11 +162,6 @@ DEFECTS = (
     )
     | because(
         "a parameter set or deleted under a name that is not known changes nothing (emit._set)",
-    )
-    | because(
-        "a namespace that is set or deleted does not reach the parameters below it (run.parameter)",
-        "namespace deleted",
-        "namespace set",
     )
     | because(
         "a parameter of another type fills the variable, where roscpp leaves it alone (api_rows._apply)",

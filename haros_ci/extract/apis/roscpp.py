@@ -24,7 +24,7 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "ros::NodeHandle", "args": [2], "when": {"0": "ros::NodeHandle"},
      "makes": [{"kind": "handle", "parent": "{0}", "namespace": "{1}"}]},
     {"call": "ros::NodeHandle::getNamespace", "args": [0], "returns": "{this.namespace}"},
-    {"call": "ros::NodeHandle::resolveName", "args": [1, 2], "transparent": "{0}"},
+    {"call": "ros::NodeHandle::resolveName", "args": [1, 2], "returns": "{resolve(0,1)}"},
 
     # ros/node_handle.h: advertise. Three arguments are a latch or a callback, six end in the latch.
     {"call": "ros::NodeHandle::advertise", "args": [1],
@@ -210,9 +210,10 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "ros::WallDuration::toSec", "args": [0], "returns": "{this.seconds}"},
 
     # ros/names.h, ros/this_node.h. resolve(namespace, name) has no row: the result depends on how the name begins.
-    {"call": "ros::names::resolve", "args": [1], "transparent": "{0}"},
-    {"call": "ros::names::resolve", "args": [2], "when": {"1": "bool"}, "transparent": "{0}"},
-    {"call": "ros::names::clean", "args": [1], "transparent": "{0}"},
+    {"call": "ros::names::resolve", "args": [1], "returns": "{resolve(0)}"},
+    {"call": "ros::names::resolve", "args": [2], "when": {"1": "bool"}, "returns": "{resolve(0,1)}"},
+    {"call": "ros::names::remap", "args": [1], "returns": "{remap(0)}"},
+    {"call": "ros::names::clean", "args": [1], "returns": "{canonical(0)}"},
     {"call": "ros::names::append", "args": [2], "returns": "{0}/{1}"},
     {"call": "ros::this_node::getName", "args": [0], "returns": "{process.name}"},
     {"call": "ros::this_node::getNamespace", "args": [0], "returns": "{process.namespace}"},

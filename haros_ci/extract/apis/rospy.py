@@ -19,14 +19,16 @@ ROWS: tuple[dict[str, object], ...] = (
      "makes": [{"kind": "node", "name": "{0|name}", "anonymous": "{2|anonymous?false}"}]},
     {"call": "rospy.on_shutdown", "calls": ["0", "h"]},
 
-    # rospy/topics.py, wiki.ros.org/rospy/Overview/Publishers and Subscribers
+    # rospy/topics.py, wiki.ros.org/rospy/Overview/Publishers and Subscribers: name is the resolved one, too.
     {"call": "rospy.Publisher",
      "makes": [{"kind": "publishers", "name": "{0|name}", "type": "{typename(1|data_class)}",
-                "queue_size": "{6|queue_size}", "latched": "{4|latch?false}"}]},
+                "queue_size": "{6|queue_size}", "latched": "{4|latch?false}"}],
+     "fills": {"name": "{resolve(0|name)}", "resolved_name": "{resolve(0|name)}"}},
     {"call": "rospy.Subscriber",
      "makes": [{"kind": "subscribers", "name": "{0|name}", "type": "{typename(1|data_class)}",
                 "queue_size": "{4|queue_size}"}],
-     "calls": ["2", "callback"]},
+     "calls": ["2", "callback"],
+     "fills": {"name": "{resolve(0|name)}", "resolved_name": "{resolve(0|name)}"}},
     # rospy/client.py: wait_for_message subscribes while it waits.
     {"call": "rospy.wait_for_message",
      "makes": [{"kind": "subscribers", "name": "{0|topic}", "type": "{typename(1|topic_type)}"}],
@@ -37,11 +39,12 @@ ROWS: tuple[dict[str, object], ...] = (
     # rospy/impl/tcpros_service.py, wiki.ros.org/rospy/Overview/Services
     {"call": "rospy.Service",
      "makes": [{"kind": "servers", "name": "{0|name}", "type": "{typename(1|service_class)}"}],
-     "calls": ["2", "handler", "4", "error_handler"]},
+     "calls": ["2", "handler", "4", "error_handler"], "fills": {"resolved_name": "{resolve(0|name)}"}},
     {"call": "rospy.ServiceProxy",
-     "makes": [{"kind": "clients", "name": "{0|name}", "type": "{typename(1|service_class)}"}]},
-    # rospy/impl/tcpros_service.py: needs the service to be there, of whatever type.
-    {"call": "rospy.wait_for_service", "makes": [{"kind": "clients", "name": "{0|service}"}]},
+     "makes": [{"kind": "clients", "name": "{0|name}", "type": "{typename(1|service_class)}"}],
+     "fills": {"resolved_name": "{resolve(0|name)}"}},
+    # rospy/impl/tcpros_service.py: a probe that only asks whether the service is there calls nothing.
+    {"call": "rospy.wait_for_service"},
 
     # rospy/client.py, wiki.ros.org/rospy/Overview/Parameter Server. search_param starts at the node's own name.
     {"call": "rospy.get_param",
@@ -71,12 +74,12 @@ ROWS: tuple[dict[str, object], ...] = (
 
     # rospy/names.py, rosgraph/names.py, wiki.ros.org/rospy/Overview/Names and Node Information. A namespace ends in a
     # slash. ns_join and scoped_name have no row: what they give depends on how the names begin.
-    {"call": "rospy.resolve_name", "args": [1], "transparent": "{0|name}"},
-    {"call": "rospy.remap_name", "args": [1], "transparent": "{0|name}"},
-    {"call": "rospy.names.resolve_name", "args": [1], "transparent": "{0|name}"},
-    {"call": "rospy.names.remap_name", "args": [1], "transparent": "{0|name}"},
-    {"call": "rospy.names.canonicalize_name", "args": [1], "transparent": "{0|name}"},
-    {"call": "rosgraph.names.canonicalize_name", "args": [1], "transparent": "{0|name}"},
+    {"call": "rospy.resolve_name", "args": [1], "returns": "{resolve(0|name)}"},
+    {"call": "rospy.remap_name", "args": [1], "returns": "{remap(0|name)}"},
+    {"call": "rospy.names.resolve_name", "args": [1], "returns": "{resolve(0|name)}"},
+    {"call": "rospy.names.remap_name", "args": [1], "returns": "{remap(0|name)}"},
+    {"call": "rospy.names.canonicalize_name", "args": [1], "returns": "{canonical(0|name)}"},
+    {"call": "rosgraph.names.canonicalize_name", "args": [1], "returns": "{canonical(0|name)}"},
     {"call": "rospy.get_name", "args": [0], "returns": "{node.name}"},
     {"call": "rospy.names.get_name", "args": [0], "returns": "{node.name}"},
     {"call": "rospy.get_caller_id", "args": [0], "returns": "{node.name}"},

@@ -20,7 +20,7 @@ COVERED = {
     "rospy.delete_param": {"setters"},
     "rospy.search_param": {"getters"},
     "rospy.wait_for_message": {"subscribers"},
-    "rospy.wait_for_service": {"clients"},
+    "rospy.wait_for_service": set(),
     "rospy.init_node": {"node"},
     "rospy.Timer": {"timer"},
     "rospy.Rate": {"rate"},
@@ -111,9 +111,20 @@ def test_arguments_by_position_and_keyword(call: str, key: str, parts: tuple[obj
     assert loaded(call)[0].makes[0].values[key].parts == parts
 
 
-def test_waiting_for_a_service_says_no_type() -> None:
-    (entry,) = loaded("rospy.wait_for_service")[0].makes
-    assert set(entry.values) == {"name"}
+@pytest.mark.parametrize(
+    ("call", "returns"),
+    [
+        ("rospy.resolve_name", "resolve(0|name)"),
+        ("rospy.names.resolve_name", "resolve(0|name)"),
+        ("rospy.remap_name", "remap(0|name)"),
+        ("rosgraph.names.canonicalize_name", "canonical(0|name)"),
+        ("rospy.search_param", "search(0|param_name)"),
+    ],
+)
+def test_names_are_given_as_rospy_gives_them(call: str, returns: str) -> None:
+    (row,) = loaded(call)
+    assert row.returns is not None
+    assert row.returns.parts == (((returns,), None),)
 
 
 def test_listeners_say_no_queue_size_unless_it_is_given() -> None:

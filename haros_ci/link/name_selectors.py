@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Selectors of graph names: how the name that a call is given is resolved, remapped or searched for."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from haros_ci.link import handles, selectors
+from haros_ci.link.names import clean, pattern, resolve
+from haros_ci.link.parameters import Perhaps
+from haros_ci.link.values import FALSE, TRUE, Choice, Known, Object, Opaque, Text, Value, join
+from haros_ci.model.location import Location
+
+#: A name as a pattern, with why and where it is not wholly known.
+Name = tuple[str, str | None, Location | None]
+
+
+def resolved(applied: selectors.Applied, selector: str, flag: str) -> Value:
+    """The name as ``resolveName`` gives it (wiki.ros.org/Names); the argument at *flag* says whether it is remapped."""
+    value = _first(applied, selector)
+    result: Value | None = None
+    for option in value.options if isinstance(value, Choice) else (value,):
+        found = _full(applied, option, flag)
+        result = found if result is None else join(result, found)
+    return result if result is not None else applied.run.opaque("a name that is not known", applied.frame)
+
+
+def _full(applied: selectors.Applied, value: Any, flag: str) -> Value:
+    if value == Known(""):
+        return applied.run.opaque("the namespace that an empty name is resolved to", applied.frame)
+    full, unknown = _absolute(applied, _name(value))
+    if unknown is not None:
+        pieces: list[str | Opaque] = []
+        for number, piece in enumerate(full.split("?")):
+            pieces += ([unknown] if number else []) + ([piece] if piece else [])
+        return Text(tuple(pieces)) if "?" in full else unknown
+    name = applied.run.context.remap(full)
+    given = selectors.given(applied.args, flag) if flag else None
+    if given is None or name == full or given.value == TRUE:
+        return Known(name)
+    return Known(full) if given.value == FALSE else applied.run.opaque("whether the name is remapped", applied.frame)
+
+
+def remapped(applied: selectors.Applied, selector: str) -> Value:
+    """The name as ``remap`` gives it: what it is remapped to, else the name as it is."""
+    value: Value | None = _first(applied, selector)
+    if value is None:
+        return applied.run.opaque("a name that is not known", applied.frame)
+    full, unknown = _absolute(applied, _name(value))
+    name = applied.run.context.remap(full) if unknown is None else full
+    return Known(name) if name != full else value
+
+
+def canonical(applied: selectors.Applied, selector: str) -> Value | None:
+    """A name without doubled and trailing slashes; one that is not known stays as it is."""
+    value: Value | None = _first(applied, selector)
+    if isinstance(value, Known) and isinstance(value.value, str):
+        name = "/".join(part for part in value.value.split("/") if part)
+        return Known(f"/{name}" if value.value.startswith("/") else name)
+    return value
+
+
+def parent(applied: selectors.Applied, selector: str) -> Value:
+    """The namespace of a name as it is resolved and remapped, with its last slash."""
+    full, why = _absolute(applied, _name(_first(applied, selector)))
+    if why is None:
+        return Known(f"{applied.run.context.remap(full).rpartition('/')[0]}/")
+    head = f"{full.rpartition('/')[0]}/"
+    return Text((head.partition("?")[0] or "/", why)) if "?" in head else Text((head, why))
+
+
+def search(applied: selectors.Applied, selector: str) -> Value:
+    """searchParam: the nearest namespace upwards that has the parameter (wiki.ros.org/Parameter Server).
+
+    It begins at the entry's namespace, the handle's or the node's own name. Of ``a/b`` it looks for ``a`` alone. Where
+    nothing sets it, the first that is looked at: there it would be found before all others.
+    """
+    run = applied.run
+    name, why, where = _name(_first(applied, selector))
+    if why is not None:
+        return Text(("/", Opaque(why, where)))
+    if name.startswith("/"):
+        return Known(clean(name))
+    if not name.strip("/") or name.startswith("~"):
+        return run.opaque("a name that cannot be searched for", applied.frame)
+    start, why, where = pattern(_start(applied))
+    first = name.split("/")[0]
+    prefix = start
+    while why is None:
+        found = run.parameter(clean(f"{prefix}/{name}"))
+        if found is None and first != name:
+            found = run.parameter(clean(f"{prefix}/{first}"))
+        if isinstance(found, Perhaps):
+            return Text(("/", found))
+        if found is not None:
+            return Known(clean(f"{prefix}/{name}"))
+        if prefix in ("", "/"):
+            return Known(clean(f"{start}/{name}"))
+        prefix = prefix.rpartition("/")[0]
+    return Text(("/", Opaque(why, where)))
+
+
+def _start(applied: selectors.Applied) -> Value:
+    """Where the search begins."""
+    for entry in applied.row.makes:
+        if "namespace" in entry.values:
+            chosen = selectors.value_of(applied, entry.values["namespace"])
+            if chosen is not None:
+                return handles.namespace_of(applied, chosen)
+    receiver = applied.receiver
+    if isinstance(receiver, Object) and receiver.namespace is not None:
+        return receiver.namespace
+    return Known(applied.run.context.name)
+
+
+def _absolute(applied: selectors.Applied, name: Name) -> tuple[str, Opaque | None]:
+    """The full name before it is remapped, as the receiver resolves it, and why it is not wholly known."""
+    context = applied.run.context
+    text, why, where = name
+    receiver = applied.receiver
+    space: Value = Known(context.namespace)
+    if isinstance(receiver, Object) and (receiver.namespace is not None or receiver.name == "ros::NodeHandle"):
+        space = handles.namespace_of(applied, receiver)
+    prefix, space_why, space_where = pattern(space)
+    full = resolve(text, prefix, context.name)
+    if why is not None:
+        return full, Opaque(why, where)
+    if space_why is not None and text[:1] not in ("/", "~"):
+        return full, Opaque(space_why, space_where)
+    return full, None
+
+
+def _first(applied: selectors.Applied, alternatives: str) -> Any:
+    """What the first alternative that is there finds; None if none is."""
+    for selector in alternatives.split("|"):
+        found = selectors.select_value(applied, selector)
+        if found is not None:
+            return found
+    return None
+
+
+def _name(value: Any) -> Name:
+    if isinstance(value, (Known, Text, Opaque, Choice)):
+        return pattern(value)
+    return "?", "it is not known", None
