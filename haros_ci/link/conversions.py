@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import ast
-
 from haros_ci.link.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
 from haros_ci.link.values import (
     Callable,
@@ -131,16 +129,6 @@ def value_type(value: Value) -> Type | None:
     if isinstance(value, Callable):
         return ("function", (), "")
     return None
-
-
-def macro(body: str) -> Value:
-    """An object-like macro's value, where it is a literal."""
-    text = body.strip().strip("()").strip()
-    try:
-        found = ast.literal_eval(text.rstrip("fFlLuU") if not text.startswith(('"', "'")) else text)
-    except (ValueError, SyntaxError, MemoryError, RecursionError):
-        return Opaque(f"a macro: {text[:80]}")
-    return Known(found) if isinstance(found, (str, int, float)) else Opaque(f"a macro: {text[:80]}")
 
 
 def smart(kind: Type | None) -> Type | None:

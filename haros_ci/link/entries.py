@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.link.follow import Entry
-from haros_ci.link.index import Index, Source
+from haros_ci.link.index import Index, Source, aliased
 from haros_ci.model.build import Build, PluginClass, Target
 from haros_ci.model.program import Class
 
@@ -29,12 +29,15 @@ class Programs:
         return self.python if entry.source.program.language == "python" else self.cpp
 
 
-def executables(programs: Programs) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
-    """All node types that can be started, by package and executable: where each begins, and its files."""
+def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
+    """All node types that can be started, by package and executable: where each begins, and its files.
+
+    Those that are built for tests only come with *tests*.
+    """
     found: dict[tuple[str, str], tuple[Entry, frozenset[str]]] = {}
     for package, build in sorted(programs.builds.items()):
         for target in build.targets:
-            if target.kind != "executable" or target.is_test:
+            if target.kind != "executable" or (target.is_test and not tests):
                 continue
             files = files_of(programs, target)
             entry = _main(programs, (*target.sources, *target.conditional_sources))
@@ -79,8 +82,10 @@ def _described(programs: Programs) -> Iterator[tuple[PluginClass, Source, Class,
             library = posixpath.basename(plugin.library).removeprefix("lib")
             targets = [t for t in build.targets if t.kind == "library" and library in (t.output, t.name)]
             files = files_of(programs, targets[0]) if targets else frozenset[str]()
+            name = plugin.type.strip()
+            name = name if name in programs.cpp.classes else aliased(programs.cpp, name) or name
             candidates = sorted(
-                (item for item in programs.cpp.classes.get(plugin.type.strip(), ()) if item[1].bases or item[1].fields),
+                (item for item in programs.cpp.classes.get(name, ()) if item[1].bases or item[1].fields),
                 key=lambda item: (item[0].path not in files, item[0].package != plugin.package, item[0].path),
             )
             if candidates:

@@ -42,6 +42,10 @@ OUTPUT = (
     "printf fprintf vprintf puts fputs perror exit abort atexit signal sleep usleep system getenv assert getpid "
     "static_assert sizeof time fopen fclose remove access stat"
 )
+CHECKS = "CHECK CHECK_EQ CHECK_NE CHECK_LE CHECK_LT CHECK_GE CHECK_GT CHECK_NEAR CHECK_NOTNULL CHECK_STREQ CHECK_STRNE"
+LOGS = "LOG LOG_IF LOG_EVERY_N LOG_FIRST_N LOG_IF_EVERY_N VLOG VLOG_IF VLOG_EVERY_N VLOG_IS_ON PLOG PCHECK"
+#: Macros of glog.
+GLOG = frozenset(f"{debug}{name}" for group in (CHECKS, LOGS) for name in group.split() for debug in ("", "D"))
 FUNCTIONS = frozenset(
     f"{space}{name}"
     for group in (NUMBERS, TEXTS, ALGORITHMS, MAKERS, OUTPUT)
@@ -123,7 +127,7 @@ def is_harmless(name: str, is_python: bool) -> bool:
     if is_python:
         return name in PYTHON or name.startswith(PYTHON_LIBRARIES)
     name = name.removeprefix("::")
-    if name in FUNCTIONS or name.startswith(MACROS):
+    if name in FUNCTIONS or name in GLOG or name.startswith(MACROS):
         return True
     last = name.rpartition("::")[2]
     return name.startswith(LIBRARIES) and not last.startswith(GETTERS)

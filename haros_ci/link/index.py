@@ -17,6 +17,8 @@ from typing import Any, TypeVar
 from haros_ci.model.program import Alias, Class, Field, Function, Program
 
 Entity = TypeVar("Entity")
+#: Typedefs of typedefs that are looked through.
+ALIASES = 8
 #: Why one of several definitions is not told from the others.
 EITHER = "it is defined more than once"
 HEADERS = (".h", ".hh", ".hpp", ".hxx", ".H", ".inl", ".ipp", ".tpp")
@@ -64,6 +66,9 @@ class Index:
     file_names: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
     links: dict[str, tuple[str, ...]] = field(default_factory=dict)
     reached: dict[str, frozenset[str]] = field(default_factory=dict)
+    #: The namespaces that are open in each file, and the messages that it includes.
+    open: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    headers: dict[str, Mapping[str, str]] = field(default_factory=dict)
     visible: dict[tuple[str, frozenset[str]], tuple[frozenset[str], frozenset[str | None]]] = field(
         default_factory=dict
     )
@@ -156,8 +161,39 @@ class Index:
             yield f"{prefix}{separator}{name}"
             prefix = prefix.rpartition(separator)[0]
         yield name
-        for _, namespace in source.program.scopes:
+        for namespace in self.opened(source):
             yield f"{namespace}::{name}"
+
+    def opened(self, source: Source) -> tuple[str, ...]:
+        """The namespaces that using-directives open in a file: its own, then those of the headers that it includes."""
+        found = self.open.get(source.path)
+        if found is None:
+            spaces = [namespace for _, namespace in source.program.scopes]
+            for path in sorted(self.reach(source.path)):
+                spaces += [space for around, space in self.sources[path].program.scopes if not around]
+            found = self.open[source.path] = tuple(dict.fromkeys(spaces))
+        return found
+
+    def messages(self, source: Source) -> Mapping[str, str]:
+        """``pkg::Type`` for every ``#include "pkg/Type.h"`` of a file and of the headers that it includes, by ``Type``.
+
+        Of two packages' types of one name the file's own inclusion counts; else it is left out.
+        """
+        found = self.headers.get(source.path)
+        if found is None:
+            every: dict[str, set[str]] = defaultdict(set)
+            for path in self.reach(source.path):
+                for name, whole in self.included.get(path, {}).items():
+                    every[name].add(whole)
+            single = {name: next(iter(wholes)) for name, wholes in every.items() if len(wholes) == 1}
+            found = self.headers[source.path] = {**single, **self.included.get(source.path, {})}
+        return found
+
+    def includes(self, source: Source, entities: Iterable[tuple[Source, Any]]) -> bool:
+        """Whether one of *entities* stands in a file or in what it includes."""
+        if source.separator == ".":
+            return True
+        return any(where.path == source.path or where.path in self.reach(source.path) for where, _ in entities)
 
 
 def build_index(sources: Iterable[Source]) -> Index:
@@ -191,7 +227,43 @@ def build_index(sources: Iterable[Source]) -> Index:
         if source.module:
             index.modules[source.module].append(source)
         index.included[source.path] = _included(program)
+    for source in index.sources.values():
+        for function in source.program.functions:
+            if function.owner and function.owner not in index.classes and function.owner in index.aliases:
+                _through_alias(index, source, function)
     return index
+
+
+def aliased(index: Index, name: str, source: Source | None = None, depth: int = 0) -> str | None:
+    """The class that a typedef's name stands for, seen from *source* or else from anywhere; None if it is none for sure."""
+    found = index.aliases.get(name, [])
+    if source is not None:
+        found = [item for item in found if index.includes(source, (item,))]
+    targets: set[str | None] = set()
+    for where, alias in found:
+        around = name.rpartition("::")[0]
+        names = [each for each in index.scopes(alias.type[0], around, where) if each != name]
+        target = next((each for each in names if index.classes.get(each)), None)
+        if target is None and depth < ALIASES:
+            deeper = (aliased(index, each, where, depth + 1) for each in names if each in index.aliases)
+            target = next((each for each in deeper if each is not None), None)
+        targets.add(None if alias.type[2] else target)
+    return targets.pop() if len(targets) == 1 else None
+
+
+def _through_alias(index: Index, source: Source, function: Function) -> None:
+    """A method that is defined with a typedef's name before its own is the class's."""
+    owner = aliased(index, function.owner, source)
+    if owner is None:
+        return
+    last = function.name.rpartition("::")[2]
+    own = owner.rpartition("::")[2]
+    if last in (own, function.owner.rpartition("::")[2]):
+        function = replace(function, kind="constructor")
+        last = own
+    found = replace(function, name=f"{owner}::{last}", owner=owner)
+    index.functions[found.name].append((source, found))
+    index.by_tail[f"{own}::{last}"].append((source, found))
 
 
 def _told_once(fields: tuple[Field, ...]) -> tuple[Field, ...]:

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from haros_ci.link import call_arguments, methods
+from haros_ci.link import call_arguments, lookup, methods, partials
+from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     NONE,
@@ -27,8 +29,13 @@ from haros_ci.model.program import Function, Type
 
 #: Objects inside objects that are looked into.
 NESTED = 3
+#: Statements of a function that is followed for what it returns alone, and how many.
+STRAIGHT = frozenset(("return", "var", "do", "if"))
+SHORT = 3
 #: Kinds of values that can be called, and those that may hold such.
 CALLED = frozenset((Callable, ClassValue, Library, Object))
+#: Values that a Python object is given to be called, classes before all.
+HELD = frozenset((ClassValue, Library))
 CALLABLE = CALLED | {Choice, Pointer, Sequence, Mapped}
 
 
@@ -36,9 +43,17 @@ def may_make(run: Run, function: Callable, args: tuple[call_arguments.Argument, 
     """Whether a call may make something: the function by itself, or something that it is given and may call."""
     if run.relevance.makes(function.function, function.source):
         return True
-    return any(a.value.__class__ in CALLABLE and _makes(run, a.value) for a in args) or any(
-        value.__class__ in CALLABLE and _makes(run, value) for value in function.bound
+    return (
+        any(a.value.__class__ in CALLABLE and _makes(run, a.value) for a in args)
+        or any(value.__class__ in CALLABLE and _makes(run, value) for value in function.bound)
+        or (function.source.separator == "." and function.this is not None and _holds(run, function.this))
     )
+
+
+def _holds(run: Run, this: Object) -> bool:
+    """Whether a member of a Python object holds a function or class that makes something."""
+    held = (cell.value for cell in this.fields.values())
+    return any(value.__class__ in HELD and _makes(run, value) for value in held)
 
 
 def _makes(run: Run, value: Any) -> bool:
@@ -50,7 +65,7 @@ def _makes(run: Run, value: Any) -> bool:
         return run.relevance.named(value.name)
     if isinstance(value, Object):
         if value.definition is None:
-            return False
+            return value.name == partials.PARTIAL and any(_makes(run, cell.value) for cell in value.fields.values())
         source, definition = value.definition
         found = methods.class_method(run, source, definition, "operator()" if source.separator == "::" else "__call__")
         return found is not None and run.relevance.makes(found[1], found[0])
@@ -67,12 +82,14 @@ def is_inert(
     run: Run, function: Callable, definition: Function, returns: Type, args: tuple[call_arguments.Argument, ...]
 ) -> bool:
     """Whether a function that makes nothing need not be followed: it gives and changes numbers only."""
-    if definition.kind == "constructor":
+    if definition.kind == "constructor" or _is_short(definition):
         return False
     if returns[0] and not call_arguments.is_scalar(returns) and returns[0] != "bool":
         return False
     changed = run.relevance.changes(definition, function.source)
     if not changed.isdisjoint(run.relevance.shared) or not changed.isdisjoint(run.relevance.holding):
+        return False
+    if function.source.separator == "::" and not changed.isdisjoint(_pointers(run)):
         return False
     if function.frame is not None and any(function.frame.find(name) is not None for name in changed):
         return False
@@ -87,6 +104,43 @@ def is_inert(
         if isinstance(value, Object) and not _only_numbers(value, changed):
             return False
     return function.this is None or _only_numbers(function.this, changed)
+
+
+def _pointers(run: Run) -> Mapping[str, tuple[tuple[Source, str, Any, Type], ...]]:
+    """The namespace-scope variables and static members that point to constants, by the last part of their names.
+
+    They are no constants themselves: for each its file, qualified name, initialiser and type.
+    """
+    key = ("pointers",)
+    if key not in run.found:
+        found: dict[str, tuple[tuple[Source, str, Any, Type], ...]] = {}
+        variables = [(where, v.name, v) for each in run.index.variables.values() for where, v in each]
+        for each in run.index.classes.values():
+            variables += [(where, f"{c.name}::{f.name}", f) for where, c in each for f in c.fields if f.is_static]
+        for where, name, variable in variables:
+            if "*" in variable.type[2] and not variable.type[2].endswith("c"):
+                last = name.rpartition("::")[2]
+                found[last] = (*found.get(last, ()), (where, name, variable.init, variable.type))
+        run.found[key] = found
+    pointers: Mapping[str, tuple[tuple[Source, str, Any, Type], ...]] = run.found[key]
+    return pointers
+
+
+def _is_constant(cell: Cell) -> bool:
+    """Whether a variable keeps what it has, whatever else is of its name."""
+    marks = cell.type[2] if cell.type is not None else ""
+    return "c" in marks and "*" not in marks and "&" not in marks
+
+
+def _is_short(definition: Function) -> bool:
+    """Whether a function tells a value in few steps: as getters do, and conversions."""
+    body = definition.body or ()
+    return (
+        0 < len(body) <= SHORT
+        and body[-1][0] == "return"
+        and body[-1][1] is not None
+        and all(statement[0] in STRAIGHT for statement in body)
+    )
 
 
 def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool:
@@ -137,8 +191,13 @@ def skipped(
     for this in objects:
         if isinstance(this, Object):
             _forget_members(run, this, changed, unknown, 0)
+    if function.source.separator == "::":
+        pointers = _pointers(run)
+        for name in sorted(changed & pointers.keys()):  # those that are used later begin with what they are now
+            for pointer in pointers[name]:
+                lookup.global_cell(run, *pointer)
     for (_, name), cell in run.globals.items():
-        if name.rpartition("::")[2].rpartition(".")[2] in changed:
+        if name.rpartition("::")[2].rpartition(".")[2] in changed and not _is_constant(cell):
             _forget(run, cell, replace(unknown, type=cell.type))
     for module in run.modules.values():
         for name in changed & module.scopes[0].keys():
@@ -150,7 +209,8 @@ def skipped(
                 _forget(run, outer, replace(unknown, type=outer.type))
     for parameter, argument in zip(definition.parameters, args, strict=False):
         marks = parameter.type[2]
-        if parameter.name in changed and "c" not in marks and ("&" in marks or "*" in marks):
+        is_changed = "&" in marks and not marks.rstrip("&").endswith("c")
+        if parameter.name in changed and (is_changed or ("*" in marks and "c" not in marks)):
             target = argument.value.cell if isinstance(argument.value, Pointer) else argument.cell
             if target is not None:
                 _forget(run, target, run.opaque(reason, inner, definition.line, target.type))

@@ -5,14 +5,24 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import algorithms, construct, conversions, library_containers, library_yaml, methods, texts
+from haros_ci.link import (
+    algorithms,
+    construct,
+    conversions,
+    library_bind,
+    library_containers,
+    library_numbers,
+    library_yaml,
+    loaders,
+    methods,
+    texts,
+)
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import STRINGS
+from haros_ci.link.types import STRINGS, is_type, pointee
 from haros_ci.link.values import (
     FALSE,
     NONE,
     TRUE,
-    Callable,
     Cell,
     Character,
     Choice,
@@ -40,6 +50,7 @@ STREAMS = frozenset(
 )
 FILES = frozenset(("std::ifstream", "std::fstream", "ifstream", "fstream"))
 MANIPULATORS = frozenset(("setw", "setfill", "setprecision", "setbase", "setiosflags", "resetiosflags", "put_time"))
+LIMITS = "std::numeric_limits::"
 BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
 MAKERS = frozenset(
     f"{space}::{name}"
@@ -51,7 +62,7 @@ TRANSPARENT = frozenset(
         "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
         "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
         "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
-        "boost::lexical_cast std::function boost::function std::max std::abs"
+        "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL"
     ).split()
 )
 
@@ -90,8 +101,14 @@ def function(
     name = name.removeprefix("::")
     if name.removeprefix("std::") in MANIPULATORS:
         return Library(name)
+    if name == "ros::names::getRemappings" and not args:
+        return loaders.remappings(run)
     if name in BINDERS and args:
-        return _bind(args)
+        return library_bind.bind(args)
+    if name.startswith(LIMITS) and len(targs) == 1 and is_type(targs[0]) and not args:
+        return library_numbers.limit(name.removeprefix(LIMITS), run.type_in(targs[0], frame))
+    if name == "std::make_pair" and len(args) == 2:
+        return Object("std::pair", fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
     if name.startswith(("std::", "boost::")):
         text = algorithms.rewritten(run, name, args)
         if text is not None:
@@ -158,35 +175,14 @@ def _number(value: Value) -> Value:
     return value
 
 
-def _bind(args: tuple[Argument, ...]) -> Value:
-    """``bind(&C::m, this, _1, x)``: what is bound keeps its place, placeholders are open."""
-    function = args[0].value
-    if isinstance(function, Pointer):
-        function = function.cell.value
-    if not isinstance(function, Callable):
-        return function
-    rest = list(args[1:])
-    this = function.this
-    if function.function.owner and rest and function.frame is None:
-        first = rest[0].value.cell.value if isinstance(rest[0].value, Pointer) else rest[0].value
-        if isinstance(first, Object):
-            this = first
-            rest = rest[1:]
-        elif len(rest) > len(function.function.parameters):
-            rest = rest[1:]
-    bound: list[Any] = [None if _is_placeholder(item.value) else item.value for item in rest]
-    while bound and bound[-1] is None:
-        bound.pop()
-    templates = this.templates if this is not None else function.templates
-    return Callable(function.source, function.function, this, tuple(bound), function.frame, templates)
-
-
-def _is_placeholder(value: Value) -> bool:
-    return isinstance(value, Library) and value.name.rpartition("::")[2].lstrip("_").isdigit()
-
-
 def method(
-    run: Run, frame: Frame, receiver: Value, cell: Cell | None, name: str, args: tuple[Argument, ...]
+    run: Run,
+    frame: Frame,
+    receiver: Value,
+    cell: Cell | None,
+    name: str,
+    args: tuple[Argument, ...],
+    location: Location,
 ) -> Value | None:
     """A modelled method by the kind of value it is called on."""
     if isinstance(receiver, Known):
@@ -212,12 +208,17 @@ def method(
         return NONE
     if isinstance(receiver, Opaque) and name in ("c_str", "str", "data", "get"):
         return receiver
+    if isinstance(receiver, Opaque) and name in LOADERS and args and receiver.type is not None:
+        kind = pointee(receiver.type)
+        if kind[0] == LOADER:
+            this = Object(kind[0], kind[1])
+            return library_yaml.plugin(run, frame, this, args[0].value, location)
     if isinstance(receiver, Sequence):
         return library_containers.sequence(run, frame, receiver, name, args)
     if isinstance(receiver, Mapped):
         return library_containers.mapped(run, frame, receiver, name, args)
     if isinstance(receiver, Object):
-        return _object(run, frame, receiver, name, args, Location(frame.source.path))
+        return _object(run, frame, receiver, name, args, location)
     return None
 
 
@@ -302,15 +303,18 @@ def _data(
     return None
 
 
+LOADER = "pluginlib::ClassLoader"
 LOADERS = frozenset(("createInstance", "createUnmanagedInstance", "createUniqueInstance", "createClassInstance"))
 
 
 def _object(
     run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...], location: Location
 ) -> Value | None:
-    if receiver.name == "pluginlib::ClassLoader" and name in LOADERS and args:
+    if receiver.name == LOADER and name in LOADERS and args:
         return library_yaml.plugin(run, frame, receiver, args[0].value, location)
-    if receiver.name == "pluginlib::ClassLoader" and name == "getName" and args:
+    if receiver.name == "nodelet::Loader" and name == "load" and len(args) > 1:
+        return loaders.nodelet(run, frame, args, location)
+    if receiver.name == LOADER and name == "getName" and args:
         named = args[0].value
         if isinstance(named, Known) and isinstance(named.value, str):
             return Known(named.value.replace("::", "/").rpartition("/")[2])

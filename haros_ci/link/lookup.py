@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 import builtins
+from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.link import construct, conversions, library_cpp, members, methods
+from haros_ci.link import construct, conversions, expressions, library_cpp, library_numbers, members, methods
+from haros_ci.link import macros as macros_
 from haros_ci.link.common_messages import COMMON
 from haros_ci.link.index import EITHER, Source
 from haros_ci.link.run import NEXT, Frame, Run
@@ -30,6 +32,11 @@ def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
     if cell is not None:
         return cell
     if frame.source.program.language == "python":
+        if frame.function is None and frame.scope:  # the body of a class
+            around = run.class_of(frame.scope, frame.source)
+            own = around is not None and any(field.name == name for field in around[1].fields)
+            if own and around is not None:
+                return members.static_cell(run, *around, name)
         module = module_frame(run, frame.source)
         return module.scopes[0].get(name)
     this = frame.this
@@ -95,7 +102,9 @@ def name(run: Run, frame: Frame, expression: Expression) -> Value:
     key = ("name", name, frame.scope, frame.source.path)
     if key not in run.found or frame.templates:
         run.found[key] = _global_name(run, frame, name)
-    value: Value = run.found[key]
+    value: Any = run.found[key]
+    if isinstance(value, Macro):
+        return _expanded(run, frame, value, name)
     if frame.this is not None and "::" not in name:
         inherited = _inherited(run, frame, frame.this, name, value)
         value = inherited if inherited is not None else value
@@ -105,6 +114,29 @@ def name(run: Run, frame: Frame, expression: Expression) -> Value:
             return method
     if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
         return Callable(value.source, value.function, frame.this, templates=frame.templates)
+    return value
+
+
+@dataclass(frozen=True, slots=True)
+class Macro:
+    """An object-like macro: what its definitions stand for."""
+
+    bodies: tuple[Expression, ...]
+
+
+def _expanded(run: Run, frame: Frame, macro: Macro, name: str) -> Value:
+    """A macro's value where it stands; names in it mean there what they mean."""
+    looking = ("expanding", frame.source.path, name)
+    if looking in run.found:
+        return run.opaque(f"the macro {name} is defined by itself", frame)
+    run.found[looking] = True
+    try:
+        values = [expressions.evaluate(run, frame, body) for body in macro.bodies]
+    finally:
+        del run.found[looking]
+    value = values[0]
+    for other in values[1:]:
+        value = join(value, other)
     return value
 
 
@@ -128,7 +160,7 @@ def _is_virtual(run: Run, frame: Frame, value: Callable) -> bool:
     return any(function.is_virtual for _, function in run.index.functions.get(value.function.name, ()))
 
 
-def _global_name(run: Run, frame: Frame, name: str) -> Value:
+def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
     """What a name that is no variable means in C++: a function, macro, class, or a library's name."""
     index = run.index
     for candidate in index.scopes(name, frame.scope, frame.source):
@@ -140,10 +172,7 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value:
         packages = {frame.source.package, *(source.package for source, _ in macros)}
         if any(name in index.defined.get(package, ()) for package in packages):
             return run.opaque(f"the build defines {name}", frame)
-        value = conversions.macro(macros[0][1])
-        for _, body in macros[1:]:
-            value = join(value, conversions.macro(body))
-        return value
+        return Macro(tuple(macros_.expression(body) for _, body in macros))
     resolved = run.type_in((name, (), ""), frame)
     found = run.class_of(resolved[0], frame.source)
     if found is not None:
@@ -154,7 +183,8 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value:
             return Callable(method[0], method[1])
     if resolved[0].endswith("string::npos"):
         return Known(conversions.NPOS)
-    return Library(resolved[0])
+    constant = library_numbers.CONSTANTS.get(name)
+    return Known(constant) if constant is not None else Library(resolved[0])
 
 
 def python_name(run: Run, frame: Frame, name: str) -> Value:
@@ -164,6 +194,9 @@ def python_name(run: Run, frame: Frame, name: str) -> Value:
     if found and found[0][0].path == frame.source.path:
         return ClassValue(*found[0])
     functions = [f for f in run.index.functions.get(name, ()) if f[0].path == frame.source.path]
+    if frame.function is None and frame.scope:  # the body of a class
+        own = run.index.functions.get(f"{frame.scope}.{name}", ())
+        functions = [f for f in own if f[0].path == frame.source.path] or functions
     if functions:
         return Callable(functions[-1][0], functions[-1][1])
     looking = ("looking", frame.source.path, name)
@@ -207,13 +240,22 @@ def _starred(run: Run, source: Source, name: str) -> str | None:
             return f"{module}.{name}"
         if alias.name != "*" or kind not in ("msg", "srv"):
             continue
-        if f"{package}/{name}" in run.index.interfaces:
+        if f"{package}/{name}" in run.index.interfaces or _of_action(run, package, name):
             return f"{module}.{name}"
         if name in COMMON.get(package, ()):
             return f"{module}.{name}"
         if package not in run.index.packages and package not in COMMON:
             outside.append(f"{module}.{name}")
     return outside[0] if len(outside) == 1 and name[:1].isupper() else None
+
+
+def _of_action(run: Run, package: str, name: str) -> bool:
+    """Whether *name* is a message of an action of the workspace (wiki.ros.org/actionlib: FooAction, FooGoal, ...)."""
+    action = name
+    for suffix in ("Action", "Goal", "Result", "Feedback"):
+        base = name.removesuffix(suffix)
+        action = base if base != name and base else action
+    return action != name and f"{package}/{action}" in run.index.interfaces
 
 
 def imported(run: Run, frame: Frame, target: str) -> Value:
@@ -231,6 +273,8 @@ def imported(run: Run, frame: Frame, target: str) -> Value:
         modules = run.index.modules.get(head)
         if modules:
             source = min(modules, key=lambda s: (s.package != frame.source.package, s.path))
+            if rest and is_generated(run, source, rest[-1]):
+                return Library(target)
             value: Value = Module(source)
             for part in reversed(rest):
                 value = members.attribute(run, value, part, frame)
@@ -242,6 +286,18 @@ def imported(run: Run, frame: Frame, target: str) -> Value:
             break
         rest.append(last)
     return Library(target)
+
+
+def is_generated(run: Run, source: Source, name: str) -> bool:
+    """Whether *name* of a package's own Python module is the module that its interfaces are generated into.
+
+    Both are installed into one Python package (wiki.ros.org/genpy, wiki.ros.org/dynamic_reconfigure).
+    """
+    if name not in ("msg", "srv", "cfg") or "." in source.module or not source.path.endswith("__init__.py"):
+        return False
+    if f"{source.module}.{name}" in run.index.modules:
+        return False
+    return name not in module_frame(run, source).scopes[0]
 
 
 def _rebound(source: Source) -> set[str]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import operator
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.link import (
@@ -23,12 +24,14 @@ from haros_ci.link.values import (
     LIST_LIMIT,
     NONE,
     TRUE,
+    Callable,
     Cell,
     Character,
     Choice,
     Known,
     Object,
     Opaque,
+    Pointer,
     Sequence,
     Text,
     Value,
@@ -64,12 +67,22 @@ def operation(run: Run, frame: Frame, expression: Expression) -> Value:
     if symbol in ("<<", ">>"):
         return _shift(run, frame, symbol, operands, left)
     right = expressions.evaluate(run, frame, operands[1])
+    if symbol == ".*":
+        return _bound(run, frame, left, right)
     if isinstance(left, Object) and left.definition is not None:
         given = (call_arguments.Argument(right, None, conversions.value_type(right)),)
         method = methods.method_of(run, left, f"operator{symbol}", given)
         if method is not None:
             return activation.invoke(run, frame, method, given, None)
     return binary(run, frame, symbol, left, right)
+
+
+def _bound(run: Run, frame: Frame, left: Value, right: Value) -> Value:
+    """``a.*m``, ``a->*m``: the method that *m* points to, of the object *a*."""
+    this = left.cell.value if isinstance(left, Pointer) else left
+    if isinstance(right, Callable) and isinstance(this, Object) and right.function.owner:
+        return replace(right, this=this, templates=this.templates)
+    return run.opaque("it is a member that a pointer tells", frame)
 
 
 def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Value:

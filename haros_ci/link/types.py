@@ -44,8 +44,28 @@ WRAPPERS = frozenset(
 )
 #: Members of traits and containers, which are not types by themselves.
 DEPENDENT = frozenset(("type", "value_type", "element_type", "mapped_type", "key_type"))
-#: What publishes as another message (pcl_ros and tf give them ros::message_traits).
-SERIALISED = {"pcl/PointCloud": "sensor_msgs/PointCloud2", "tf/tfMessage": "tf2_msgs/TFMessage"}
+#: Names of ``std`` that something is known of, for ``using namespace std``.
+STANDARD = frozenset(
+    "string vector map list set deque array pair unordered_map shared_ptr unique_ptr weak_ptr optional function "
+    "stringstream ostringstream istringstream ifstream ofstream fstream reference_wrapper numeric_limits to_string "
+    "make_shared make_unique make_pair move forward ref cref bind getline swap find find_if static_pointer_cast "
+    "dynamic_pointer_cast const_pointer_cast".split()
+)
+#: What publishes as another message (pcl_ros, pcl_conversions and tf give them ros::message_traits).
+SERIALISED = {
+    "pcl/PointCloud": "sensor_msgs/PointCloud2",
+    "pcl/PCLPointCloud2": "sensor_msgs/PointCloud2",
+    "tf/tfMessage": "tf2_msgs/TFMessage",
+}
+
+
+_STRING: Type = ("std::string", (), "")
+#: Type definitions of ros/datatypes.h and nodelet/nodelet.h.
+_TYPEDEFS: dict[str, tuple[str, tuple[Type, ...]]] = {
+    f"{space}::{short}": target
+    for space in ("ros", "nodelet")
+    for short, target in (("V_string", ("std::vector", (_STRING,))), ("M_string", ("std::map", (_STRING, _STRING))))
+}
 
 
 def resolve_type(
@@ -79,9 +99,13 @@ def resolve_type(
         return resolve_type(
             index, (f"{bound[0]}::{tail}", resolved or bound[1], marks), scope, source, files, {}, depth + 1
         )
+    hidden: Type | None = None
     for candidate in index.scopes(name, scope, source):
         if index.classes.get(candidate):
-            return (candidate, resolved, marks)
+            if index.includes(source, index.classes[candidate]):
+                return (candidate, resolved, marks)
+            hidden = hidden or (candidate, resolved, marks)
+            continue
         targets = []
         for where, alias in index.near(index.aliases, candidate, source, files):
             if alias.type[0] in (name, candidate):  # typedef struct X X
@@ -92,8 +116,10 @@ def resolve_type(
         if targets:
             target = targets[0]
             if any(repr(pointee(other)) != repr(pointee(target)) for other in targets):
-                return (candidate, resolved, marks)  # one of several, under an #if
-            return (target[0], target[1], target[2] + marks)
+                target = (candidate, resolved, "")  # one of several, under an #if
+            if index.includes(source, index.aliases[candidate]):
+                return (target[0], target[1], target[2] + marks)
+            hidden = hidden or (target[0], target[1], target[2] + marks)
     if colons:
         for candidate in index.scopes(head, scope, source):
             for where, alias in index.near(index.aliases, candidate, source, files)[:1]:
@@ -110,23 +136,30 @@ def resolve_type(
                         depth + 1,
                     )
     if source.program.language != "python":
-        local = index.local.get(source.path, {}).get(name) if not colons and not _foreign(source) else None
+        local = index.local.get(source.path, {}).get(name) if not colons and not _foreign(index, source) else None
         if local is not None:
             around = local.name.rpartition("::")[0].rpartition("::")[0]
             target = resolve_type(index, local.type, around, source, files, templates, depth + 1)
             return (target[0], target[1], target[2] + marks)
         if not colons:
-            name = _by_include(index, name, source, scope)
+            found = _by_include(index, name, source, scope)
+            if hidden is not None and found == name:
+                return hidden
+            name = found
+        elif hidden is not None:
+            return hidden
         else:
             whole = _by_include(index, head, source, scope) if head[:1].isupper() else head
             name = f"{whole}::{tail}" if whole != head else name
+        if name in _TYPEDEFS:
+            name, resolved = _TYPEDEFS[name]
         return _pointer(name, resolved, marks)
-    return (name, resolved, marks)
+    return hidden or (name, resolved, marks)
 
 
-def _foreign(source: Source) -> bool:
+def _foreign(index: Index, source: Source) -> bool:
     """Whether names may come out of namespaces that the workspace does not define."""
-    return any(namespace not in ("std", "ros", "boost") for _, namespace in source.program.scopes)
+    return any(namespace not in ("std", "ros", "boost") for namespace in index.opened(source))
 
 
 def _pointer(name: str, arguments: Any, marks: str) -> Type:
@@ -147,10 +180,10 @@ def is_type(item: Any) -> bool:
 
 def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
     """An unqualified name of an open namespace: the header of that name says which one it is from."""
-    spaces = {namespace for _, namespace in source.program.scopes} | {scope.partition("::")[0]} - {""}
+    spaces = {*index.opened(source)} | {scope.partition("::")[0]} - {""}
     if not spaces:
         return name
-    included = index.included.get(source.path, {}) if name[:1].isupper() else {}
+    included = index.messages(source) if name[:1].isupper() else {}
     for suffix in ("", "ConstPtr", "Ptr"):
         found = included.get(name.removesuffix(suffix))
         if found and found.partition("::")[0] in spaces:
@@ -159,7 +192,7 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
     homes = [space for space in sorted(spaces) if bare in COMMON.get(space, ())]
     if len(homes) == 1:
         return f"{homes[0]}::{name}"
-    if "std" in spaces and name in ("string", "vector", "map", "list", "shared_ptr", "unique_ptr"):
+    if "std" in spaces and name.partition("::")[0] in STANDARD:
         return f"std::{name}"
     return name
 

@@ -23,7 +23,11 @@ _CLASS_HEAD = re.compile(
     """,
     re.VERBOSE,
 )
-_ATTRIBUTE = re.compile(r"\[\[[\w\s:,]{0,100}(?:\([^()\[\]]{0,200}\)\s{0,9})?\]\]")
+_ATTRIBUTE = re.compile(
+    r"(?P<attribute>\[\[[\w\s:,]{0,100}(?:\((?:[^()\[\]\"]|\"[^\"\\\n]{0,400}\"){0,200}\)\s{0,9})?\]\])|"
+    + _LEXEME.pattern,
+    re.VERBOSE | re.DOTALL,
+)
 _EXPORT = re.compile(
     r"^[ \t]*#[^\n]*"
     r"|\b[A-Z][A-Z0-9_]{0,80}_(?:API|EXPORT|PUBLIC|LOCAL|DECL|IMPORT|DEPRECATED)\b(?=\s{1,40}[A-Za-z_~:\[])",
@@ -49,8 +53,25 @@ _UNKNOWN = re.compile(
     | (?:[;}:]|\{(?!\s{0,2000}\w{1,80}\s{0,200}\}))\s{0,2000}
       (?P<macro>[A-Z][A-Z0-9]{0,40}_[A-Z0-9_]{1,80})[ \t\r]{0,200}(?=\n\s{0,2000}[A-Za-z_~\#}])
     | \w\s(?P<unused>[A-Z_]{0,80}UNUSED)(?=\s{0,9}[,)])
+    | (?:<<|,)\s{0,200}(?P<dependent>typename)(?=\s{1,9}\w{1,80}(?:::\w{1,80}){1,9}\s{0,9}\()
+    | \(\s{0,9}(?P<member>(?:\w{1,80}::){1,9})(?=\*\s{0,9}\w{0,80}\s{0,9}\)\s{0,9}\()
+    | \b[A-Z][A-Z0-9_]{1,80}\([^;{}]{0,400}(?P<ended>;)(?=\s{0,9}\)\s{0,9};)
     """,
     re.VERBOSE,
+)
+#: ``a->operator[](i)``, which is ``a[i]``.
+_ELEMENT = re.compile(r"(?<=[\w)\]])((?:->|\.)\s{0,9}operator\s{0,9}\[\s{0,9}\]\s{0,9}\()([^(){};]{0,400})\)")
+#: ``#if VERSION(<, 1, 2)``: an operator as an argument, and the names that stand for operators meanwhile.
+_COMPARED = re.compile(r"^([ \t]*#[ \t]*(?:el)?if\b[^\n(]{0,200}\()([<>]=?|[=!]=)(?=[ \t]*,)", re.MULTILINE)
+_COMPARISONS = {"<": "$", ">": "_", "<=": "$$", ">=": "$_", "==": "_$", "!=": "$0"}
+_OPERATORS = {name: symbol for symbol, name in _COMPARISONS.items()}
+_STAND_IN = re.compile(r"(?<=\()(?:[$_]{1,2}|\$0)(?=[ \t]*,)")
+#: A macro with arguments on lines of its own, without a semicolon before the next statement.
+_UNENDED = re.compile(
+    r"([;{}]\s{0,2000}[A-Z][A-Z0-9]{0,40}_[A-Z0-9_]{1,80}\((?:[^(){};]|\([^(){};]{0,200}\)){0,400}\)[ \t]{0,2000}"
+    r"(?:(?<=[ \t])|\n\s{0,2000}[ \t]))(?<=[ \t])(?=\s{0,2000}"
+    r"(?!(?:void|virtual|static|explicit|template|class|struct|union|typedef|using|public|private|protected|friend|enum|"
+    r"namespace|inline|constexpr|extern)\b)[A-Za-z_]\w{0,80}\b)"
 )
 #: ``const T & x(a.b);``, which is no function: a parameter has no dot.
 _REFERENCE = re.compile(
@@ -58,6 +79,8 @@ _REFERENCE = re.compile(
 )
 _NAME = re.compile(r"\s(?=\s{0,40}(?!(?:and|or|u8|[RLuU])\b)[A-Za-z_]\w{0,80}\s{0,40}[\"),;])")
 _FOREACH = re.compile(r"\b(?:BOOST_FOREACH|BOOST_REVERSE_FOREACH|Q_FOREACH|foreach)(?=\s{0,9}\()")
+#: Macros without semicolons in a row.
+_IN_A_ROW = 4
 _BRACKETS = re.compile(r"[()\[\]{},;]")
 _FOREACH_WINDOW = 500
 
@@ -83,10 +106,11 @@ def skeleton(text: str) -> str:
 
 def readable(text: str) -> str:
     """*text* without comments, attributes, export macros and Qt's words; ``BOOST_FOREACH(a, b)`` as ``for (a: b)``."""
-    code = text = without_comments(text)
-    text = _CLASS_HEAD.sub(lambda match: match.group().replace(match.group(1), " " * len(match.group(1)), 1), text)
+    text = without_comments(text)
     if "[[" in text:
-        text = _ATTRIBUTE.sub(lambda match: _spaces(match.group()), text)
+        text = _ATTRIBUTE.sub(lambda match: _spaces(match.group()) if match["attribute"] else match.group(), text)
+    code = text
+    text = _CLASS_HEAD.sub(lambda match: match.group().replace(match.group(1), " " * len(match.group(1)), 1), text)
     if any(word in text for word in _EXPORTS):
         text = _EXPORT.sub(lambda match: match.group() if "#" in match.group() else " " * len(match.group()), text)
     if "Q_" in text or "slots" in text or "emit" in text or "signals" in text:
@@ -100,7 +124,19 @@ def simplified(text: str) -> str:
     """*text*, free of comments, without what the grammar of expressions lacks and meaning does not need."""
     after = _UNKNOWN.sub(_without_group, text)
     after = _REFERENCE.sub(lambda match: f"{match.group(1)}={match.group(2)} ", after)
+    after = _ELEMENT.sub(lambda match: f"{'['.ljust(len(match.group(1)))}{match.group(2)}]", after)
+    after = _COMPARED.sub(lambda match: match.group(1) + _COMPARISONS[match.group(2)], after)
+    for _ in range(_IN_A_ROW):
+        before, after = after, _UNENDED.sub(_ended, after)
+        if before == after:
+            break
+    after = after.replace("->*", " .*")
     return _joined(_with_strings_of(text, after))
+
+
+def compared(text: str) -> str:
+    """A condition's *text* as it was: with the operators that ``simplified`` has put names in place of."""
+    return _STAND_IN.sub(lambda match: _OPERATORS[match.group()], text) if text.startswith("#") else text
 
 
 def _joined(text: str) -> str:
@@ -131,6 +167,13 @@ def _without_group(match: re.Match[str]) -> str:
     start, end = match.span(match.lastgroup)
     text, offset = match.group(), match.start()
     return text[: start - offset] + _spaces(text[start - offset : end - offset]) + text[end - offset :]
+
+
+def _ended(match: re.Match[str]) -> str:
+    """*match* with a semicolon in place of its last blank, if there is a new line behind the macro."""
+    text = match.group()
+    follows = match.string[match.end() : match.end() + 1]
+    return f"{text[:-1]};" if "\n" in text[text.rindex(")") :] or follows == "\n" else text
 
 
 def _loops(text: str) -> str:

@@ -7,6 +7,7 @@ import re
 
 from tree_sitter import Node
 
+from haros_ci.extract.cpp.blanks import compared
 from haros_ci.extract.cpp.grammar import field, kinds
 from haros_ci.extract.cpp.unit import Unit
 
@@ -33,7 +34,7 @@ def branches(unit: Unit, node: Node) -> list[Branch]:
         if condition is not None:
             end = condition.end_byte
             start = next((index for index, child in enumerate(children) if child.start_byte >= end), len(children))
-        text = unit.collapsed(current.start_byte, end).replace("\\ ", "")
+        text = compared(unit.collapsed(current.start_byte, end).replace("\\ ", ""))
         following: Node | None = None
         inside: list[Node] = []
         for child in children[start:]:

@@ -88,20 +88,26 @@ class Specifiers(NamedTuple):
 
 
 def path(unit: Unit, node: Node, depth: int) -> tuple[str, tuple[Any, ...]]:
-    """A possibly qualified name without template arguments, and the template arguments of its last part."""
+    """A possibly qualified name without template arguments, and the template arguments of its last part.
+
+    For ``std::numeric_limits<T>::max`` they are those of the class: its methods say nothing without them.
+    """
     text = unit.text[node.start_byte : node.end_byte]
     if "<" not in text:
         name = unit.cut(node)
         if "template" not in name and "typename" not in name:
             return (name if name.isidentifier() else "".join(name.split()) if "operator" not in name else name), ()
     parts: list[str] = []
+    around: tuple[Any, ...] = ()
     while True:
         kind = node.kind_id
         if kind in _QUALIFIED:
             children = node.children
             for child in children[:-1]:
                 if child.kind_id in _PLAIN or child.kind_id in _TEMPLATE or child.kind_id in _DEPENDENT:
-                    parts.append(path(unit, child, depth + 1)[0] if depth < DEEPEST else "?")
+                    name, chosen = path(unit, child, depth + 1) if depth < DEEPEST else ("?", ())
+                    parts.append(name)
+                    around = chosen if name.endswith("numeric_limits") else ()
                 elif not child.is_named and child.end_byte - child.start_byte == 2 and not parts:
                     parts.append("")
             node = children[-1]
@@ -113,7 +119,7 @@ def path(unit: Unit, node: Node, depth: int) -> tuple[str, tuple[Any, ...]]:
             return "::".join(parts), arguments(unit, children[-1], depth + 1)
         else:
             parts.append(" ".join(unit.cut(node).split()))
-            return "::".join(parts), ()
+            return "::".join(parts), around
 
 
 def arguments(unit: Unit, node: Node, depth: int) -> tuple[Any, ...]:
@@ -219,7 +225,11 @@ def declarator(unit: Unit, node: Node, base: Any, depth: int) -> Declared:
                     node = node.children[-1]
                 declared = declarator(unit, node, NOTHING, depth)
                 return Declared(text, declared.type, node_, declared.function)
-            return Declared(path(unit, node, depth)[0], (name, arguments_, marks), node, function, is_parenthesized)
+            text = path(unit, node, depth)[0]
+            if "::*" in text:  # a pointer to a member
+                kept = (name, arguments_, marks) if function is None else ("()", ((name, arguments_, marks),), "")
+                return Declared(text.rpartition("*")[2].strip(), (kept[0], kept[1], kept[2] + "*"), node, None)
+            return Declared(text, (name, arguments_, marks), node, function, is_parenthesized)
         children = node.children
         inner: Node | None = None
         for child in children:
