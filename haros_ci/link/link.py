@@ -10,6 +10,7 @@ from typing import Any
 
 from haros_ci.link import system
 from haros_ci.link.entries import Programs, executables, nodelets, plugins
+from haros_ci.link.follow import Entry
 from haros_ci.link.index import Source, build_index
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.parameters import ParameterServer, yaml_reader
@@ -89,11 +90,13 @@ def link(
         opened.append((item, launched, len(nodes)))
         jobs += nodes
     if wanted is None:
+        others = started & types.startable.keys() - types.executables.keys()
+        behind_links = {types.startable[each][1] for each in others}
         for package, name in sorted(types.executables):
-            if (package, name) not in started:
+            if (package, name) not in started and types.executables[package, name][1] not in behind_links:
                 jobs.append(system.alone(types, package, name))
         for described, _, _ in dict.fromkeys(types.nodelets.values()):
-            if tuple(described.name.split("/", 1)) not in started and "/" in described.name:
+            if system.type_of(described.name, described) not in started:
                 jobs.append(system.standalone(types, described.name))
     order = sorted(range(len(jobs)), key=lambda number: -jobs[number].size)  # large ones first: nobody waits at the end
     done = dict(zip(order, share([jobs[n].follow for n in order], [jobs[n].group for n in order]), strict=True))
@@ -112,7 +115,7 @@ def link(
             )
         )
     for node, said in results:
-        if node.endpoints:
+        if node.kind != system.PROGRAM:
             problems.update(dict.fromkeys(said))
             name = f"{node.package}/{node.type}"
             taken = node.kind == "nodelet" and any(c.name == name for c in configurations)
@@ -158,9 +161,12 @@ def types_of(
         for language, table in tables.items()
     }
     reader = yaml_reader(files_of(workspace))
+    ordinary = executables(programs)
+    startable = {**linked(workspace, programs), **executables(programs, tests=True), **ordinary}
     return Types(
         programs,
-        executables(programs),
+        ordinary,
+        startable,
         nodelets(programs),
         tables,
         plugins(programs),
@@ -170,6 +176,17 @@ def types_of(
         known,
         exact=exact,
     )
+
+
+def linked(workspace: Workspace, programs: Programs) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
+    """The Python scripts that can be started by the names of symbolic links to them, as ``executables`` has them."""
+    scripts = {path for build in programs.builds.values() for path in build.scripts}
+    found = {}
+    for path, target in workspace.links:
+        package = path_name(workspace, path).partition("/")[0]
+        if target in scripts and target in programs.sources and package in programs.builds:
+            found[package, path.rpartition("/")[2]] = Entry(programs.sources[target]), frozenset((target,))
+    return found
 
 
 def path_name(workspace: Workspace, path: str) -> str:

@@ -153,6 +153,7 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
     if place.path is None:
         shown = quoted(needed[0].shown)
         state.wrong(scope, tag, f"includes {shown}: {place.reason}; what it starts is unknown")
+        state.is_partial = True
         return
     link = (place.path, _frozen(passed))
     if link in scope.chain:
@@ -163,6 +164,7 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
         return
     root = _root(state, place.path, (scope, tag))
     if root is None:
+        state.is_partial = True
         return
     state.included.add(place.path)
     child_scope = replace(
@@ -224,6 +226,7 @@ def _frozen(args: Mapping[str, Text]) -> tuple[tuple[str, Text], ...]:
 def _check_parents(state: State, parameters: tuple[Parameter, ...]) -> None:
     """A parameter with a value cannot hold others; roslaunch warns of it."""
     values = {parameter.name: parameter for parameter in parameters if not parameter.conditions}
+    values = {name: parameter for name, parameter in values.items() if "?" not in name}
     for name, parameter in values.items():
         pieces = name.split("/")
         for count in range(2, min(len(pieces), 50)):
@@ -235,7 +238,8 @@ def _check_parents(state: State, parameters: tuple[Parameter, ...]) -> None:
 
 
 def _check_machines(state: State) -> None:
-    for started in state.nodes:
+    """A node's machine must be declared; where an include cannot be read, it may be there."""
+    for started in () if state.is_partial else state.nodes:
         machine_name = started.machine
         if machine_name and "?" not in machine_name and machine_name not in state.machines:
             at = started.location

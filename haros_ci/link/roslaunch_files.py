@@ -33,6 +33,7 @@ class Files:
     workspace: Workspace
     directories: Mapping[str, str]
     listed: frozenset[str]
+    links: Mapping[str, str]
 
     def has(self, path: str) -> bool:
         return path in self.listed or self.workspace.text(path) != ""
@@ -57,7 +58,17 @@ class Files:
         path = posixpath.normpath(f"{start}/{rest}")
         if path.startswith("../") or path in (".", "..") or path.startswith("/"):
             return Place(None, f"{quoted(raw)} leads out of the workspace", outside=True)
-        return Place(path)
+        return Place(self.real(path))
+
+    def real(self, path: str) -> str:
+        """*path* with symbolic links followed, as often as there are any."""
+        for _ in self.links:
+            prefixes = (path[:end] for end in (*(n for n, char in enumerate(path) if char == "/"), len(path)))
+            link = next((prefix for prefix in prefixes if prefix in self.links), None)
+            if link is None:
+                break
+            path = self.links[link] + path[len(link) :]
+        return path
 
     def directory_of(self, path: str) -> str:
         """The directory of *path* as launch files name it, ``$(find package)/launch``."""
@@ -79,4 +90,4 @@ def files_of(workspace: Workspace) -> Files:
     directories: dict[str, str] = {}
     for package in sorted(workspace.packages, key=lambda package: package.path):
         directories.setdefault(package.name, package.path)
-    return Files(workspace, directories, frozenset(file.path for file in workspace.files))
+    return Files(workspace, directories, frozenset(file.path for file in workspace.files), dict(workspace.links))

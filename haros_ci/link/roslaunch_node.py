@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci.link.roslaunch_names import (
+    MARK,
     Text,
     canonical,
     is_legal,
@@ -24,8 +25,11 @@ from haros_ci.link.roslaunch_state import (
     inner_namespace,
     location,
     unknown_condition,
+    unset,
 )
-from haros_ci.model.architecture import Condition, Unknown
+from haros_ci.link.roslaunch_types import type_of
+from haros_ci.link.words import scalar, split
+from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.launch import LaunchElement, Started
 
 _OPTIONS = ("machine", "args", "output", "respawn", "respawn_delay", "cwd", "launch-prefix", "required")
@@ -84,9 +88,29 @@ def node(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condi
         state.add_parameter(_private_name(full, private.name), named_private)
     for entry in named:
         state.add_parameter(_private_name(full, entry.name), entry.parameter)
+    _arguments(state, scope, tag, full, options["args"], conditions)
     state.spend(len(own.remaps) // 4 + len(own.environment) // 4)
     _check_duplicate(state, scope, tag, full, conditions)
     state.nodes.append(_started(scope, tag, full, namespace, package, type_, options, own))
+
+
+def _arguments(
+    state: State, scope: Scope, tag: LaunchElement, full: Text, args: Text, conditions: tuple[Condition, ...]
+) -> None:
+    """``_name:=value`` among a node's arguments: it sets that private parameter when it starts."""
+    if "_" not in args.raw:
+        return
+    place = location(scope, tag)
+    reason = "; ".join(dict.fromkeys(args.reasons))
+    for name, text in split(args.raw).private:
+        if MARK in name:
+            continue
+        state.spend(2)
+        value = None if MARK in text else scalar(text)
+        unknowns = unset("value", reason, place) + unset("type", reason, place) if value is None else ()
+        kind = None if value is None else type_of(value)
+        made = Parameter(name="", type=kind, value=value, conditions=conditions, location=place, unknowns=unknowns)
+        state.add_parameter(_private_name(full, literal(name)), made)
 
 
 def remap(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:

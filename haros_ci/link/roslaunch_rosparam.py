@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.link.roslaunch_names import MARK, Text, join, join_in, literal, quoted
+from haros_ci.link.roslaunch_names import MARK, Text, join, join_in, literal, quoted, unknown
 from haros_ci.link.roslaunch_state import Scope, State, location, unset
 from haros_ci.link.roslaunch_types import type_of
 from haros_ci.link.roslaunch_yaml import Opaque, YamlError, YamlValue, parts, plain, read_yaml
@@ -30,6 +30,7 @@ class Leaf:
 def rosparam(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
     """Load what *tag* says into the namespace of *scope*.
 
+    Of a file that cannot be read nobody knows what it sets: a parameter ``/namespace/?`` stands for that.
     ``delete`` and ``dump`` happen before parameters are set, so they change none. A name with ``~`` stays as it is, as
     in ``roslaunch --dump-params``: it is private to roslaunch itself.
     """
@@ -40,14 +41,16 @@ def rosparam(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
     verb = "load" if command is None or command.raw == "" else command.raw
     if command is not None and not command.known:
         state.wrong(scope, tag, f"<rosparam> has an unknown command: {command.reasons[0]}. The tag is left out")
+        _anything(state, scope, tag, conditions, name, f"<rosparam> has an unknown command: {command.reasons[0]}")
     elif verb == "delete" and file is not None:
         state.wrong(scope, tag, "<rosparam command='delete'> takes no 'file'; remove it")
     elif verb == "dump" and file is None:
         state.wrong(scope, tag, "<rosparam command='dump'> needs a 'file'; add it")
     elif verb == "load":
         source = _file(state, scope, tag, file) if file is not None else _body(tag)
-        if source is not None:
-            _load(state, scope, tag, conditions, source, name, substitute)
+        why = source if isinstance(source, str) else _load(state, scope, tag, conditions, source, name, substitute)
+        if why is not None:
+            _anything(state, scope, tag, conditions, name, why)
     elif verb not in ("delete", "dump"):
         state.wrong(scope, tag, f"<rosparam command={quoted(verb)}>: write load, dump or delete. The tag is left out")
 
@@ -68,14 +71,17 @@ def _target(ns: Text | None, param: Text | None) -> Text:
     return Text(joined, outer.reasons + inner.reasons)
 
 
-def _file(state: State, scope: Scope, tag: LaunchElement, file: Text) -> _Source | None:
+def _file(state: State, scope: Scope, tag: LaunchElement, file: Text) -> _Source | str:
+    """The text of *file*, or why there is none."""
     place = state.files.place(file)
     if place.path is None:
-        state.wrong(scope, tag, f"<rosparam> loads {quoted(file.shown)}: {place.reason}; what it sets is unknown")
-        return None
+        why = f"<rosparam> loads {quoted(file.shown)}: {place.reason}"
+        state.wrong(scope, tag, f"{why}; what it sets is unknown")
+        return why
     if not state.files.has(place.path):
-        state.wrong(scope, tag, f"<rosparam> loads {quoted(file.shown)}: {place.path} is no text file of the workspace")
-        return None
+        why = f"<rosparam> loads {quoted(file.shown)}: {place.path} is no text file of the workspace"
+        state.wrong(scope, tag, why)
+        return why
     state.read.add(place.path)
     return _Source(state.files.workspace.text(place.path), place.path, lambda line: line)
 
@@ -101,17 +107,22 @@ def _load(
     source: _Source,
     name: Text,
     substitute: bool | None,
-) -> None:
+) -> str | None:
+    """Set what *source* says below *name*; the result is why that is not known."""
     path = source.path or scope.path
+    if substitute is None:
+        why = "<rosparam>: whether 'subst_value' holds is unknown"
+        state.wrong(scope, tag, f"{why}. The tag is left out")
+        return why
     document = _document(state, scope, tag, source, substitute)
     if document is None:
-        return
+        return f"the YAML of <rosparam>{f' in {source.path}' if source.path else ''} cannot be read"
     state.spend(document.size)
     if document.data is None:
-        return
+        return None
     if not name.raw and not isinstance(document.data, dict):
         state.wrong(scope, tag, "<rosparam> sets a single value and needs a 'param'; add it")
-        return
+        return None
     full = join_in(scope.namespace, name) if name.raw else scope.namespace
     place = location(scope, tag)
     private = False
@@ -126,15 +137,26 @@ def _load(
             "<rosparam> sets names that begin with '~': they are private to roslaunch itself and no node sees them; use"
             " <param>, or a <rosparam> inside the <node> with names that do not begin with '~'",
         )
+    return None
 
 
-def _document(
-    state: State, scope: Scope, tag: LaunchElement, source: _Source, substitute: bool | None
-) -> YamlValue | None:
+def _anything(
+    state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...], name: Text, why: str
+) -> None:
+    """Whatever lies below *name* may be set, and what was set there before may be set anew."""
+    full = join_in(scope.namespace, name) if name.raw else scope.namespace
+    if full.raw.startswith("~"):
+        return
+    place = location(scope, tag)
+    state.unsettle(full, why, place)
+    unknowns = unset("value", why, place) + unset("type", why, place)
+    made = Parameter(name="", type=None, value=None, conditions=conditions, location=place, unknowns=unknowns)
+    below = unknown(why)
+    state.add_parameter(Text(f"{full.raw.rstrip('/')}/{below.raw}", full.reasons + below.reasons), made)
+
+
+def _document(state: State, scope: Scope, tag: LaunchElement, source: _Source, substitute: bool) -> YamlValue | None:
     """The YAML of *source*; None, with a problem, if roslaunch cannot load it."""
-    if substitute is None:
-        state.wrong(scope, tag, "<rosparam>: whether 'subst_value' holds is unknown. The tag is left out")
-        return None
     cached = source.path is not None and not substitute
     if cached and source.path in state.documents:
         return state.documents[source.path or ""]

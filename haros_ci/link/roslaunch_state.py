@@ -101,6 +101,8 @@ class State:
     read: set[str] = field(default_factory=set)
     included: set[str] = field(default_factory=set)
     documents: dict[str, YamlValue | None] = field(default_factory=dict)
+    #: Whether an include could not be followed.
+    is_partial: bool = False
     budget: int = BUDGET
 
     def spend(self, cost: int) -> None:
@@ -191,6 +193,18 @@ class State:
             before[-_COMPARED:] = [old for old in before[-_COMPARED:] if not conditions <= set(old.conditions)]
         before.append(made)
 
+    def unsettle(self, name: Text, why: str, place: Location) -> None:
+        """What is at *name* and below it may be set anew, nobody knows to what."""
+        full = Text(canonical(name.raw)).shown.rstrip("/")
+        self.spend(len(self.parameters) // 10)
+        reason = f"it may be set anew: {why}"
+        unknowns = unset("value", reason, place) + unset("type", reason, place)
+        for other, together in self.parameters.items():
+            if other == full or other.startswith(f"{full}/"):
+                together[:] = [
+                    replace(old, type=None, value=None, unknowns=(*_names(old.unknowns), *unknowns)) for old in together
+                ]
+
     def _missing(self, scope: Scope, name: str) -> None:
         how = "set it in the configuration, or give it a default"
         if scope.included_at is not None:
@@ -235,6 +249,10 @@ def unknown_condition(conditions: tuple[Condition, ...]) -> str:
     """Why something under the last, undecided of *conditions* is unknown."""
     last = conditions[-1]
     return f"it depends on {last.statement}={quoted(last.condition)} at {last.location.path}:{last.location.line}"
+
+
+def _names(unknowns: tuple[Unknown, ...]) -> tuple[Unknown, ...]:
+    return tuple(entry for entry in unknowns if entry.field == "name")
 
 
 def unset(field_name: str, reason: str, place: Location) -> tuple[Unknown, ...]:

@@ -3,22 +3,23 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
+from haros_ci.link import outside
 from haros_ci.link.ends import endpoints
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
 from haros_ci.link.index import Source
 from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.known.instantiate import instantiate as instantiate_known
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.run import Context, Exact, Made, Renamed, Run
-from haros_ci.link.values import Known, Value, data_of, opaque_of
+from haros_ci.link.values import Known, Value
+from haros_ci.link.words import scalar, split
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
@@ -29,6 +30,10 @@ from haros_ci.model.workspace import Problem
 
 #: What the arguments of the nodelet program can begin with.
 LOAD, STANDALONE, MANAGER = "load", "standalone", "manager"
+#: The kind of what is started alone and is no node: it gives itself no name, and makes nothing.
+PROGRAM = "program"
+#: Nodelets that load nodelets that load nodelets.
+DEEPEST = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +53,8 @@ class Types:
 
     programs: Programs
     executables: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]]
+    #: The same, with those that are built for tests.
+    startable: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]]
     nodelets: Mapping[str, tuple[PluginClass, Entry, frozenset[str]]]
     rows: Mapping[str, Mapping[str, tuple[Row, ...]]]
     plugins: Mapping[str, tuple[Source, Class]]
@@ -70,6 +77,8 @@ class Instance:
     arguments: tuple[str, ...] | None
     remaps: Mapping[str, str]
     process: str
+    #: How many nodelets load each other around it.
+    depth: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,28 +96,19 @@ class Job:
 
 def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     """The node that a launch file starts."""
-    words = _words(started.arguments)
+    words = split(started.arguments)
     namespace = started.namespace if started.namespace.startswith("/") else f"/{started.namespace}"
-    for word in words or ():
-        if word.startswith("__ns:="):  # wiki.ros.org/Remapping Arguments
-            namespace = clean(f"/{word[6:]}")
+    for special, value in words.special:
+        if special == "ns":
+            namespace = clean(f"/{value}")
             started = replace(started, name=clean(f"{namespace}/{started.name.rpartition('/')[2]}"))
     remaps = {
         resolve(source, namespace, started.name): resolve(target, namespace, started.name)
         for source, target, _ in started.remaps
     }
-    private: dict[str, Value] = {}
-    rest: list[str] = []
-    for word in words or ():
-        left, assigned, right = word.partition(":=")
-        if not assigned:
-            rest.append(word)
-        elif left.startswith("__"):
-            continue
-        elif left.startswith("_"):
-            private[f"{started.name}/{left[1:]}"] = Known(_scalar(right))
-        else:
-            remaps[resolve(left, namespace, started.name)] = resolve(right, namespace, started.name)
+    for source, target in words.remaps:
+        if "?" not in source:
+            remaps[resolve(source, namespace, started.name)] = resolve(target, namespace, started.name)
     node = Node(
         name=started.name,
         kind="node",
@@ -122,18 +122,24 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         source="launch",
         unknowns=started.unknowns,
     )
-    found = types.executables.get((started.package, started.type))
+    found = types.startable.get((started.package, started.type))
     process = started.name
-    if found is None and (started.package, started.type) == ("nodelet", "nodelet") and rest:
-        node, found, process = _nodelet(types, node, rest, namespace)
+    if found is None and (started.package, started.type) == ("nodelet", "nodelet") and words.rest:
+        node, found, process = _nodelet(types, node, words.rest, namespace)
+    private = {  # where __ns:= moves the node, they are not below the name that the launch file gives it
+        clean(f"{started.name}/{name}"): Known(scalar(value)) for name, value in words.private if "?" not in value
+    }
 
     def parameter(name: str) -> Value | None:
-        return private.get(name) or server.get(name)
+        return private.get(name) or server.get(name, started.conditions)
 
     if found is None:
-        return Job(node, None, lambda: (_known(types, node, namespace, tuple(rest), parameter, remaps), ()))
+        known = types.known(node.package, outside.look_up(node))
+        given = (namespace, words.rest, parameter, remaps)
+        return Job(node, None, lambda: (outside.described(node, types.programs, known, *given), ()))
     entry, files = found
-    instance = Instance(started.name, namespace, None if words is None else tuple(rest), remaps, process)
+    arguments = None if any("?" in word for word in words.rest) else words.rest
+    instance = Instance(started.name, namespace, arguments, remaps, process)
 
     def follow_it() -> tuple[Node, tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, parameter)
@@ -149,48 +155,11 @@ def _size(types: Types, files: frozenset[str]) -> int:
     return sum(len(sources[path].program.functions) for path in files if path in sources)
 
 
-def _known(
-    types: Types,
-    node: Node,
-    namespace: str,
-    arguments: tuple[str, ...],
-    parameter: Callable[[str], Value | None],
-    remaps: Mapping[str, str],
-) -> Node:
-    """*node* with what is known of its type, if anything is; else with an unknown in place of endpoints."""
-    name = f"{node.package}/{node.type}" if node.kind == "nodelet" else node.type
-    known = types.known(node.package, name)
-    if known is None:
-        reason = f"the code of {node.package}/{node.type} is not in the workspace"
-        return replace(node, unknowns=(*node.unknowns, Unknown("endpoints", reason, node.location)))
-
-    def data(full: str) -> object | None:
-        value = parameter(full)
-        if value is None:
-            return None
-        held, plain = data_of(value)
-        if held:
-            given: object = plain
-            return given
-        why = opaque_of(value)
-        return Unknown("value", why.reason if why else "it is not plain data", why.location if why else None)
-
-    ends = instantiate_known(
-        known,
-        name=node.name,
-        namespace=namespace,
-        arguments=arguments,
-        parameter=data,
-        remap=lambda full: remaps.get(full, full),
-    )
-    return replace(node, endpoints=ends)
-
-
-def _nodelet(types: Types, node: Node, words: list[str], namespace: str) -> tuple[Node, Any, str]:
+def _nodelet(types: Types, node: Node, words: tuple[str, ...], namespace: str) -> tuple[Node, Any, str]:
     verb = words[0]
     if verb in (LOAD, STANDALONE) and len(words) > 1:
         described = types.nodelets.get(words[1])
-        package, _, name = words[1].partition("/")
+        package, name = type_of(words[1], described[0] if described else None)
         container = None
         if verb == LOAD and len(words) > 2:
             container = resolve(words[2], namespace, node.name)
@@ -206,6 +175,12 @@ def _nodelet(types: Types, node: Node, words: list[str], namespace: str) -> tupl
         )
         return node, (described[1], described[2]) if described else None, process
     return node, None, node.name
+
+
+def type_of(look_up: str, described: PluginClass | None) -> tuple[str, str]:
+    """The package and type of a nodelet by its look-up name; one without a package in it is of who describes it."""
+    package, slash, name = look_up.partition("/")
+    return (package, name) if slash else (described.package if described is not None else "", look_up)
 
 
 def alone(types: Types, package: str, name: str) -> Job:
@@ -231,7 +206,9 @@ def alone(types: Types, package: str, name: str) -> Job:
             followed = run_node(types, entry, files, Instance(chosen, "/", (), {}, chosen), server.get)
         unknowns = _incomplete(followed, entry, location)
         ends = endpoints(followed.made, {}, server)
-        return replace(node, name=chosen, process=chosen, unknowns=unknowns, endpoints=ends), followed.problems
+        kind = "node" if ends or followed.names else PROGRAM
+        made = replace(node, name=chosen, process=chosen, kind=kind, unknowns=unknowns, endpoints=ends)
+        return made, followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
@@ -239,10 +216,10 @@ def alone(types: Types, package: str, name: str) -> Job:
 def standalone(types: Types, look_up: str) -> Job:
     """A nodelet in a process of its own, under the name that the nodelet program gives it (``pkg_Class``)."""
     described, entry, files = types.nodelets[look_up]
-    name = "/" + look_up.replace("/", "_")
+    name = "/" + "_".join(part for part in look_up.replace(":", "/").split("/") if part)
     instance = Instance(name, "/", (), {}, name)
     server = ParameterServer(())
-    package, _, last = look_up.partition("/")
+    package, last = type_of(look_up, described)
     line = entry.definition.line if entry.definition is not None else 1
     node = Node(
         name=name,
@@ -256,7 +233,8 @@ def standalone(types: Types, look_up: str) -> Job:
 
     def follow_it() -> tuple[Node, tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, server.get)
-        return replace(node, endpoints=endpoints(followed.made, {}, server)), followed.problems
+        unknowns = _incomplete(followed, entry, node.location)
+        return replace(node, unknowns=unknowns, endpoints=endpoints(followed.made, {}, server)), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
@@ -290,6 +268,8 @@ def run_node(
         parameter=ask,
         read_yaml=types.read_yaml,
         remap=lambda name: instance.remaps.get(name, name),
+        remaps=instance.remaps,
+        nodelet=partial(_loaded, types, instance),
         process_name=instance.process,
         process_namespace=instance.process.rpartition("/")[0] or "/",
         renames=renames,
@@ -311,6 +291,26 @@ def run_node(
     return earlier[-1]
 
 
+def _loaded(
+    types: Types,
+    loader: Instance,
+    look_up: str,
+    name: str,
+    above: str,
+    parameter: Callable[[str], Value | None],
+) -> tuple[tuple[Made, ...], Mapping[str, Location]] | None:
+    """What a nodelet makes that *loader* loads under the full *name*, in the namespace *above*; why there may be more."""
+    if look_up not in types.nodelets:
+        return None
+    _, entry, files = types.nodelets[look_up]
+    if loader.depth >= DEEPEST:
+        return (), {"nodelets load each other too deeply to be followed": Location(entry.source.path)}
+    inner = Instance(name, above, None, loader.remaps, loader.process, loader.depth + 1)
+    followed = run_node(types, entry, files, inner, parameter)
+    problems = {problem.message: Location(problem.path, problem.line) for problem in followed.problems}
+    return followed.made, {**problems, **followed.gaps}
+
+
 def _incomplete(followed: Followed, entry: Entry, location: Location | None) -> tuple[Unknown, ...]:
     """Why a node may have more endpoints than are known."""
     found = [Unknown("endpoints", problem.message, location) for problem in followed.problems]
@@ -319,21 +319,3 @@ def _incomplete(followed: Followed, entry: Entry, location: Location | None) -> 
         line, message = entry.source.program.problems[0]
         found.append(Unknown("endpoints", message, Location(entry.source.path, line)))
     return tuple(found)
-
-
-def _words(text: str) -> tuple[str, ...] | None:
-    if "?" in text:
-        return None if not text.startswith(("load ", "standalone ", "manager")) else tuple(text.split())
-    try:
-        return tuple(shlex.split(text))
-    except ValueError:
-        return tuple(text.split())
-
-
-def _scalar(text: str) -> Any:
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return {"true": True, "false": False}.get(text.lower(), text)

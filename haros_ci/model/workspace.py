@@ -41,7 +41,8 @@ class Workspace:
 
     ``root`` is the directory on disk that paths are relative to. ``files`` is sorted by path. ``targets`` are the
     paths to report on when file arguments were given, None for all. ``problems`` become notifications; ``faults``
-    are malformed manifests, which become findings.
+    are malformed manifests, which become findings. ``links`` are symbolic links, sorted, each with the file or directory
+    inside the workspace that it leads to.
     """
 
     root: Path
@@ -51,6 +52,7 @@ class Workspace:
     targets: frozenset[str] | None = None
     problems: tuple[Problem, ...] = ()
     faults: tuple[Problem, ...] = ()
+    links: tuple[tuple[str, str], ...] = ()
 
     def text(self, path: str) -> str:
         """The decoded text of the file at *path*; "" if it is not there or not text."""

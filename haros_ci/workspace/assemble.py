@@ -23,9 +23,17 @@ class Content:
     data: bytes
 
 
+@dataclass(frozen=True, slots=True)
+class Alias:
+    """A symbolic link at *path*, and what it leads to."""
+
+    path: str
+    target: str
+
+
 def assemble(
     root: Path,
-    contents: Iterable[Content | Problem],
+    contents: Iterable[Content | Alias | Problem],
     *,
     listed: Iterable[str],
     problems: Iterable[Problem],
@@ -45,12 +53,16 @@ def assemble(
     name = name or root.name
     found = list(problems)
     files: list[SourceFile] = []
+    links: dict[str, str] = {}
     packages: dict[str, tuple[Package, Problem | None]] = {}
     for manifest in context:
         packages[_directory(manifest.path)] = (_package(manifest, name)[0], None)
     for content in contents:
         if isinstance(content, Problem):
             found.append(content)
+            continue
+        if isinstance(content, Alias):
+            links[content.path] = content.target
             continue
         usable, problem = examine(content.path, content.language, content.data)
         if problem is not None:
@@ -78,6 +90,7 @@ def assemble(
         targets=None if targets is None else targets & {file.path for file in files},
         problems=_sorted(found),
         faults=_sorted(fault for _, fault in packages.values() if fault is not None),
+        links=tuple(sorted(links.items())),
     )
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Problem, Workspace
-from haros_ci.workspace.assemble import Content, assemble
+from haros_ci.workspace.assemble import Alias, Content, assemble
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import TooLarge, Tree, read_head, read_regular
 from haros_ci.workspace.language import HEAD, is_python_script, suffix_of
@@ -94,10 +94,10 @@ class _Disk:
         self._tree = Tree(root)
         self._limit = max_file_size
 
-    def read(self, candidates: Iterable[Candidate]) -> Iterator[Content | Problem]:
+    def read(self, candidates: Iterable[Candidate]) -> Iterator[Content | Alias | Problem]:
         for candidate in candidates:
             path = candidate.path
-            found: Content | Problem | None = unusable_name(path)
+            found: Content | Alias | Problem | None = unusable_name(path)
             if found is None:
                 try:
                     found = self._content(candidate)
@@ -131,15 +131,15 @@ class _Disk:
         data = read_regular(place, self._limit)
         return None if data is None else Content(candidate.path, language, data)
 
-    def _trouble(self, candidate: Candidate, err: OSError) -> Problem | None:
+    def _trouble(self, candidate: Candidate, err: OSError) -> Alias | Problem | None:
         if err.errno in (errno.ELOOP, errno.EMLINK):  # what O_NOFOLLOW says of a symbolic link
             return self._link(candidate.path, candidate.language)
         if err.errno in (errno.ENOENT, errno.ENOTDIR):  # git still knows files that were deleted
             return None
         return Problem(candidate.path, f"skipped: it cannot be read ({err.strerror})")
 
-    def _link(self, path: str, language: str | None) -> Problem | None:
-        """A problem for a link that leads nowhere or out of the root; what it leads to inside is listed by itself."""
+    def _link(self, path: str, language: str | None) -> Alias | Problem | None:
+        """A problem for a link that leads nowhere or out of the root; what it leads to inside is listed by itself, too."""
         for directory in sorted(_parents(path), key=len):
             if os.path.islink(f"{self._root}/{directory}"):  # git lists what was there when it was a directory
                 path, language = directory, None
@@ -150,8 +150,10 @@ class _Disk:
             target = os.path.realpath(f"{self._root}/{path}", strict=True)
         except OSError:
             return Problem(path, "skipped: a symbolic link that leads nowhere") if language else None
-        if target == self._root or target.startswith(f"{self._root}/"):
+        if target == self._root:
             return None
+        if target.startswith(f"{self._root}/"):
+            return Alias(path, target[len(self._root) + 1 :])
         if language is None and not os.path.isdir(target):
             return None
         return Problem(path, "skipped: a symbolic link that leads out of the workspace")

@@ -30,7 +30,10 @@ def exported_descriptions(tree: Tree, package: Package) -> tuple[list[tuple[str,
                 continue
             relative = word.replace("${prefix}/", "").replace("${prefix}", ".")
             inner = posixpath.normpath(posixpath.join(package.path, relative))
-            if tree.is_file(inner):
+            if _PLACEHOLDER.search(inner):
+                message = f"<{tag.tag} plugin={word!r}>: which file that is, is only known in a build; it is not read"
+                problems.append(Problem(path, message, tag.line))
+            elif tree.is_file(inner):
                 found.append((inner, Location(path, tag.line)))
             else:
                 message = f"<{tag.tag} plugin={word!r}>: there is no such file; its classes are missing"
@@ -38,6 +41,7 @@ def exported_descriptions(tree: Tree, package: Package) -> tuple[list[tuple[str,
     return found, problems
 
 
+_PLACEHOLDER = re.compile(r"\$[({]|@\w+@")
 _ATTRIBUTE = re.compile(r"""=\s*(?:"[^"]*"|'[^']*')""")
 _DECLARATION = re.compile(r"\s*<\?xml[^>]*\?>")
 
@@ -60,9 +64,12 @@ def _root(text: str) -> Element | XmlError:
 def read_plugins(path: str, text: str, package: str) -> tuple[list[PluginClass], list[Problem]]:
     """The classes of the description at *path*: ``<library>`` as root, or several in ``<class_libraries>``.
 
-    Without a ``name`` the type is the look-up name; a class without ``type`` is a problem.
+    Without a ``name`` the type is the look-up name; a class without ``type`` is a problem. Other tools, too, let packages
+    export files as ``plugin``: what neither is XML nor is called so, is theirs.
     """
     root = _root(text)
+    if isinstance(root, XmlError) and not path.endswith(".xml") and not text.lstrip().startswith("<"):
+        return [], []
     if isinstance(root, XmlError):
         return [], [Problem(path, root.message, root.line)]
     libraries: list[Element] = [root] if root.tag == "library" else list(root.all("library"))

@@ -595,3 +595,22 @@ def test_unknown_tags() -> None:
 
 def test_no_file_at_all() -> None:
     assert run([], {}, args={"a": "1"}).problems == ()
+
+
+@pytest.mark.parametrize(
+    ("before", "count"),
+    [
+        ("", 1),
+        ('<machine name="m" address="a"/>', 0),
+        ('<include file="$(find arm)/m.machine"/>', 0),
+        ('<include file="$(find bot)/launch/gone.machine"/>', 0),
+        ('<include file="$(env X)"/>', 0),
+        ('<include file="$(find bot)/launch/here.machine"/>', 1),
+        ('<include if="false" file="$(find arm)/m.machine"/>', 1),
+    ],
+)
+def test_a_machine_may_be_declared_where_nobody_can_look(before: str, count: int) -> None:
+    launched = launch(before + node('machine="m"'), {"bot/launch/here.machine": "<launch/>"})
+    assert [message for message in told(launched) if "machine 'm'" in message] == [
+        "machine 'm' is not declared; add a <machine> for it"
+    ] * count

@@ -92,14 +92,61 @@ def test_a_map_becomes_its_leaves() -> None:
         (param("", "yaml"), "'p' has no value (null): roslaunch cannot set it; give it one"),
         (
             param("{/a: 1}", "yaml"),
-            "'p': no node can read the key '/a' of a map in a <param>; keys are texts without a leading / or ~, or use"
-            " <rosparam>",
+            (
+                "'p': no node can read the key '/a' of a map in a <param>; keys are texts without a leading / or ~, or use"
+                " <rosparam>"
+            ),
         ),
     ],
 )
 def test_params_that_roslaunch_refuses_are_left_out(tag: str, message: str) -> None:
     launched = launch(tag + param("1", name="rest"))
     assert (told(launched), values(launched)) == ([message], {"/rest": 1})
+
+
+@pytest.mark.parametrize(
+    ("tag", "message"),
+    [
+        (
+            "<rosparam>a: [</rosparam>",
+            "YAML of <rosparam>: not valid YAML: did not find expected node content; correct it",
+        ),
+        ("<rosparam>a: !x 1</rosparam>", "YAML of <rosparam>: tag '!x' is not known to roslaunch; write plain data"),
+        (
+            "<rosparam>a: !!python/object/apply:os.system [ls]</rosparam>",
+            (
+                "YAML of <rosparam>: tag 'tag:yaml.org,2002:python/object/apply:os.system' is not allowed; write plain"
+                " lists and maps"
+            ),
+        ),
+        ("<rosparam>a: deg(x)</rosparam>", "YAML of <rosparam>: 'deg(x)' is no angle; write deg(90) or rad(pi/2)"),
+        (
+            "<rosparam>{a: 1}\n---\n{b: 1}</rosparam>",
+            f"{MAIN}:2: YAML of <rosparam>: a second document begins here; keep one",
+        ),
+        ("<rosparam>a: *b</rosparam>", "YAML of <rosparam>: alias 'b' is not defined above; write the value out"),
+        ("<rosparam>a: &amp;b [*b]</rosparam>", "YAML of <rosparam>: alias 'b' contains itself; write the value out"),
+        ("<rosparam>[a]: 1</rosparam>", "YAML of <rosparam>: a list or map cannot be a key; use text"),
+        (
+            '<rosparam file="$(find arm)/p.yaml"/>',
+            "<rosparam> loads '$(find arm)/p.yaml': package 'arm' is not in the workspace; what it sets is unknown",
+        ),
+        (
+            '<rosparam file="$(find bot)/q.yaml"/>',
+            "<rosparam> loads '$(find bot)/q.yaml': bot/q.yaml is no text file of the workspace",
+        ),
+        (
+            '<rosparam file="$(env X)"/>',
+            "<rosparam> loads '?': environment variable 'X' is not given; what it sets is unknown",
+        ),
+    ],
+)
+def test_a_rosparam_that_cannot_be_read_may_set_anything(tag: str, message: str) -> None:
+    launched = launch(tag + param("1", name="rest"))
+    assert (told(launched), values(launched)) == ([message], {"/?": None, "/rest": 1})
+    unknowns = launched.parameters[0].unknowns
+    assert [entry.field for entry in unknowns] == ["name", "value", "type"]
+    assert all(entry.reason.startswith(("<rosparam>", "the YAML of <rosparam>")) for entry in unknowns)
 
 
 def test_an_unknown_attribute_and_a_number_too_large() -> None:
@@ -448,26 +495,8 @@ def test_yaml_values_that_are_not_known(text: str, reason: str, type_: str | Non
     [
         ("<rosparam>5</rosparam>", "<rosparam> sets a single value and needs a 'param'; add it"),
         ("<rosparam>a</rosparam>", "<rosparam> sets a single value and needs a 'param'; add it"),
-        (
-            "<rosparam>a: [</rosparam>",
-            "YAML of <rosparam>: not valid YAML: did not find expected node content; correct it",
-        ),
-        ("<rosparam>a: !x 1</rosparam>", "YAML of <rosparam>: tag '!x' is not known to roslaunch; write plain data"),
-        (
-            "<rosparam>a: !!python/object/apply:os.system [ls]</rosparam>",
-            "YAML of <rosparam>: tag 'tag:yaml.org,2002:python/object/apply:os.system' is not allowed; write plain"
-            " lists and maps",
-        ),
-        ("<rosparam>a: deg(x)</rosparam>", "YAML of <rosparam>: 'deg(x)' is no angle; write deg(90) or rad(pi/2)"),
-        (
-            "<rosparam>{a: 1}\n---\n{b: 1}</rosparam>",
-            f"{MAIN}:2: YAML of <rosparam>: a second document begins here; keep one",
-        ),
-        ("<rosparam>a: *b</rosparam>", "YAML of <rosparam>: alias 'b' is not defined above; write the value out"),
-        ("<rosparam>a: &amp;b [*b]</rosparam>", "YAML of <rosparam>: alias 'b' contains itself; write the value out"),
         ("<rosparam>on: 1</rosparam>", "YAML of <rosparam>: key 'True' is no text; quote it. It is left out"),
         ("<rosparam>1: 1</rosparam>", "YAML of <rosparam>: key '1' is no text; quote it. It is left out"),
-        ("<rosparam>[a]: 1</rosparam>", "YAML of <rosparam>: a list or map cannot be a key; use text"),
         ("<rosparam>a:</rosparam>", "'/a' has no value (null): roslaunch cannot set it; give it one"),
         (
             '<rosparam command="set"/>',
@@ -477,18 +506,6 @@ def test_yaml_values_that_are_not_known(text: str, reason: str, type_: str | Non
         (
             '<rosparam command="delete" file="x"/>',
             "<rosparam command='delete'> takes no 'file'; remove it",
-        ),
-        (
-            '<rosparam file="$(find arm)/p.yaml"/>',
-            "<rosparam> loads '$(find arm)/p.yaml': package 'arm' is not in the workspace; what it sets is unknown",
-        ),
-        (
-            '<rosparam file="$(find bot)/q.yaml"/>',
-            "<rosparam> loads '$(find bot)/q.yaml': bot/q.yaml is no text file of the workspace",
-        ),
-        (
-            '<rosparam file="$(env X)"/>',
-            "<rosparam> loads '?': environment variable 'X' is not given; what it sets is unknown",
         ),
     ],
 )
@@ -514,7 +531,52 @@ def test_rosparam_that_roslaunch_refuses(tag: str, message: str) -> None:
 def test_yaml_is_bounded(text: str, message: str) -> None:
     launched = launch(LOAD, {YAML: text})
     assert [problem.message for problem in launched.problems] == [f"YAML of <rosparam>: {message}"]
-    assert launched.parameters == ()
+    assert values(launched) == {"/?": None}
+
+
+UNREAD = '<rosparam file="$(find arm)/p.yaml"%s/>'
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        (UNREAD % "", {"/?": None}),
+        (UNREAD % ' ns="in"', {"/in/?": None}),
+        (UNREAD % ' param="p"', {"/p/?": None}),
+        (UNREAD % ' ns="in" param="p"', {"/in/p/?": None}),
+        (UNREAD % ' ns="/in"', {"/in/?": None}),
+        (UNREAD % ' ns="~in"', {}),
+        (UNREAD % ' command="delete" param="p"', {}),
+        (UNREAD % ' if="false"', {}),
+        (f'<group ns="g">{UNREAD % ""}</group>', {"/g/?": None}),
+        (node(inner=UNREAD % ""), {"/n/?": None}),
+        (node(inner=UNREAD % ' ns="in"'), {"/n/in/?": None}),
+        ('<rosparam command="$(env X)">a: 1</rosparam>', {"/?": None}),
+        ('<rosparam ns="in" subst_value="$(env X)">a: 1</rosparam>', {"/in/?": None}),
+        (UNREAD % "" + param("1"), {"/?": None, "/p": 1}),
+        (param("1") + UNREAD % "", {"/?": None, "/p": None}),
+        (param("1") + UNREAD % ' param="p"', {"/p": None, "/p/?": None}),
+        (param("1") + UNREAD % ' ns="q"', {"/p": 1, "/q/?": None}),
+        (param("1", name="qq") + UNREAD % ' ns="q"', {"/qq": 1, "/q/?": None}),
+        (UNREAD % "" + UNREAD % "", None),
+        (node(inner=param("1") + UNREAD % ""), {"/n/?": None, "/n/p": 1}),
+        (param("1") + UNREAD % "" + param("2"), {"/?": None, "/p": 2}),
+    ],
+)
+def test_what_an_unreadable_file_may_set(body: str, expected: dict[str, object] | None) -> None:
+    launched = launch(body)
+    if expected is None:
+        assert [parameter.name for parameter in launched.parameters] == ["/?", "/?"]
+    else:
+        assert values(launched) == expected
+
+
+def test_what_was_set_before_may_be_set_anew() -> None:
+    (_, before) = launch(param("1") + "\n" + UNREAD % "").parameters
+    reason = "it may be set anew: <rosparam> loads '$(find arm)/p.yaml': package 'arm' is not in the workspace"
+    place = Location(MAIN, 2, 1)
+    assert (before.name, before.type, before.location) == ("/p", None, Location(MAIN, 1, 9))
+    assert before.unknowns == (Unknown("value", reason, place), Unknown("type", reason, place))
 
 
 def test_a_file_loaded_twice_is_the_same_twice() -> None:
@@ -539,3 +601,32 @@ def test_parameters_are_sorted_by_name_and_repeatable() -> None:
     files = {MAIN: f"<launch>{param('1', name='b')}{param('2', name='a')}<rosparam>{{c: 1, ab: 2}}</rosparam></launch>"}
     assert list(values(run([MAIN], files))) == ["/a", "/ab", "/b", "/c"]
     assert run([MAIN], files) == run([MAIN], files)
+
+
+# Private parameters on a node's command line
+
+
+@pytest.mark.parametrize(
+    ("args", "expected"),
+    [
+        ("_a:=1", {"/n/a": 1}),
+        ("_a:=1.5 _b:=true _c:=text _d:=1_0", {"/n/a": 1.5, "/n/b": True, "/n/c": "text", "/n/d": "1_0"}),
+        ("_a/b:='two words'", {"/n/a/b": "two words"}),
+        ("_a:=", {"/n/a": ""}),
+        ("_a:=inf", {"/n/a": "inf"}),
+        ("_a:=$(env X)", {"/n/a": None}),
+        ("_$(env X):=1", {}),
+        ("_a:=1 $(env X)", {"/n/a": 1}),
+        ("__name:=m __ns:=x a:=b --_a=1 _a", {}),
+        ("", {}),
+    ],
+)
+def test_private_parameters_among_the_arguments(args: str, expected: dict[str, object]) -> None:
+    launched = launch(node(f'args="{args}"'))
+    assert values(launched) == expected
+    assert all(bool(entry.unknowns) == (entry.value is None) for entry in launched.parameters)
+    assert all(entry.location == Location(MAIN, 1, 9) for entry in launched.parameters)
+
+
+def test_an_argument_wins_over_the_nodes_own_param() -> None:
+    assert values(launch(node('args="_p:=2"', param("1")))) == {"/n/p": 2}

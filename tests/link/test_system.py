@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 from follow_kit import (
     CMAKE,
     CPP_HEAD,
     PYTHON_HEAD,
+    Nothing,
     cpp_files,
     ends,
     follow,
@@ -20,6 +24,8 @@ from follow_kit import (
     workspace,
 )
 
+from haros_ci.architecture import architecture
+from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture, Node
 from haros_ci.model.location import Location
 
@@ -153,6 +159,145 @@ def test_a_node_that_is_not_of_the_workspace_is_there_without_endpoints() -> Non
     assert (rviz.name, rviz.package, rviz.type, rviz.endpoints) == ("/r", "rviz", "rviz", ())
 
 
+NO_PROGRAM = "package a is in the workspace, but no C++ or Python program called"
+
+
+@pytest.mark.parametrize(
+    ("attributes", "reason"),
+    [
+        ('pkg="x" type="n"', "the code of x/n is not in the workspace"),
+        ('pkg="$(env X)" type="n"', "which program it is, is not known"),
+        ('pkg="a" type="gone"', f"{NO_PROGRAM} gone was found in it"),
+        ('pkg="a" type="empty"', "no main function was found in the sources of a/empty (a/CMakeLists.txt:6)"),
+        ('pkg="a" type="run.sh"', f"{NO_PROGRAM} run.sh was found in it"),
+        (
+            'pkg="nodelet" type="nodelet" args="load a/Gone m"',
+            "the class a::Gone of the nodelet a/Gone was not found in the workspace",
+        ),
+        ('pkg="nodelet" type="nodelet" args="load x/Gone m"', "the code of x/Gone is not in the workspace"),
+        (
+            'pkg="nodelet" type="nodelet" args="load a/Else m"',
+            "no plug-in description of the workspace names the nodelet a/Else",
+        ),
+    ],
+)
+def test_why_a_node_cannot_be_followed(attributes: str, reason: str) -> None:
+    cmake = "add_executable(empty src/empty.cpp)\n"
+    found = follow(
+        {
+            "a/CMakeLists.txt": FILES["a/CMakeLists.txt"] + cmake,
+            "a/package.xml": '<package><name>a</name><export><nodelet plugin="${prefix}/p.xml"/></export></package>',
+            "a/p.xml": '<library path="x"><class name="a/Gone" type="a::Gone" base_class_type="nodelet::Nodelet"/></library>',
+            "a/src/empty.cpp": "int other() {}",
+            "a/launch/l.launch": f'<launch><node name="t" {attributes}/></launch>',
+        }
+    )
+    assert [unknown.reason for unknown in only(found).nodes[0].unknowns if unknown.field == "endpoints"] == [reason]
+
+
+def test_a_node_that_is_built_for_tests_is_followed_where_it_is_started() -> None:
+    cmake = CMAKE.format("a") + "if(CATKIN_ENABLE_TESTING)\nadd_executable(talker src/talker.cpp)\nendif()\n"
+    alone = {"a/CMakeLists.txt": cmake, "a/src/talker.cpp": TALKER}
+    assert follow(alone).configurations == ()
+    launch = '<launch><node pkg="a" type="talker" name="t"/></launch>'
+    found = node(follow(alone | {"a/launch/l.launch": launch}))
+    assert (names(found), found.unknowns) == (["/chatter"], ())
+
+
+LINKS = (("a/all.launch", "b/launch/all.launch"), ("a/bin/hear", "b/scripts/listener.py"), ("a/more", "b/launch"))
+
+
+@pytest.mark.parametrize(
+    ("launch", "expected"),
+    [
+        ('<include file="$(find a)/all.launch"/>', ["b/listener.py"]),
+        ('<include file="$(find a)/more/all.launch"/>', ["b/listener.py"]),
+        ('<node pkg="a" type="hear" name="h"/>', ["a/hear"]),
+        ('<node pkg="b" type="listener.py" name="h"/>', ["b/listener.py"]),
+        ('<include file="$(find a)/less/all.launch"/>', []),
+        ('<include file="$(find a)/loop/all.launch"/>', []),
+    ],
+)
+def test_what_links_lead_to(launch: str, expected: list[str]) -> None:
+    files = {
+        "b/CMakeLists.txt": FILES["b/CMakeLists.txt"],
+        "b/scripts/listener.py": LISTENER,
+        "b/launch/all.launch": '<launch><node pkg="b" type="listener.py" name="l"/></launch>',
+        "a/CMakeLists.txt": CMAKE.format("a"),
+        "a/launch/top.launch": f"<launch>{launch}</launch>",
+    }
+    made = replace(workspace(files), links=(*LINKS, ("a/loop", "a/loop/again")))
+    found = architecture(made, Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=False)
+    (top,) = (each for each in found.configurations if each.name == "a/launch/top.launch")
+    assert [f"{each.package}/{each.type}" for each in top.nodes] == expected
+    assert [names(each, "subscribers") for each in top.nodes] == [["/chatter"]] * len(expected)
+
+
+@pytest.mark.parametrize(
+    ("body", "count"),
+    [
+        ('ros::init(argc, argv, "n"); ros::NodeHandle nh; ros::spin();', 1),
+        ('if (argc > 2) ros::init(argc, argv, "n");', 1),
+        ("int x = 1;", 0),
+        ("ros::Time::init();", 0),
+    ],
+)
+def test_a_program_that_names_itself_is_a_node(body: str, count: int) -> None:
+    text = f"{CPP_HEAD}int main(int argc, char** argv) {{ {body} }}"
+    assert [c.nodes[0].name for c in follow(cpp_files(text)).configurations] == ["/n"] * count
+
+
+RELAY = """#include <nodelet/nodelet.h>
+#include <std_msgs/String.h>
+namespace p {
+class Relay : public nodelet::Nodelet {
+  ros::Publisher out_;
+  void onInit() override { out_ = getNodeHandle().advertise<std_msgs::String>("out", 1); }
+};
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("attribute", "look_up", "expected"),
+    [
+        ("", "p::Relay", ("p", "p::Relay")),
+        ('name="Relay"', "Relay", ("p", "Relay")),
+        ('name="p/relay"', "p/relay", ("p", "relay")),
+        ('name="q/relay"', "q/relay", ("q", "relay")),
+    ],
+)
+def test_nodelets_by_any_look_up_name(attribute: str, look_up: str, expected: tuple[str, str]) -> None:
+    files = {
+        "p/CMakeLists.txt": CMAKE.format("p") + "add_library(x src/relay.cpp)\n",
+        "p/package.xml": '<package><name>p</name><export><nodelet plugin="${prefix}/p.xml"/></export></package>',
+        "p/p.xml": f'<library path="x"><class {attribute} type="p::Relay" base_class_type="nodelet::Nodelet"/></library>',
+        "p/src/relay.cpp": RELAY,
+    }
+    started = f'<launch><node pkg="nodelet" type="nodelet" name="t" args="standalone {look_up}"/></launch>'
+    for more in ({}, {"p/launch/l.launch": started}):
+        found = node(follow(files | more))
+        assert (found.package, found.type, found.class_name, names(found)) == (*expected, "p::Relay", ["/out"])
+        assert found.unknowns == ()
+
+
+def test_a_script_without_rospy_is_no_node() -> None:
+    assert follow(python_files("#!/usr/bin/env python\nprint(1)\n")).configurations == ()
+    named = 'import rospy\nrospy.init_node("me")\n'
+    assert [c.nodes[0].name for c in follow(python_files(f"#!/usr/bin/env python\n{named}")).configurations] == ["/me"]
+
+
+def test_known_nodes_are_not_of_packages_that_are_here() -> None:
+    launch = '<launch><node pkg="%s" type="joy_node" name="t"/></launch>'
+    settings = Settings(root=Path("/nowhere"))
+    for package in ("joy", "a"):
+        files = {f"{package}/launch/l.launch": launch % "joy", **FILES}
+        made = architecture(workspace(files), settings, Nothing(), environment={})
+        (started,) = made.configurations[0].nodes
+        assert bool(ends(started)) == (package != "joy")
+        assert bool([u for u in started.unknowns if u.field == "endpoints"]) == (package == "joy")
+
+
 def test_the_same_executable_of_another_package_is_another() -> None:
     other = {
         "c/CMakeLists.txt": CMAKE.format("c") + "add_executable(talker src/talker.cpp)\n",
@@ -203,7 +348,7 @@ def test_a_function_of_another_package_is_not_this_ones_unless_linked() -> None:
         "q/other.cpp": main("", 'std::string topic() { return "of_q"; }'),
     }
     found = follow(files)
-    assert {c.name: names(c.nodes[0]) for c in found.configurations} == {"p/n": ["/?"]}
+    assert {c.name: names(c.nodes[0]) for c in found.configurations} == {"p/n": ["/?"], "q/m": []}
 
 
 def test_a_constant_of_another_package_is_not_this_ones() -> None:

@@ -120,6 +120,7 @@ def test_links(root: Path, tmp_path: Path) -> None:
         ("out.cpp", "skipped: a symbolic link that leads out of the workspace"),
         ("out_directory", "skipped: a symbolic link that leads out of the workspace"),
     ]
+    assert discover(root, ()).links == (("again", "arm"), ("arm/alias.cpp", "arm/a.cpp"))
 
 
 def test_the_link_that_catkin_makes_costs_nothing(root: Path, tmp_path: Path) -> None:

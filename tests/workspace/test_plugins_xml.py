@@ -81,6 +81,23 @@ def test_a_description_that_is_not_there() -> None:
     ]
 
 
+def test_a_description_that_only_a_build_knows() -> None:
+    for place in ("${prefix}/${PROJECT_NAME}.xml", "@PLUGIN_FILE@", "$(find arm)/p.xml", "${CMAKE_BINARY_DIR}/p.xml"):
+        workspace = workspace_of({"package.xml": manifest(f'<nodelet plugin="{place}"/>')})
+        build = build_of(workspace, workspace.packages[0])
+        said = f"<nodelet plugin={place!r}>: which file that is, is only known in a build; it is not read"
+        assert messages(build) == [(4, said)]
+
+
+def test_what_other_tools_call_a_plugin() -> None:
+    text = manifest('<sound plugin="${prefix}/p.yaml"/><nodelet plugin="${prefix}/q.plugin"/>')
+    files = {"package.xml": text, "p.yaml": "- name: x\n", "q.plugin": LIBRARY}
+    workspace = workspace_of(files)
+    build = build_of(workspace, workspace.packages[0])
+    assert (messages(build), len(build.plugins)) == ([], 2)
+    assert read_plugins("p.plugin", "<library>", "arm")[1] != []
+
+
 def test_cmake_exports_them() -> None:
     build = built("pluginlib_export_plugin_description_file(nav2_core p.xml)", p_xml=LIBRARY)
     assert [plugin.name for plugin in build.plugins] == ["arm/Talker", "arm::Other"]

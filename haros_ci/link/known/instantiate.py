@@ -133,6 +133,8 @@ def _items(each: Each | None, start: Start) -> Iterator[tuple[object, Unknown | 
             if value is None:
                 return
             yield value, None
+            if isinstance(value, Unknown) and value.field == "presence":
+                return
     else:
         value = start.value(each.about)
         if isinstance(value, (list, tuple)):

@@ -64,7 +64,10 @@ class Start:
         parts = [part for part in self.namespace.split("/") if part]
         places = [clean("/".join([*parts[:n], name])) for n in range(len(parts), -1, -1)]
         for place in places:
-            if self.parameter(place) is not None:
+            found = self.parameter(place)
+            if isinstance(found, Unknown) and found.field == "presence":
+                return replace(found, field="name")
+            if found is not None:
                 return place
         return places[0] if len(places) == 1 else Unknown("name", f"{name} is searched for, and set nowhere")
 

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Nodes that cannot be followed: what is known of their type, else why there is nothing to follow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from haros_ci.link.entries import Programs
+from haros_ci.link.known.entry import KnownNode
+from haros_ci.link.known.instantiate import instantiate
+from haros_ci.link.parameters import Perhaps
+from haros_ci.link.values import Value, data_of, opaque_of
+from haros_ci.model.architecture import Node, Unknown
+
+
+def described(
+    node: Node,
+    programs: Programs,
+    known: KnownNode | None,
+    namespace: str,
+    arguments: tuple[str, ...],
+    parameter: Callable[[str], Value | None],
+    remaps: Mapping[str, str],
+) -> Node:
+    """*node* with what is *known* of its type, if anything is; else with an unknown in place of endpoints."""
+    if known is None:
+        reason = why(programs, node.package, node.type, look_up(node) if node.kind == "nodelet" else None)
+        return replace(node, unknowns=(*node.unknowns, Unknown("endpoints", reason, node.location)))
+
+    def data(full: str) -> object | None:
+        value = parameter(full)
+        if value is None:
+            return None
+        held, plain = data_of(value)
+        if held:
+            given: object = plain
+            return given
+        reason = opaque_of(value)
+        field = "presence" if isinstance(value, Perhaps) else "value"
+        said = reason.reason if reason else "it is not plain data"
+        return Unknown(field, said, reason.location if reason else None)
+
+    ends = instantiate(
+        known,
+        name=node.name,
+        namespace=namespace,
+        arguments=arguments,
+        parameter=data,
+        remap=lambda full: remaps.get(full, full),
+    )
+    return replace(node, endpoints=ends)
+
+
+def look_up(node: Node) -> str:
+    """What a node type goes by: the name that a nodelet is loaded by, else the executable."""
+    return f"{node.package}/{node.type}" if node.kind == "nodelet" and node.package else node.type
+
+
+def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str:
+    """Why a node that a launch file starts is not followed; *nodelet* is a nodelet's look-up name, None for a node."""
+    what = nodelet or f"{package}/{name}"
+    if "?" in what:
+        return "which program it is, is not known"
+    build = programs.builds.get(package)
+    if nodelet is not None:
+        described_ones = (each for made in programs.builds.values() for each in made.plugins)
+        types = [each.type.strip() for each in described_ones if each.name == nodelet]
+        if types:
+            return f"the class {types[0]} of the nodelet {what} was not found in the workspace"
+        if build is None:
+            return f"the code of {what} is not in the workspace"
+        return f"no plug-in description of the workspace names the nodelet {what}"
+    if build is None:
+        return f"the code of {what} is not in the workspace"
+    for target in build.targets:
+        if target.kind == "executable" and target.output == name:
+            where = f"{target.location.path}:{target.location.line}"
+            return f"no main function was found in the sources of {what} ({where})"
+    return f"package {package} is in the workspace, but no C++ or Python program called {name} was found in it"

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command line of a node: words, private parameters, remappings (wiki.ros.org/Remapping Arguments)."""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import dataclass
+from math import isfinite
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """``_name:=value`` and ``from:=to`` as pairs, ``__name:=value`` as pairs, and what the program itself is given."""
+
+    private: tuple[tuple[str, str], ...]
+    remaps: tuple[tuple[str, str], ...]
+    special: tuple[tuple[str, str], ...]
+    rest: tuple[str, ...]
+
+
+def split(text: str) -> Words:
+    """*text* as a shell has it; where its quotes do not match, what is between spaces."""
+    try:
+        words = shlex.split(text)
+    except ValueError:
+        words = text.split()
+    private: list[tuple[str, str]] = []
+    remaps: list[tuple[str, str]] = []
+    special: list[tuple[str, str]] = []
+    rest: list[str] = []
+    for word in words:
+        left, assigned, right = word.partition(":=")
+        if not assigned:
+            rest.append(word)
+        elif left.startswith("__"):
+            special.append((left[2:], right))
+        elif left.startswith("_"):
+            private.append((left[1:], right))
+        else:
+            remaps.append((left, right))
+    return Words(tuple(private), tuple(remaps), tuple(special), tuple(rest))
+
+
+def scalar(text: str) -> int | float | bool | str:
+    """The value of a parameter on the command line: a number or a truth value where it looks like one."""
+    if "_" not in text:
+        for kind in (int, float):
+            try:
+                value = kind(text)
+            except ValueError:
+                continue
+            return value if isfinite(value) else text
+    return {"true": True, "false": False}.get(text.lower(), text)
