@@ -153,10 +153,7 @@ def bind(
     for number, parameter in enumerate(function.parameters):
         kind = run.type_in(parameter.type, inner)
         if parameter.name.startswith("*"):
-            rest = (
-                tuple(Cell(argument.value) for argument in positional) if not parameter.name.startswith("**") else None
-            )
-            value: Value = Sequence(Cell(rest)) if rest is not None else run.opaque("keyword arguments", frame)
+            value: Value = _collected(run, frame, function, parameter.name, positional, named)
             inner.declare(parameter.name.lstrip("*"), Cell(value))
             positional = []
             continue
@@ -171,7 +168,7 @@ def bind(
                 value = run.opaque("an argument that is given from outside", inner, function.line, kind)
             inner.declare(parameter.name, Cell(value, kind if kind[0] else None))
             continue
-        if "&" in kind[2] and argument.cell is not None and "c" not in kind[2]:
+        if "&" in kind[2] and argument.cell is not None and not kind[2].rstrip("&").endswith("c"):
             inner.declare(parameter.name, argument.cell)
             continue
         value = argument.value
@@ -190,13 +187,34 @@ def bind(
         inner.declare(parameter.name, Cell(value, declared))
 
 
+def _collected(
+    run: Run,
+    frame: Frame,
+    function: Function,
+    name: str,
+    positional: list[call_arguments.Argument],
+    named: Mapping[str, call_arguments.Argument],
+) -> Value:
+    """What ``*name`` or ``**name`` holds: the arguments that no other parameter takes, if all of them are known."""
+    if not name.startswith("**"):
+        if "*" in named:
+            return Sequence(Cell(run.opaque(call_arguments.UNPACKED, frame)))
+        return Sequence(Cell(tuple(Cell(argument.value) for argument in positional)))
+    if "*" in named or "**" in named:
+        return Mapped(Cell(run.opaque("keyword arguments", frame)))
+    taken = {parameter.name for parameter in function.parameters}
+    return Mapped(Cell({key: Cell(argument.value) for key, argument in named.items() if key not in taken}))
+
+
 def _declared_default(run: Run, function: Function, number: int) -> Expression | None:
     """A default argument that stands at the function's declaration, and not at its definition."""
     found = None
     declarations = [*run.index.functions.get(function.name, ())]
     if function.owner and function.owner not in run.index.classes:  # defined under a using-directive
         tail = "::".join(function.name.split("::")[-2:])
-        declarations += [each for each in run.index.by_tail.get(tail, ()) if each[1].name.endswith(f"::{function.name}")]
+        declarations += [
+            each for each in run.index.by_tail.get(tail, ()) if each[1].name.endswith(f"::{function.name}")
+        ]
     for _, declared in declarations:
         if declared is not function and len(declared.parameters) == len(function.parameters):
             default = declared.parameters[number].default

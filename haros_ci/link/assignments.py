@@ -17,6 +17,7 @@ from haros_ci.link import (
     members,
     methods,
     operators,
+    slices,
     texts,
     uncertain,
 )
@@ -26,6 +27,7 @@ from haros_ci.link.values import (
     LIST_LIMIT,
     NONE,
     Cell,
+    Choice,
     ClassValue,
     Known,
     Mapped,
@@ -164,6 +166,8 @@ def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
             cell = frame.scopes[0][target[1]] = Cell(NONE)
         return cell
     cell = expressions.cell_of(run, frame, target)
+    if cell is None and python and target[0] == "index":
+        return _entry(run, frame, target)
     if cell is None and target[0] == "field":
         owner = expressions.evaluate(run, frame, target[1])
         if isinstance(owner, Pointer):
@@ -184,9 +188,27 @@ def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
     return cell
 
 
+def _entry(run: Run, frame: Frame, target: Expression) -> Cell | None:
+    """The new entry of a dictionary that Python assigns to; None for all that is no dictionary, or is not known."""
+    container, key, _ = _parts(run, frame, target)
+    pairs: Any = container.content.value if isinstance(container, Mapped) else None
+    if not isinstance(pairs, dict) or not isinstance(key, Known) or isinstance(key.value, (list, dict)):
+        return None
+    if len(pairs) >= LIST_LIMIT:
+        return None
+    cell = Cell(run.opaque("it is not set before", frame))
+    assert isinstance(container, Mapped)
+    run.state.write(container.content, {**pairs, key.value: cell})
+    return cell
+
+
 def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
     """``a[b]``."""
     container, key, kind = _parts(run, frame, expression)
+    if isinstance(key, Object) and key.name == "slice":
+        return slices.part(run, frame, container, key)
+    if isinstance(key, Choice) and isinstance(container, Mapped):
+        return _chosen(run, frame, container, key)
     cell = element(run, frame, container, key, kind)
     if cell is not None:
         return cell.value
@@ -198,7 +220,7 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
         try:
             return Known(container.value[key.value])
         except (LookupError, TypeError):
-            if isinstance(container.value, (dict, list)):
+            if isinstance(container.value, (dict, list)) and frame.source.separator != ".":
                 return NONE  # yaml-cpp: an undefined node
     if isinstance(container, Object) and container.definition is not None:
         method = methods.method_of(run, container, "operator[]")
@@ -215,6 +237,15 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
     elif isinstance(container, Opaque) and container.type is not None and container.type[0] in (SEQUENCES | MAPS):
         kind = container.type[1][-1] if container.type[1] else None
     return run.opaque("an element that is not known", frame, None, kind)
+
+
+def _chosen(run: Run, frame: Frame, container: Mapped, key: Choice) -> Value:
+    """The entry of one of several keys; Python does not go on with one that is not there."""
+    cells = [element(run, frame, container, option) for option in key.options]
+    found = [cell.value for cell in cells if cell is not None]
+    if not found or (len(found) < len(cells) and frame.source.separator != "."):
+        return run.opaque("an element that is not known", frame)
+    return any_of(found)
 
 
 def any_of(values: Iterable[Value]) -> Value:
@@ -279,7 +310,7 @@ def element(run: Run, frame: Frame, container: Value, key: Value, kind: Type | N
             cell = container.content.value.get(key.value)
         except TypeError:
             return None
-        if cell is None and isinstance(key.value, (str, int)):
+        if cell is None and isinstance(key.value, (str, int)) and frame.source.separator != ".":
             value: Value = run.opaque("an entry that is not there", frame, None, kind)
             if kind is not None and copies.is_by_value(kind) and run.class_of(kind[0], frame.source) is not None:
                 value = braces.made(run, frame, kind)

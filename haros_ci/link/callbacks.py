@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from haros_ci.link import call_arguments, library_objects, methods
+from haros_ci.link import call_arguments, library_objects, methods, partials
 from haros_ci.link.run import CHAIN, ROOTS, Root, Run
 from haros_ci.link.values import (
+    NONE,
     Callable,
     Choice,
     Object,
@@ -19,6 +20,8 @@ def register(run: Run, value: Value, others: tuple[call_arguments.Argument, ...]
     """*value* will be called back: remember it with the object among *others* that it is a method of."""
     if isinstance(value, Pointer):
         value = value.cell.value
+    if isinstance(value, Object) and value.name == partials.PARTIAL:
+        value = partials.callback(value) or NONE
     if isinstance(value, Object) and value.definition is not None:
         separator = value.definition[0].separator
         found = methods.method_of(run, value, "operator()" if separator == "::" else "__call__")
@@ -68,3 +71,19 @@ def framework_entries(run: Run, this: Object) -> None:
                 method = methods.method_of(run, this, name)
                 if method is not None and row.is_class:
                     register(run, method)
+    _entries_of_unknown_base(run, this)
+
+
+def _entries_of_unknown_base(run: Run, this: Object) -> None:
+    """A nodelet whose base class is in a package outside: the manager initialises it, more is not known."""
+    if this.definition is None or this.definition[0].separator != "::":
+        return
+    if not any(found[1] is this.definition[1] for found in run.context.plugins.values()):
+        return
+    method = methods.method_of(run, this, "onInit", ())
+    bases = [base for base in methods.library_bases(run, *this.definition) if base not in run.rows]
+    if method is None or not bases:
+        return
+    said = f"the base class {bases[0]} is not in the workspace: what it makes and calls is not known"
+    run.gaps.setdefault(said, Location(this.definition[0].path, this.definition[1].line))
+    register(run, method)

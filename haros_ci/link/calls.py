@@ -11,16 +11,19 @@ from haros_ci.link import (
     api_rows,
     call_arguments,
     construct,
+    dynamic,
     expressions,
     follow,
     library,
     library_objects,
     members,
     methods,
+    partials,
 )
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, is_type, pointee
 from haros_ci.link.values import (
+    NONE,
     Callable,
     Cell,
     Choice,
@@ -94,6 +97,12 @@ def method_call(
         field = receiver.fields.get(name)
         if field is not None:
             return apply(run, frame, field.value, args, targs, location, ("name", name))
+        if "::" in name and receiver.definition is not None:
+            return _of_base(run, frame, receiver, name, args, targs, location)
+        if frame.source.separator == ".":
+            of_class = members.of_class(run, receiver, name, frame)
+            if of_class is not None:
+                return apply(run, frame, of_class, args, targs, location, ("name", name))
         for owner in library_objects.owners(run, receiver):
             found = api_rows.call(run, frame, f"{owner}{frame.source.separator}{name}", receiver, args, targs, location)
             if found is not None:
@@ -107,6 +116,7 @@ def method_call(
             if owner_class is not None:
                 summary = library_objects.summary_object(run, owner_class, kind, receiver)
                 if methods.method_of(run, summary, name, args) is not None:
+                    dynamic.virtual(run, owner_class, name, location)
                     return method_call(run, frame, summary, None, name, args, targs, location)
             else:
                 stand_in = Object(kind[0], kind[1], namespace=receiver if kind[0] in api_rows.HANDLES else None)
@@ -122,8 +132,42 @@ def method_call(
             if found is not None:
                 return found
         return library.unknown_call(run, frame, name, args, receiver)
+    if isinstance(receiver, Library) and receiver.this is None and _is_of_a_handle(frame, name, args):
+        space = run.opaque(f"what {receiver.name} is is not known", frame, location.line)
+        stand_in = Object("ros::NodeHandle", namespace=space)
+        found = api_rows.call(run, frame, f"ros::NodeHandle::{name}", stand_in, args, targs, location)
+        if found is not None:
+            return found
     function = members.attribute(run, receiver, name, frame)
     return apply(run, frame, function, args, targs, location, ("name", name))
+
+
+def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.Argument, ...]) -> bool:
+    """Whether a method of an object that is not declared in the workspace must be one of a node handle."""
+    if frame.source.separator != "::":
+        return False
+    calls_back = any(isinstance(argument.value, Callable) for argument in args)
+    return name in api_rows.UNMISTAKABLE or (name == "subscribe" and len(args) > 2 and calls_back)
+
+
+def _of_base(
+    run: Run,
+    frame: Frame,
+    this: Object,
+    name: str,
+    args: tuple[call_arguments.Argument, ...],
+    targs: Any,
+    location: Location,
+) -> Value:
+    """``this->Base::method(args)``: the method of that base class, whatever the object's own is."""
+    head, _, last = name.rpartition("::")
+    meant = run.type_in((head, (), ""), frame)
+    owner = run.class_of(meant[0], frame.source)
+    found = methods.class_method(run, *owner, last, args) if owner is not None else None
+    if found is not None:
+        return activation.invoke(run, frame, Callable(*found, this, templates=this.templates), args, location, targs)
+    inherited = _inherited(run, frame, this, name, args, targs, location)
+    return inherited if inherited is not None else library.unknown_call(run, frame, f"{this.name}::{name}", args)
 
 
 def super_call(
@@ -178,6 +222,9 @@ def apply(
         return construct.instance(run, frame, owner, resolved, args, location)
     if isinstance(function, Library):
         return library_call(run, frame, function, args, targs, location, callee)
+    if isinstance(function, Object) and function.name == partials.PARTIAL:
+        function, args = partials.called(function, args)
+        return apply(run, frame, function, args, targs, location, callee)
     if isinstance(function, Object):
         method = methods.method_of(run, function, "operator()" if frame.source.separator == "::" else "__call__")
         if method is not None:
@@ -185,6 +232,8 @@ def apply(
     if isinstance(function, Choice):
         ways = [partial(apply, run, frame, option, args, targs, location, callee) for option in function.options]
         return run.either_way(ways, "one of several functions is called")
+    if isinstance(function, Opaque):
+        dynamic.function(run, function, members.dotted(callee), location)
     return library.unknown_call(run, frame, members.dotted(callee) or "a function", args)
 
 
@@ -199,6 +248,29 @@ def _takes_self(function: Callable, args: tuple[call_arguments.Argument, ...]) -
         and bool(args)
         and isinstance(args[0].value, Object)
     )
+
+
+def _inherited(
+    run: Run,
+    frame: Frame,
+    this: Object,
+    name: str,
+    args: tuple[call_arguments.Argument, ...],
+    targs: Any,
+    location: Location,
+) -> Value | None:
+    """A method of a library's class that *this* has from it, called by its name or as ``Base::method``."""
+    head, _, last = name.rpartition("::")
+    owners = library_objects.owners(run, this)
+    if head:
+        meant = run.type_in((head, (), ""), frame)[0]
+        named = [n for n, owner in enumerate(owners) if meant == owner or head == owner.rpartition("::")[2]]
+        owners = owners[named[0] :] if named else []
+    for owner in owners:
+        found = api_rows.call(run, frame, f"{owner}::{last}", this, args, targs, location)
+        if found is not None:
+            return found
+    return None
 
 
 #: Functions in which callbacks are called.
@@ -220,11 +292,14 @@ def library_call(
     name = function.name
     if name in SPINNING:
         follow.interlude(run, frame)
-    if function.this is None and frame.this is not None and callee[0] == "name" and "::" not in callee[1]:
-        for owner in library_objects.owners(run, frame.this):  # an inherited method without ``this->``
-            found = api_rows.call(run, frame, f"{owner}::{callee[1]}", frame.this, args, targs, location)
-            if found is not None:
-                return found
+    base, dot, last = name.rpartition(".")
+    if last == "__init__" and dot and args and base in run.rows and isinstance(args[0].value, Object):
+        library_objects.construct_library(run, frame, args[0].value, (base, (), ""), args[1:], location)
+        return NONE
+    if function.this is None and frame.this is not None and callee[0] == "name":  # an inherited method
+        inherited = _inherited(run, frame, frame.this, callee[1], args, targs, location)
+        if inherited is not None:
+            return inherited
     modelled = library.function(run, frame, name, args, targs, location)
     if modelled is not None:
         return modelled

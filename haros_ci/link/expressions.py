@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from haros_ci.link import (
     assignments,
@@ -15,11 +16,13 @@ from haros_ci.link import (
     members,
     operators,
     statements,
+    static_types,
     uncertain,
 )
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_smart_pointer, pointee
 from haros_ci.link.values import (
+    LIST_LIMIT,
     NONE,
     Callable,
     Cell,
@@ -96,14 +99,25 @@ def _list(run: Run, frame: Frame, expression: Expression) -> Value:
     items: list[Cell] = []
     for item in expression[1]:
         if item[0] == "star":
-            return Sequence(Cell(run.opaque("a list with unpacked elements", frame)))
+            more = static_types.elements(run, frame, item[1])
+            if more is None or len(items) + len(more) > LIST_LIMIT:
+                return Sequence(Cell(run.opaque("a list with unpacked elements", frame)))
+            items += [Cell(each.value) if isinstance(each, Cell) else Cell(each) for each in more]
+            continue
         items.append(Cell(evaluate(run, frame, item)))
     return Sequence(Cell(tuple(items)))
 
 
 def _dict(run: Run, frame: Frame, expression: Expression) -> Value:
-    pairs = {}
+    pairs: dict[Any, Cell] = {}
     for key, item in expression[1]:
+        if key and key[0] == "starstar":
+            more = evaluate(run, frame, key[1])
+            cells = more.content.value if isinstance(more, Mapped) else None
+            if not isinstance(cells, dict):
+                return Mapped(Cell(run.opaque("a dictionary with unpacked entries", frame)))
+            pairs.update({name: Cell(cell.value) for name, cell in cells.items()})
+            continue
         found = evaluate(run, frame, key) if key else NONE
         if not isinstance(found, Known) or isinstance(found.value, (list, dict)):
             return Mapped(Cell(run.opaque("a dictionary with computed keys", frame)))

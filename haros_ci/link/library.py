@@ -40,7 +40,7 @@ def method(
     if frame.source.program.language == "python":
         found = library_python.method(run, frame, receiver, name, args)
     else:
-        found = library_cpp.method(run, frame, receiver, cell, name, args)
+        found = library_cpp.method(run, frame, receiver, cell, name, args, location)
     if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:
         return found
     if isinstance(receiver, Known) and not isinstance(receiver.value, (str, list, dict)):

@@ -40,7 +40,7 @@ def called_in(item: Any, found: set[str], mentioned: set[str], source: Source) -
                 found.add(last(callee[1]))
                 found.add("::".join(callee[1].split("::")[-2:]))
             elif callee[0] == "field":
-                found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2]}")
+                found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2].rpartition('::')[2]}")
             elif callee[0] == "index" and source.separator == ".":
                 found.add(CALLED)
             elif callee[0] == "index" and callee[1][0] in ("name", "field"):

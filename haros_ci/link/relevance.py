@@ -36,6 +36,8 @@ class Relevance:
     def __init__(self, index: Index, rows: Iterable[Row]) -> None:
         rows = tuple(rows)
         self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row.call)) | {CALLED}
+        if any("<nodelet/loader.h>" in source.program.includes for source in index.sources.values()):
+            self._api |= {".load"}
         self._registering = frozenset(name for row in rows if row.calls for name in _spellings(row.call)) - self._api
         self._index = index
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}

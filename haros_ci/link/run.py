@@ -13,7 +13,7 @@ from haros_ci.link.index import Index, Source
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.state import State
 from haros_ci.link.types import NO_TYPE, resolve_type
-from haros_ci.link.values import NONE, Callable, Cell, Object, Opaque, Value, join
+from haros_ci.link.values import NONE, Callable, Cell, Known, Object, Opaque, Value, join
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Condition
 from haros_ci.model.build import ConfigFile
@@ -136,6 +136,14 @@ class Context:
     read_yaml: Function_[[str], Value | None]
     #: The pointed-to remapping of an absolute name.
     remap: Function_[[str], str] = lambda name: name
+    #: The remappings of absolute names.
+    remaps: Mapping[str, str] = field(default_factory=dict)
+    #: What the nodelet of a look-up name makes, under a full name and in the namespace above, as part of the node; and
+    #: why that may not be all. None if the nodelet is not known. *loaded* are those asked for so far.
+    nodelet: Function_[
+        [str, str, str, Function_[[str], Value | None]], tuple[tuple[Made, ...], Mapping[str, Location]] | None
+    ] = lambda look_up, name, above, parameter: None
+    loaded: list[str] = field(default_factory=list)
     #: The process that a nodelet is loaded into; the node itself otherwise.
     process_name: str = ""
     process_namespace: str = "/"
@@ -158,6 +166,18 @@ def either(
             both = left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location
             return one[:number], both and number == len(one) - 1 == len(other) - 1
     return (other if len(other) < len(one) else one), True
+
+
+def _inside(value: Value, path: str) -> Value | None:
+    """What is at *path* in a parameter that is a map; None if it is no map, or has nothing there."""
+    if not isinstance(value, Known):
+        return Opaque("it is inside a parameter that the node sets")
+    data = value.value
+    for part in path.split("/"):
+        if not isinstance(data, dict) or part not in data:
+            return None
+        data = data[part]
+    return Known(data)
 
 
 @dataclass(slots=True)
@@ -290,6 +310,11 @@ class Run:
         if name in own:
             found: Value = own[name]
             return None if found == NONE else found
+        above = name.rpartition("/")[0]
+        while above and own:
+            if above in own:
+                return _inside(own[above], name[len(above) + 1 :])
+            above = above.rpartition("/")[0]
         return self.context.parameter(name)
 
     def type_in(self, kind: Type, frame: Frame) -> Type:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.link import construct, expressions, lookup, loops
+from haros_ci.link import construct, expressions, lookup, loops, members
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop, Run
 from haros_ci.link.state import Writes, joined
 from haros_ci.link.values import Cell, Known, Object, Sequence, Value
@@ -143,7 +143,17 @@ def _switch(run: Run, frame: Frame, statement: Statement) -> str:
     live: list[int] = []
     default = None
     known = isinstance(value, Known)
-    for index, (label, _) in enumerate(cases):
+    for index, (label, own) in enumerate(cases):
+        if label is None:
+            default = len(branches)
+        elif isinstance(value, Known):
+            wanted = expressions.evaluate(run, frame, label)
+            if not isinstance(wanted, Known):
+                known = False
+            elif wanted.value == value.value:
+                live.append(len(branches))
+        if not own and index + 1 < len(cases):  # the same as the next case
+            continue
         was_dead = frame.is_dead
         loop = Loop(run.state.mark(), is_switch=True)
         run.loops.append(loop)
@@ -163,14 +173,6 @@ def _switch(run: Run, frame: Frame, statement: Statement) -> str:
             run.state.merge(ways)
             writes = run.state.undo(loop.mark)
         branches.append((NEXT if ways or ended == BREAK else ended, writes))
-        if label is None:
-            default = index
-        elif isinstance(value, Known):
-            wanted = expressions.evaluate(run, frame, label)
-            if not isinstance(wanted, Known):
-                known = False
-            elif wanted.value == value.value:
-                live.append(index)
     if default is None:
         branches.append((NEXT, {}))
         default = len(branches) - 1
@@ -272,7 +274,12 @@ def _define(run: Run, frame: Frame, statement: Statement) -> str:
 
 def _class(run: Run, frame: Frame, statement: Statement) -> str:
     found = run.class_of(statement[1], frame.source)
-    if found is not None:
+    if found is None:
+        return NEXT
+    for field in found[1].fields if found[0] is frame.source and not run.quiet else ():
+        if field.init is not None and run.relevance.matters(field.init, frame.source):
+            members.static_cell(run, *found, field.name)
+    if run.modules.get(frame.source.path) is not frame:
         from haros_ci.link.values import ClassValue
 
         frame.declare(statement[1].rpartition(frame.source.separator)[2], Cell(ClassValue(*found)))

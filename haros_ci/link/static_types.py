@@ -7,6 +7,7 @@ from haros_ci.link import conversions, expressions
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import SEQUENCES
 from haros_ci.link.values import (
+    LIST_LIMIT,
     Cell,
     Known,
     Mapped,
@@ -28,6 +29,8 @@ def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cel
         return [Known(key) for key in value.content.value]
     if isinstance(value, Known) and isinstance(value.value, (list, dict)):
         return [Known(item) for item in value.value]
+    if isinstance(value, Known) and isinstance(value.value, str) and frame.source.separator == ".":
+        return [Known(item) for item in value.value] if len(value.value) <= LIST_LIMIT else None
     return None
 
 
