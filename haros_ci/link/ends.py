@@ -13,8 +13,15 @@ from haros_ci.link.values import Known
 from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
 
 
-def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: ParameterServer) -> tuple[Endpoint, ...]:
-    """Endpoints with their final names, by kind and place.
+#: Why a name is unknown that the code itself knows.
+UNNAMED = "the name of the node or of its namespace is not known"
+ANONYMOUS = "the node is anonymous: its name ends in a number of its own"
+
+
+def endpoints(
+    made: tuple[Made, ...], remaps: Mapping[str, str], server: ParameterServer, unnamed: str = UNNAMED
+) -> tuple[Endpoint, ...]:
+    """Endpoints with their final names, by kind and place; *unnamed* says why the node's own name is not known.
 
     A getter whose variable has no type that can be told has the type of what the configuration sets.
     """
@@ -34,7 +41,7 @@ def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: Paramet
             source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
-                *_told_by_others(item, remaps),
+                *_told_by_others(item, remaps, unnamed),
             ),
         )
         for item in made
@@ -54,10 +61,9 @@ def endpoints(made: tuple[Made, ...], remaps: Mapping[str, str], server: Paramet
     )
 
 
-def _told_by_others(item: Made, remaps: Mapping[str, str]) -> tuple[Unknown, ...]:
-    """Why a name is unknown that the code itself knows."""
+def _told_by_others(item: Made, remaps: Mapping[str, str], unnamed: str) -> tuple[Unknown, ...]:
     if "?" in item.name and not any(field == "name" for field, _, _ in item.unknowns):
-        return (Unknown("name", "the name of the node or of its namespace is not known"),)
+        return (Unknown("name", unnamed),)
     if "?" not in item.name and "?" in remaps.get(item.name, ""):
         return (Unknown("name", "the launch file remaps it to a name that is not known"),)
     return ()

@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci.link import outside
-from haros_ci.link.ends import endpoints
+from haros_ci.link.ends import ANONYMOUS, UNNAMED, endpoints
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
 from haros_ci.link.index import Source
@@ -205,7 +205,7 @@ def alone(types: Types, package: str, name: str) -> Job:
         except Renamed:
             followed = run_node(types, entry, files, Instance(chosen, "/", (), {}, chosen), server.get)
         unknowns = _incomplete(followed, entry, location)
-        ends = endpoints(followed.made, {}, server)
+        ends = endpoints(followed.made, {}, server, ANONYMOUS if chosen.endswith("_?") else UNNAMED)
         kind = "node" if ends or followed.names else PROGRAM
         made = replace(node, name=chosen, process=chosen, kind=kind, unknowns=unknowns, endpoints=ends)
         return made, followed.problems

@@ -41,8 +41,9 @@ def main() -> None:
     options = parser.parse_args()
     start = min(timed([*COMMAND, "--help"], Path.cwd())[0] for _ in range(options.runs))
     print(f"start (haros-ci --help): {start:.3f} s\n")
-    print("| workspace | cold | warm | one file changed, without start | peak | nodes | endpoints | names ? | types ? |")
-    print("|---|---|---|---|---|---|---|---|---|")
+    heads = "workspace | cold | warm | one file changed, without start | peak | nodes | endpoints"
+    print(f"| {heads} | names ? | of anonymous nodes | types ? |")
+    print("|---" * 10 + "|")
     for workspace in options.workspace:
         with tempfile.TemporaryDirectory() as scratch:
             place = Path(scratch, "ws")
@@ -63,16 +64,20 @@ def measured(name: str, place: Path, scratch: Path, runs: int, start: float) -> 
         with sources[len(sources) // 2].open("a") as file:
             file.write(f"// {number}\n")
         changed.append(timed([*command, f"--cache-dir={cache}"], place)[0])
-    nodes, endpoints, names, types = counts(json.loads(output.read_text()))
+    nodes, endpoints, names, anonymous, types = counts(json.loads(output.read_text()))
     return (
         f"| {name} | {cold:.2f} s | {warm:.2f} s | {min(changed) - start:.2f} s | {peak:.0f} MB "
-        f"| {nodes} | {endpoints} | {names / max(endpoints, 1):.1%} | {types / max(endpoints, 1):.1%} |"
+        f"| {nodes} | {endpoints} | {names / max(endpoints, 1):.1%} "
+        f"| {anonymous / max(endpoints, 1):.1%} | {types / max(endpoints, 1):.1%} |"
     )
 
 
-def counts(model: dict[str, Any]) -> tuple[int, int, int, int]:
-    """Nodes, endpoints, endpoints with an unknown name, with an unknown type; implicit ones and other packages' left out."""
-    nodes = endpoints = names = types = 0
+def counts(model: dict[str, Any]) -> tuple[int, int, int, int, int]:
+    """Nodes, endpoints, those with an unknown name, of these those below an anonymous node's, those with an unknown type.
+
+    Implicit ones and those of other packages' nodes are left out.
+    """
+    nodes = endpoints = names = anonymous = types = 0
     for configuration in model["configurations"]:
         for node in configuration["nodes"]:
             nodes += 1
@@ -82,8 +87,9 @@ def counts(model: dict[str, Any]) -> tuple[int, int, int, int]:
                         continue
                     endpoints += 1
                     names += "?" in end["name"]
+                    anonymous += any("anonymous" in u["reason"] for u in end["unknowns"] if u["field"] == "name")
                     types += end["type"] is None and any(u["field"] == "type" for u in end.get("unknowns", ()))
-    return nodes, endpoints, names, types
+    return nodes, endpoints, names, anonymous, types
 
 
 def timed(command: list[str], place: Path) -> tuple[float, float]:

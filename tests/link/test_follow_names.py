@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 
 import pytest
+
+from haros_ci.link.ends import ANONYMOUS
 from follow_kit import CMAKE, CPP_HEAD, admits, because, case, cpp, ends, follow, names, node, only, table, well_formed
 
 OUTSIDE = "#include <string>\nbool cond();\nstd::string text();\nint number();\n"
@@ -581,7 +583,8 @@ def test_an_anonymous_node_has_no_name_that_is_known() -> None:
         'ros::NodeHandle h("~"); h.advertise<std_msgs::String>("x", 1); }'
     )
     found = node(follow({"p/CMakeLists.txt": CMAKE.format("p") + "add_executable(n m.cpp)\n", "p/m.cpp": text}))
-    assert names(found) != ["/n/x"]
+    assert (found.name, names(found)) == ("/n_?", ["/n_?/x"])
+    assert [unknown.reason for end in ends(found) for unknown in end.unknowns] == [ANONYMOUS]
 
 
 def test_the_command_line_can_set_the_namespace() -> None:
