@@ -123,6 +123,17 @@ def _filled(
     return (*filled, *args[len(filled) :]), types, True
 
 
+def names_of(row: Row) -> tuple[str, ...]:
+    """The qualified names of the class or function that a row tells of, and of the class that it gives."""
+    owner, _, _ = row.call.rpartition("::")
+    names = [row.call]
+    if owner.rpartition("::")[2][:1].isupper():
+        names.append(owner)
+    if row.returns is not None and all(isinstance(part, str) for part in row.returns.parts):
+        names.append("".join(str(part) for part in row.returns.parts))
+    return tuple(name for name in names if "::" in name)
+
+
 def select(run: Run, name: str, args: tuple[Argument, ...]) -> Row | None:
     """The first row for *name* whose conditions hold."""
     for row in run.rows.get(name, ()):
@@ -164,6 +175,8 @@ def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
 def _apply(applied: selectors.Applied, made: Object | None, kind: Type | None = None) -> Value | None:
     """Make, fill, store and register what the row says; the value that its getter reads is returned."""
     run, row = applied.run, applied.row
+    if row.unseen and not run.quiet:
+        run.gaps.setdefault(row.unseen, applied.location)
     parameter: Value | None = None
     known = False
     for entry in row.makes:

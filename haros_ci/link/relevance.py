@@ -38,6 +38,9 @@ class Relevance:
         self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row.call)) | {CALLED}
         if any("<nodelet/loader.h>" in source.program.includes for source in index.sources.values()):
             self._api |= {".load"}
+        opened = {space for source in index.sources.values() for _, space in source.program.scopes}
+        for space, _, name in (row.call.rpartition("::") for row in rows if _makes(row)):
+            self._api |= {name} if space in opened else set()
         self._registering = frozenset(name for row in rows if row.calls for name in _spellings(row.call)) - self._api
         self._index = index
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
@@ -208,4 +211,4 @@ def _spellings(name: str) -> Iterable[str]:
 
 
 def _makes(row: Row) -> bool:
-    return bool(row.entry) or any(entry.kind in KINDS for entry in row.makes)
+    return bool(row.entry or row.unseen) or any(entry.kind in KINDS for entry in row.makes)

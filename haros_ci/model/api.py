@@ -55,7 +55,8 @@ an argument to a template that is stored through it (``{"1": "{parameter}"}``); 
 that is no default, the argument may also keep what it had. ``fills`` maps members of the receiver (or, for a
 constructor or static factory, of the returned object) to templates. ``calls`` lists selectors of arguments that are
 called back later; those that are not there or are no functions are passed over. ``transparent: "{0}"`` returns the
-argument itself. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases;
+argument itself. ``unseen`` says in words what the call makes besides, which no row can tell: the node is then known
+not to have all its endpoints told. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases;
 ``entry`` the methods of it that a framework calls (onInit).
 """
 
@@ -94,6 +95,7 @@ ROW_KEYS = (
     "transparent",
     "bases",
     "entry",
+    "unseen",
 )
 ENTRY_KEYS = (
     "kind",
@@ -155,6 +157,7 @@ class Row:
     bases: tuple[str, ...] = ()
     entry: tuple[str, ...] = ()
     is_class: bool = False
+    unseen: str = ""
 
 
 def load_row(data: Mapping[str, Any]) -> Row:
@@ -178,6 +181,7 @@ def load_row(data: Mapping[str, Any]) -> Row:
         bases=tuple(_text(b, "bases") for b in _sequence(data, "bases")),
         entry=tuple(_text(e, "entry") for e in _sequence(data, "entry")),
         is_class="class" in data,
+        unseen=_text(data["unseen"], "unseen") if "unseen" in data else "",
     )
 
 
