@@ -95,7 +95,8 @@ def _block(configuration: Configuration) -> Iterator[str]:
     nodes = nodes_of(configuration)
     shown = Counter(item.what for item in channels(configuration) if not item.implicit)
     counts = [plural(len(nodes), "node"), *(plural(shown[what], what[:-1]) for what in CHANNELS)]
-    counts.append(f"{plural(len(configuration.parameters), 'parameter')} set")
+    known = sum(is_known(parameter.name) for parameter in configuration.parameters)
+    counts.append(f"{plural(known, 'parameter')} set{'' if known == len(configuration.parameters) else ', and more'}")
     yield f"configuration {terminal(configuration.name)}: {', '.join(counts)}"
     for path in configuration.launch:
         yield f"  launch {terminal(path)}"

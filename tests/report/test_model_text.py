@@ -90,3 +90,10 @@ def test_hostile_names_make_no_lines_commands_or_colors() -> None:
     assert len(text.splitlines()) == 6
     assert not any(line.lstrip().startswith(("::", "##[")) for line in text.splitlines())
     assert "##[" not in text and not any(mark in text for mark in "\x1b\u202e\ud800\r")
+
+
+def test_parameters_that_an_unreadable_file_may_set_are_no_number() -> None:
+    may = replace(ROBOT.parameters[0], name="/base/?")
+    empty = replace(ROBOT, launch=(), arguments=(), nodes=(), parameters=(*ROBOT.parameters, may))
+    text = model_text.render(Architecture(configurations=(empty,)))
+    assert text.endswith("0 actions, 1 parameter set, and more\n")
