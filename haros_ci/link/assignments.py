@@ -12,6 +12,7 @@ from haros_ci.link import (
     call_arguments,
     conversions,
     copies,
+    dispatch,
     expressions,
     lookup,
     members,
@@ -26,6 +27,8 @@ from haros_ci.link.types import MAPS, SEQUENCES
 from haros_ci.link.values import (
     LIST_LIMIT,
     NONE,
+    UNSET,
+    UNSET_OR_INHERITED,
     Cell,
     Choice,
     ClassValue,
@@ -173,7 +176,7 @@ def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
         if isinstance(owner, Pointer):
             owner = owner.cell.value
         if isinstance(owner, Object) and "[of]" not in owner.fields:
-            cell = owner.fields[target[2]] = Cell(run.opaque("it is not set before", frame))
+            cell = owner.fields[target[2]] = Cell(run.opaque(_unset(run, owner), frame))
         elif isinstance(owner, Module):
             before = members.attribute(run, owner, target[2], frame)
             cell = lookup.module_frame(run, owner.source).scopes[0][target[2]] = Cell(before)
@@ -186,6 +189,14 @@ def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
         if run.references is not None and len(run.references) == 1:
             return run.references[0]
     return cell
+
+
+def _unset(run: Run, owner: Object) -> str:
+    """Why an attribute that is assigned to for the first time is not known on the paths that do not come there."""
+    if owner.definition is None or owner.definition[0].separator != ".":
+        return "it is not set before"
+    inherits = any(base != "object" for base in methods.library_bases(run, *owner.definition))
+    return UNSET_OR_INHERITED if inherits else UNSET
 
 
 def _entry(run: Run, frame: Frame, target: Expression) -> Cell | None:
@@ -231,6 +242,9 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
         return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
     if isinstance(cells, tuple) and cells and not isinstance(key, Known) and not braces.is_open(container):
         return any_of(cell.value for cell in cells)
+    held = dispatch.entry(container) if not isinstance(key, Known) and frame.source.separator == "." else None
+    if held is not None:
+        return held
     kind = None
     if isinstance(container, Sequence) and container.type is not None and container.type[1]:
         kind = container.type[1][0]

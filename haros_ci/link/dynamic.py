@@ -3,14 +3,20 @@
 
 from __future__ import annotations
 
-from haros_ci.link import copies, methods
+from haros_ci.link import call_arguments, copies, lookup, methods
 from haros_ci.link.index import Source
-from haros_ci.link.run import Run
-from haros_ci.link.values import Opaque
+from haros_ci.link.run import Frame, Run
+from haros_ci.link.values import Known, Opaque, Text, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function, Statement
 
 FUNCTIONS = frozenset(("()", "std::function", "boost::function"))
+
+#: Functions that import a module by its name (docs.python.org/3/library/importlib.html), and why it is not known.
+IMPORTS = frozenset(("__import__", "importlib.import_module"))
+IMPORTED = "it is imported by a name that is not known"
+#: Modules that are generated: what is in them only carries data.
+INTERFACES = ("msg", "srv", "action")
 
 
 def virtual(run: Run, owner: tuple[Source, Class], name: str, location: Location) -> None:
@@ -64,6 +70,8 @@ def _is_virtual(run: Run, name: str) -> bool:
 
 def function(run: Run, called: Opaque, name: str, location: Location) -> None:
     """A function object or pointer that is not known is called: what it makes is not known."""
+    if called.reason == IMPORTED:
+        run.gaps.setdefault(f"{name or 'a function'} is called: {IMPORTED}", location)
     if called.type is not None and called.type[0] in FUNCTIONS and "not set" not in called.reason:
         run.gaps.setdefault(f"{name or 'a function'} is called, which is not known: {called.reason}", location)
 
@@ -74,3 +82,22 @@ def plugin(run: Run, called: str | None, reason: str, location: Location) -> Non
         return  # pluginlib throws
     what = f"the plug-in {called[:200]}" if called is not None else "a plug-in"
     run.gaps.setdefault(f"{what} is loaded: {reason}", location)
+
+
+def module(run: Run, frame: Frame, name: str, args: tuple[call_arguments.Argument, ...]) -> Value | None:
+    """The Python module that one of ``IMPORTS`` gives: ``__import__`` alone gives the package that it is in."""
+    wanted = args[0].value if args else None
+    if isinstance(wanted, Known) and isinstance(wanted.value, str) and not wanted.value.startswith("."):
+        is_top = name == "__import__" and len(args) == 1
+        return lookup.imported(run, frame, wanted.value.partition(".")[0] if is_top else wanted.value)
+    tail = wanted.parts[-1] if isinstance(wanted, Text) else None
+    if isinstance(tail, str) and tail.endswith(tuple(f".{kind}" for kind in INTERFACES)):
+        return None
+    return run.opaque(IMPORTED, frame) if args else None
+
+
+def of_module(run: Run, value: Opaque, name: Value, frame: Frame) -> Value:
+    """``getattr`` of a module that is not known."""
+    if isinstance(name, Known) and name.value in INTERFACES:
+        return run.opaque("the type of a message that is not known", frame)
+    return value

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import comprehensions, formats, library_yaml, members, partials, python_texts
+from haros_ci.link import comprehensions, dispatch, dynamic, formats, library_yaml, members, partials, python_texts
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     LIST_LIMIT,
@@ -118,6 +118,10 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
         return ClassValue(*first.definition)
     if name in ("rospy.myargv", "sys.argv") and run.context.arguments is not None:
         return argv(run, name == "rospy.myargv")
+    if name in dynamic.IMPORTS:
+        return dynamic.module(run, frame, name, args)
+    if name == "getattr" and len(args) >= 2 and isinstance(first, Opaque) and first.reason == dynamic.IMPORTED:
+        return dynamic.of_module(run, first, args[1].value, frame)
     if name == "getattr" and len(args) >= 2 and isinstance(args[1].value, Known):
         return members.attribute(run, args[0].value, str(args[1].value.value), frame)
     if name == "super":
@@ -193,7 +197,11 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
     if isinstance(receiver, Mapped) and name in ("update", "pop", "setdefault", "clear", "copy"):
         return _changed(run, frame, receiver, name, args)
     if isinstance(receiver, Mapped) and isinstance(receiver.content.value, dict):
+        if name == "get" and args and not isinstance(args[0].value, Known):
+            return dispatch.entry(receiver, args[1].value if len(args) > 1 else NONE)
         return _dictionary(run, frame, receiver.content.value, name, args)
+    if isinstance(receiver, ClassValue) and name == "__subclasses__" and not args:
+        return Sequence(Cell(tuple(Cell(each) for each in dispatch.subclasses(run, receiver))))
     if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
         return Known(f"$(find {args[0].value.value})") if args and isinstance(args[0].value, Known) else None
     if isinstance(receiver, Object) and receiver.name == "file" and name in ("read", "__enter__"):

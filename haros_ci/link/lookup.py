@@ -7,7 +7,16 @@ import builtins
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.link import construct, conversions, expressions, library_cpp, library_numbers, members, methods
+from haros_ci.link import (
+    construct,
+    conversions,
+    expressions,
+    library_cpp,
+    library_numbers,
+    members,
+    methods,
+    python_modules,
+)
 from haros_ci.link import macros as macros_
 from haros_ci.link.common_messages import COMMON
 from haros_ci.link.index import EITHER, Source
@@ -276,6 +285,8 @@ def imported(run: Run, frame: Frame, target: str) -> Value:
             if rest and is_generated(run, source, rest[-1]):
                 return Library(target)
             value: Value = Module(source)
+            if not rest:
+                return python_modules.bound(run, head) or value
             for part in reversed(rest):
                 value = members.attribute(run, value, part, frame)
             if rest and value is not run.found.get(("first", source.path, rest[-1]), value):
@@ -285,7 +296,8 @@ def imported(run: Run, frame: Frame, target: str) -> Value:
         if not dot:
             break
         rest.append(last)
-    return Library(target)
+    beside = python_modules.beside(run, frame.source, target)
+    return imported(run, frame, beside) if beside is not None else Library(target)
 
 
 def is_generated(run: Run, source: Source, name: str) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from haros_ci.link import expressions, library_python, lookup, methods
+from haros_ci.link import expressions, library_python, lookup, methods, python_modules
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import pointee
@@ -88,7 +88,7 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
             return inner.scopes[0][name].value
         deeper = run.index.modules.get(f"{value.source.module}.{name}")
         if deeper:
-            return Module(deeper[0])
+            return python_modules.bound(run, f"{value.source.module}.{name}") or Module(deeper[0])
         if lookup.is_generated(run, value.source, name):
             return Library(f"{value.source.module}.{name}")
         return lookup.python_name(run, inner, name)

@@ -24,7 +24,9 @@ def pattern(value: Value) -> tuple[str, str | None, Location | None]:
         text = "".join(part if isinstance(part, str) else UNKNOWN for part in value.parts)
         return re.sub(r"\?{2,}", UNKNOWN, text), why.reason, why.location
     if isinstance(value, Choice):
-        return UNKNOWN, why.reason, why.location
+        first = {pattern(option)[0][:1] for option in value.options}
+        head = "/" if "/" in first else "~" if first == {"~"} else ""
+        return f"{head}{UNKNOWN}", why.reason, why.location
     return UNKNOWN, why.reason, why.location
 
 

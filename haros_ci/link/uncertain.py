@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from haros_ci.link import conversions, copies, expressions, havoc, members, statements
+from haros_ci.link import conversions, copies, dispatch, expressions, havoc, members, statements
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import NONE, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Value, data_of, join
 from haros_ci.model.program import Expression
@@ -50,6 +50,8 @@ def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
         key = expressions.evaluate(run, frame, target[2])
         for container in _options(expressions.evaluate(run, frame, target[1])):
             if isinstance(container, (Sequence, Mapped)) and (isinstance(key, Known) or python):
+                if python:
+                    dispatch.kept(run, container, value)
                 run.state.write(container.content, run.opaque(UNCERTAIN, frame))
             elif isinstance(container, (Sequence, Mapped)):
                 _element(run, frame, container, value)

@@ -18,6 +18,10 @@ from haros_ci.model.program import Class, Function, Type
 
 #: More possible values than this are not kept apart.
 CHOICES = 8
+#: Attributes of Python objects that are set on some paths only: to read them on others is an error, but for classes
+#: with a base class outside, which may set them.
+UNSET = "the attribute is not set before"
+UNSET_OR_INHERITED = "the attribute is not set before, or by a base class"
 #: Longer texts are not put together, nor those of more parts.
 TEXT_LIMIT = 4_000
 PARTS = 100
@@ -160,9 +164,9 @@ def join(one: Value, other: Value) -> Value:
     if isinstance(one, Known) and isinstance(other, Known) and same(one.value, other.value):
         return one
     if isinstance(one, Opaque):
-        return one
+        return other if _is_error(one, other) else one
     if isinstance(other, Opaque):
-        return other
+        return one if _is_error(other, one) else other
     options: list[Value] = list(one.options) if isinstance(one, Choice) else [one]
     for option in other.options if isinstance(other, Choice) else (other,):
         if not any(
@@ -175,6 +179,12 @@ def join(one: Value, other: Value) -> Value:
     if len(options) > CHOICES:
         return Opaque("it may be one of many values")
     return options[0] if len(options) == 1 else Choice(tuple(options))
+
+
+def _is_error(unset: Opaque, other: Value) -> bool:
+    """Whether Python does not go on where *unset* is read, so that *other* is what is meant."""
+    plain = isinstance(other, (Known, Text, Choice, Opaque))
+    return unset.reason == UNSET or (unset.reason == UNSET_OR_INHERITED and not plain)
 
 
 def same(one: Any, other: Any) -> bool:

@@ -226,3 +226,22 @@ ROWS: tuple[dict[str, object], ...] = (
      "calls": ["1", "feedback_cb"]},
     {"call": "interactive_markers.menu_handler.MenuHandler.insert", "calls": ["2", "callback"]},
 )
+# fmt: on
+
+#: Modules of rospy in which the classes and functions above are defined, and may be named.
+MODULES = {
+    "rospy.client": "init_node wait_for_message get_param set_param has_param delete_param search_param",
+    "rospy.core": "on_shutdown",
+    "rospy.topics": "Publisher Subscriber",
+    "rospy.impl.tcpros": "Service ServiceProxy wait_for_service",
+    "rospy.impl.tcpros_service": "Service ServiceProxy wait_for_service",
+    "rospy.timer": "Timer Rate",
+    "rospy.rostime": "Duration",
+}
+ROWS += tuple(
+    row | {"call": f"{module}.{name}"}
+    for module, names in MODULES.items()
+    for name in names.split()
+    for row in ROWS
+    if row.get("call") == f"rospy.{name}"
+)
