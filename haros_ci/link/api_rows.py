@@ -219,6 +219,8 @@ def _apply(applied: selectors.Applied, made: Object | None, kind: Type | None = 
         value = selectors.select_value(applied, where)
         if value is not None and not isinstance(value, selectors.TypeValue):
             callbacks.register(run, value, applied.args)
+            if isinstance(value, Opaque) and applied.frame.source.separator == ".":
+                run.gaps.setdefault(f"what it calls back is not known: {value.reason}", applied.location)
     return parameter
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from haros_ci.link import assignments, call_arguments, construct, expressions, methods
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import MAPS, SEQUENCES, is_smart_pointer, pointee
+from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.link.values import Cell, Choice, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Expression, Function, Type
@@ -131,6 +131,8 @@ def _copy_constructor(run: Run, owner: tuple[Source, Class]) -> Function | None:
 def duplicate(run: Run, owner: tuple[Source, Class], argument: call_arguments.Argument) -> Value | None:
     """``C(c)`` as a copy; None where it is no copy, or where a constructor of the class says what happens."""
     value = argument.value
+    if isinstance(value, Opaque):
+        return _perhaps(run, owner, argument, value)
     if not isinstance(value, Object) or value.definition is None or not derives(run, value.definition, owner[1]):
         return None
     if argument.type is not None and ("*" in argument.type[2] or is_smart_pointer(argument.type)):
@@ -142,6 +144,20 @@ def duplicate(run: Run, owner: tuple[Source, Class], argument: call_arguments.Ar
         if found is not None and derives(run, value.definition, found[1]) and function.body is not None:
             return None
     return copied(run, value, (owner[1].name, value.arguments, ""))
+
+
+def _perhaps(run: Run, owner: tuple[Source, Class], argument: call_arguments.Argument, value: Opaque) -> Opaque | None:
+    """``C{x}`` for an aggregate and an *x* that is not known: a copy, unless its type says that it is a member."""
+    source, definition = owner
+    kind = value.type if value.type is not None and value.type[0] not in ("", "auto") else argument.type
+    if kind is not None and kind[0] not in ("", "auto"):
+        found = run.class_of(kind[0], source) if "*" not in kind[2] else None
+        is_told = call_arguments.is_scalar(kind) or kind[0] in STRINGS or "::" in kind[0] or "*" in kind[2]
+        if not derives(run, found, definition) if found is not None else is_told:  # else a template's parameter
+            return None
+    if methods.class_method(run, source, definition, definition.name.rpartition("::")[2]) is not None:
+        return None
+    return Opaque(value.reason, value.location, (definition.name, (), ""))
 
 
 def static_copy(run: Run, frame: Frame, expression: Expression) -> Type | None:

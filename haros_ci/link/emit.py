@@ -6,8 +6,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.link.common_messages import COMMON
+from haros_ci.link.ends import UNNAMED
 from haros_ci.link.names import pattern, resolve
-from haros_ci.link.run import Made, Renamed
+from haros_ci.link.run import Made, Renamed, Run
 from haros_ci.link.types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, pointee
 from haros_ci.link.values import NONE, Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
@@ -43,6 +44,8 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
         return None  # no name, no topic: a filter's subscriber that is to be told later
     value, default = _value(applied, entry, unknowns)
     endpoint_type = _type(applied, entry, unknowns, default)
+    if endpoint_type == "bool" and isinstance(value, str) and applied.frame.source.program.language != "python":
+        value, default = True, Known(True)  # param<bool>(name, "false"): a pointer that is not null
     queue = latched = None
     if entry.kind in ("publishers", "subscribers"):
         queue = _integer(applied, entry, "queue_size", unknowns)
@@ -206,13 +209,20 @@ def _value(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[Any, Val
     if found is None or isinstance(found, TypeValue):
         return None, None
     known, data = data_of(found)
-    if known:
+    if known and not _is_unnamed(applied.run, data):
         return data, found
-    why = opaque_of(found)
+    why = Opaque(UNNAMED) if known else opaque_of(found)
     unknowns.append(
         ("value", why.reason if why else "it is not plain data", (why and why.location) or applied.location)
     )
     return None, found
+
+
+def _is_unnamed(run: Run, data: object) -> bool:
+    """Whether a text is made of the node's own name, or its namespace, of which a part is not known."""
+    if not isinstance(data, str) or "?" not in data:
+        return False
+    return any("?" in own and own in data for own in (run.context.name, run.context.namespace))
 
 
 def _last(value: object) -> str:

@@ -53,6 +53,8 @@ class Index:
     #: The workspace's message, service and action types (``pkg/T``), and its packages.
     interfaces: frozenset[str] = frozenset()
     packages: frozenset[str] = frozenset()
+    #: The classes and functions that API rows tell of, for using-directives of their namespaces.
+    library: frozenset[str] = frozenset()
     #: The macros that the build of each package defines.
     defined: Mapping[str | None, tuple[str, ...]] = field(default_factory=dict)
     #: What look-ups have found, by the files of the node type that asked.

@@ -7,6 +7,7 @@ from typing import Any
 
 from haros_ci.link import api_rows, call_arguments, callbacks, library, methods
 from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import is_type
 from haros_ci.link.values import (
     Callable,
     Object,
@@ -49,9 +50,22 @@ def library_object(
         return args[0].value  # boost::function and its kin
     this = Object(kind[0], kind[1], location=location)
     construct_library(run, frame, this, kind, args, location)
+    _hidden(run, frame, kind, args, location)
     for argument in args:
         callbacks.register(run, argument.value, args)
     return this
+
+
+def _hidden(run: Run, frame: Frame, kind: Type, args: tuple[call_arguments.Argument, ...], location: Location) -> None:
+    """A library's template over a class of the workspace may be, or have, one: it is given the class's node handle."""
+    handles = [each for each in args if isinstance(each.value, Object) and each.value.namespace is not None]
+    if run.quiet or not handles or kind[0] in run.rows:
+        return
+    for inner in kind[1]:
+        owner = run.class_of(inner[0], frame.source) if is_type(inner) else None
+        if owner is not None and run.relevance.named(owner[1].name):
+            said = f"{kind[0]} is given class {owner[1].name} and a node handle: whether it makes one is not seen"
+            run.gaps.setdefault(said, location)
 
 
 def construct_library(

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
 
-from haros_ci.link import system
+from haros_ci.link import api_rows, system
 from haros_ci.link.entries import Programs, executables, nodelets, plugins
 from haros_ci.link.follow import Entry
 from haros_ci.link.index import Source, build_index
@@ -151,6 +151,7 @@ def types_of(
         for row in items:
             table.setdefault(row.call, []).append(row)
         tables[language] = {name: tuple(found) for name, found in table.items()}
+    cpp.library = frozenset(name for row in rows.get("cpp", ()) for name in api_rows.names_of(row))
     configs = {
         f"{config.package}::{config.name}Config": config
         for _, build in sorted(builds.items())

@@ -24,6 +24,8 @@ ELEMENT = "[]="
 CALLED = "()"
 #: Types of variables that can be called, and Python's expressions that may give a function.
 FUNCTIONS = frozenset(("()", "boost::function", "std::function", "function"))
+#: The method that a call of an object runs.
+CALL = "operator()"
 HELD = frozenset(("lambda", "name", "field", "call", "index", "if", "op"))
 
 
@@ -60,9 +62,35 @@ def called_in(item: Any, found: set[str], mentioned: set[str], source: Source) -
         waiting += _inner(node)
 
 
-def may_be_called(kind: Any, source: Source) -> bool:
-    """Whether a parameter of the type may be a function; Python does not say."""
-    return kind[0] in FUNCTIONS or kind[0] == "auto" or (kind[0] == "" and source.program.language == "python")
+def may_be_called(kind: Any, source: Source, kinds: frozenset[str] = FUNCTIONS) -> bool:
+    """Whether a parameter of the type may be a function, which those of *kinds* are; Python does not say."""
+    return kind[0] in kinds or kind[0] == "auto" or (kind[0] == "" and source.program.language == "python")
+
+
+def function_types(index: Index) -> frozenset[str]:
+    """The names of C++ types that hold functions: of libraries, and the workspace's aliases of them."""
+    named = set(FUNCTIONS)
+    for _ in range(2):  # an alias of an alias
+        for name, aliases in index.aliases.items():
+            if any(not named.isdisjoint(type_names(alias.type)) for _, alias in aliases):
+                named |= {name, last(name)}
+    return frozenset(named)
+
+
+def functors(index: Index) -> frozenset[str]:
+    """The last names of the C++ classes whose objects can be called."""
+    return frozenset(last(name.removesuffix(f"::{CALL}")) for name in index.functions if name.endswith(f"::{CALL}"))
+
+
+def members_of(index: Index, kinds: frozenset[str]) -> frozenset[str]:
+    """The names of C++ members of one of these types."""
+    return frozenset(
+        field.name
+        for classes in index.classes.values()
+        for source, definition in classes
+        for field in definition.fields
+        if source.separator == "::" and any(last(name) in kinds for name in type_names(field.type))
+    )
 
 
 def holding(index: Index) -> frozenset[str]:
@@ -70,11 +98,7 @@ def holding(index: Index) -> frozenset[str]:
 
     C++ says so in the member's type; in Python it is an attribute that is assigned to, and no method of any class.
     """
-    named = set(FUNCTIONS)
-    for _ in range(2):  # an alias of an alias
-        for name, aliases in index.aliases.items():
-            if any(not named.isdisjoint(type_names(alias.type)) for _, alias in aliases):
-                named |= {name, last(name)}
+    named = function_types(index)
     found = {
         field.name
         for classes in index.classes.values()
@@ -103,8 +127,8 @@ def _attributes(block: Any, found: set[str]) -> None:
         waiting += _inner(node)
 
 
-def callable_variables(block: Any, names: set[str], source: Source) -> None:
-    """Collect the local variables of *block* that a function, lambda or class is assigned to."""
+def callable_variables(block: Any, names: set[str], source: Source, kinds: frozenset[str]) -> None:
+    """Collect the local variables of *block* that a function, lambda or class is assigned to, or of one of *kinds*."""
     waiting = _inner((block,))
     python = source.program.language == "python"
     while waiting:
@@ -113,7 +137,7 @@ def callable_variables(block: Any, names: set[str], source: Source) -> None:
             init = node[3]
             if (
                 may_be_called(node[2], source)
-                or any(name in FUNCTIONS for name in type_names(node[2]))
+                or any(last(name) in kinds for name in type_names(node[2]))
                 or (init and init[0] == "=" and init[1] and init[1][0] == "lambda")
             ):
                 if node[2][0] != "auto" or (

@@ -53,14 +53,7 @@ def class_method(
     candidates = run.index.near(run.index.functions, f"{definition.name}{separator}{name}", source, run.files)
     if separator == "::":
         if not any(function.body is not None for _, function in candidates):
-            tail = f"{definition.name.rpartition('::')[2]}::{name}"
-            loose = [
-                item
-                for item in run.index.by_tail.get(tail, ())
-                if item[1].body is not None and definition.name.endswith(item[1].owner) and item[1].owner
-            ]
-            bodies = overloads.nearest(run, loose, source)
-            candidates = [*bodies, *candidates]
+            candidates = [*overloads.nearest(run, _loose(run, definition.name, name), source), *candidates]
     else:
         candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
     if candidates:
@@ -129,8 +122,25 @@ def overload(run: Run, candidates: list[Found], given: Given) -> Found:
             if item[1].body is not None and len(item[1].parameters) == len(best[1].parameters)
         ]
         wanted = overloads.signature(best[1])
-        best = next((item for item in bodies if overloads.signature(item[1]) == wanted), (*bodies, best)[0])
+        elsewhere = [item for item in _defined(run, best) if item not in candidates]
+        candidates = [*candidates, *elsewhere]
+        alike = (item for item in (*bodies, *elsewhere) if overloads.signature(item[1]) == wanted)
+        best = next(alike, (*elsewhere, *bodies, best)[0])
     return overloads.any_of(run, best, candidates) if best[1].body is not None else best
+
+
+def _defined(run: Run, declared: Found) -> list[Found]:
+    """The definitions with as many parameters of a C++ function that is declared only, nearest first."""
+    source, function = declared
+    if source.separator == ".":
+        return []
+    loose = _loose(run, function.owner, function.name.rpartition("::")[2]) if function.owner else []
+    bodies = [
+        item
+        for item in (*run.index.functions.get(function.name, ()), *loose)
+        if item[1].body is not None and len(item[1].parameters) == len(function.parameters)
+    ]
+    return overloads.nearest(run, bodies, source)
 
 
 def with_body(run: Run, candidates: list[Found]) -> Found:
@@ -138,17 +148,19 @@ def with_body(run: Run, candidates: list[Found]) -> Found:
     for item in candidates:
         if item[1].body is not None:
             return overloads.any_of(run, item, candidates)
-    source, function = candidates[0]
-    if source.separator == ".":
-        return candidates[0]
-    bodies = [
-        item
-        for item in run.index.functions.get(function.name, ())
-        if item[1].body is not None and len(item[1].parameters) == len(function.parameters)
-    ]
-    found = overloads.nearest(run, bodies, source)
-    alike = [item for item in found if overloads.signature(item[1]) == overloads.signature(function)] or found
+    found = _defined(run, candidates[0])
+    wanted = overloads.signature(candidates[0][1])
+    alike = [item for item in found if overloads.signature(item[1]) == wanted] or found
     return overloads.any_of(run, alike[0], alike) if alike else candidates[0]
+
+
+def _loose(run: Run, owner: str, name: str) -> list[Found]:
+    """The definitions of the method *name* of the class *owner* that name the class under a using-directive."""
+    return [
+        item
+        for item in run.index.by_tail.get(f"{owner.rpartition('::')[2]}::{name}", ())
+        if item[1].body is not None and item[1].owner and f"::{owner}".endswith(f"::{item[1].owner}")
+    ]
 
 
 def tail_method(run: Run, name: str, source: Source) -> Found | None:

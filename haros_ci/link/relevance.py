@@ -8,15 +8,19 @@ from typing import Any
 
 from haros_ci.link.index import Index, Source
 from haros_ci.link.mentions import (
+    CALL,
     CALLED,
     COLLECTING,
     CONTAINERS,
     ELEMENT,
     callable_variables,
     called_in,
+    function_types,
+    functors,
     holding,
     last,
     may_be_called,
+    members_of,
     targets,
     type_names,
 )
@@ -66,6 +70,9 @@ class Relevance:
         self._targets: dict[int, tuple[Any, frozenset[str]]] = {}
         #: The names of members that hold, or may hold, a function; and how calls of them look.
         self.holding = holding(index)
+        self._function_types = function_types(index)
+        self._functors = functors(index)
+        self._functor_members = members_of(index, self._functors)
         self._held = self.holding | {f".{name}" for name in self.holding}
 
     def matters(self, block: Any, source: Source, function: Function | None = None) -> bool:
@@ -90,8 +97,12 @@ class Relevance:
                     found.add(CALLED)
                 if any(p.name in found and self._is_open(p, function, source) for p in function.parameters):
                     found.add(GIVEN)
+                if any(p.name in found and last(p.type[0]) in self._functors for p in function.parameters):
+                    found.add(CALL)
             if not self._held.isdisjoint(found):
                 found.add(CALLED)
+            if not self._functor_members.isdisjoint(found):
+                found.add(CALL)
             if not self._registering.isdisjoint(found):
                 found |= mentioned  # any of them may be what is called back
             known = self._blocks[key] = (block, frozenset(found))
@@ -102,13 +113,12 @@ class Relevance:
         known = self._variables.get(id(function))
         if known is None:
             names = set[str]()
-            callable_variables(function.body, names, source)
+            callable_variables(function.body, names, source, self._function_types | self._functors)
             known = self._variables[id(function)] = (function, frozenset(names))
         return known[1]
 
-    @staticmethod
-    def _is_open(parameter: Parameter, function: Function, source: Source) -> bool:
-        return may_be_called(parameter.type, source) or parameter.type[0] in function.templates
+    def _is_open(self, parameter: Parameter, function: Function, source: Source) -> bool:
+        return may_be_called(parameter.type, source, self._function_types) or parameter.type[0] in function.templates
 
     def named(self, name: str) -> bool:
         """Whether a function or class of this name, of an API or of the workspace, may make something."""
@@ -187,6 +197,8 @@ class Relevance:
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
         if isinstance(item, Class):
             found = [last(kind) for f in item.fields for kind in type_names(f.type)] + [last(b[0]) for b in item.bases]
+            if self._index.functions.get(f"{item.name}::{CALL}"):
+                found.append(CALL)
             for where, function in self._index.functions.get(f"{item.name}.__init__", ()):
                 if where.path == source.path and function.body is not None:
                     found += self.names(function.body, where)

@@ -287,7 +287,11 @@ def _binary(op: ast.operator, left: Any, right: Any) -> object:
 def _compare(left: Any, ops: list[ast.cmpop], comparators: list[ast.expr], of: Callable[[ast.expr], Any]) -> bool:
     for op, comparator in zip(ops, comparators, strict=True):
         right = of(comparator)
-        if not _COMPARE[type(op)](_plain(left), _plain(right)):
+        if isinstance(op, (ast.Eq, ast.NotEq)) and "" in (left, right) and str in map(type, (left, right)):
+            holds = (left == right) is isinstance(op, ast.Eq)  # a path is never empty
+        else:
+            holds = _COMPARE[type(op)](_plain(left), _plain(right))
+        if not holds:
             return False
         left = right
     return True

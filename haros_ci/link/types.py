@@ -149,7 +149,10 @@ def resolve_type(
         elif hidden is not None:
             return hidden
         else:
+            spaces = {*index.opened(source)}
             whole = _by_include(index, head, source, scope) if head[:1].isupper() else head
+            if whole == head and head not in spaces:
+                name = _of_library(index, name, spaces, scope)
             name = f"{whole}::{tail}" if whole != head else name
         if name in _TYPEDEFS:
             name, resolved = _TYPEDEFS[name]
@@ -192,9 +195,18 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
     homes = [space for space in sorted(spaces) if bare in COMMON.get(space, ())]
     if len(homes) == 1:
         return f"{homes[0]}::{name}"
+    return _of_library(index, name, spaces, scope)
+
+
+def _of_library(index: Index, name: str, spaces: set[str], scope: str) -> str:
+    """A name that is not of the workspace, qualified with the one open namespace that is known to have it."""
     if "std" in spaces and name.partition("::")[0] in STANDARD:
         return f"std::{name}"
-    return name
+    bare = name.removesuffix("Ptr")
+    either = {space: {f"{space}::{name}", f"{space}::{bare}"} for space in sorted(spaces)}
+    homes = [space for space, names in either.items() if not names.isdisjoint(index.library)]
+    is_inherited = name[:1].islower() and any(each.bases for _, each in index.classes.get(scope, ()))
+    return f"{homes[0]}::{name}" if len(homes) == 1 and not is_inherited else name
 
 
 def pointee(kind: Type) -> Type:

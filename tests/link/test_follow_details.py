@@ -237,13 +237,7 @@ PYTHON_REACHED = (
 )
 UNSEEN = "a loop's body is not seen to matter where what it calls is a variable (relevance.names)"
 NOT_REACHED = (
-    because(
-        UNSEEN,
-        "functor in a loop of unknown length",
-    )
-    | because(
-        "a variable declared as a function's or method's pointer is lost", "function pointer", "method by pointer"
-    )
+    because("a variable declared as a function's or method's pointer is lost", "function pointer", "method by pointer")
     | because("destructors are not called", "destructor")
     | because("what a default argument calls is not seen to matter", "default argument that makes")
 )
