@@ -12,7 +12,6 @@ from haros_ci.link.types import data_type
 from haros_ci.link.values import Known
 from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
 
-
 #: Why a name is unknown that the code itself knows.
 UNNAMED = "the name of the node or of its namespace is not known"
 ANONYMOUS = "the node is anonymous: its name ends in a number of its own"
