@@ -58,11 +58,12 @@ def measured(name: str, place: Path, scratch: Path, runs: int, start: float) -> 
     cold, peak = min(timed([*command, "--no-cache"], place) for _ in range(runs))
     timed([*command, f"--cache-dir={cache}"], place)
     warm = min(timed([*command, f"--cache-dir={cache}"], place)[0] for _ in range(runs))
-    sources = sorted(place.rglob("*.cpp"), key=lambda path: path.stat().st_size)
+    found = (list(place.rglob(pattern)) for pattern in ("*.cpp", "*.py", "*.launch"))
+    sources = sorted(next(filter(None, found)), key=lambda path: path.stat().st_size)
     changed = []
     for number in range(runs):
         with sources[len(sources) // 2].open("a") as file:
-            file.write(f"// {number}\n")
+            file.write({".cpp": "// %d\n", ".py": "# %d\n"}.get(Path(file.name).suffix, "<!-- %d -->\n") % number)
         changed.append(timed([*command, f"--cache-dir={cache}"], place)[0])
     nodes, endpoints, names, anonymous, types = counts(json.loads(output.read_text()))
     return (
