@@ -51,6 +51,8 @@ def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
         queue = _integer(applied, entry, "queue_size", unknowns)
     if entry.kind == "publishers":
         latched = _flag(applied, entry, unknowns)
+    if entry.unsure:
+        unknowns.append(("conditions", entry.unsure, applied.location))
     run.make(
         Made(
             kind=entry.kind,

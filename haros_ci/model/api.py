@@ -45,7 +45,8 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
     rate, timer     ``period`` in seconds or ``frequency`` in hertz; not endpoints, kept for other checks
 
 Other keys of an entry: ``name``, ``type``, ``queue_size``, ``latched``, ``value``, ``namespace`` (a handle or text;
-default: the receiver if it is a handle, else the node's own namespace), ``implicit``, ``each: "config(<0>)"`` (one
+default: the receiver if it is a handle, else the node's own namespace), ``implicit``, ``unsure`` (in words, why it may not
+be made at all), ``each: "config(<0>)"`` (one
 endpoint for every parameter of the dynamic_reconfigure file of that class), ``each: "keys(0)"`` (of a dict or map
 argument). A ``type`` is ``pkg/Name``, or a C++ or Python type that stands for it: pointers, const, ``::Request`` and
 ``::Response``, and an action's ``Action`` are taken off.
@@ -107,11 +108,14 @@ ENTRY_KEYS = (
     "namespace",
     "parent",
     "implicit",
+    "unsure",
     "each",
     "anonymous",
     "period",
     "frequency",
 )
+#: Keys of an entry that are no templates.
+UNTOLD = ("kind", "each", "implicit", "unsure")
 #: Without ``{`` outside a selector; ``{{`` is not needed, as no ROS name has a brace.
 SELECTOR = re.compile(r"\{([^{}]*)\}")
 ALTERNATIVE = re.compile(
@@ -139,6 +143,7 @@ class Entry:
     values: Mapping[str, Template]
     each: str | None = None
     implicit: bool = False
+    unsure: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,9 +230,10 @@ def _entry(data: Any) -> Entry:
         raise RowError(f"'kind' is one of {', '.join(ENTRY_KINDS)}")
     return Entry(
         kind=data["kind"],
-        values={k: template(_text(v, k)) for k, v in data.items() if k not in ("kind", "each", "implicit")},
+        values={k: template(_text(v, k)) for k, v in data.items() if k not in UNTOLD},
         each=_text(data["each"], "each") if "each" in data else None,
         implicit=data.get("implicit") is True,
+        unsure=_text(data["unsure"], "unsure") if "unsure" in data else "",
     )
 
 

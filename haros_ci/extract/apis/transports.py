@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Transports (ROS 1, C++): image_transport, camera_info_manager, point_cloud_transport, pcl_ros, shape shifters.
 
-The topics below a base topic (``image/compressed``) have no row: they depend on the plugins that are installed.
+The topics below a base topic (``image/compressed``) are added by ``tables``.
 """
 
 from __future__ import annotations
