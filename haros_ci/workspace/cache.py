@@ -23,6 +23,10 @@ MAX_SHARD = 32_000_000  # bytes; a larger one was not written here
 _FILL = 0.8  # after trimming, so that not every further run trims
 _FRAME = 100  # bytes of a shard around its entries
 _NEW = ".new-"
+_HEAD = re.compile(rf'\{{"format":{FORMAT},"run":([0-9]{{1,15}}),"entries":\{{\n')
+_TAIL = "\n}}\n"
+_KEY = re.compile(r'("(?:[^"\\]|\\.)*"):\[')
+_LAST_RUN = re.compile(r"\[([0-9]{1,15}),")
 _SHARD = re.compile(r"[a-z0-9_.-]*-[0-9a-f]\.json")
 _OURS = re.compile(rf"{_SHARD.pattern}|{re.escape(_NEW)}\w+")
 
@@ -165,7 +169,11 @@ class DiskCache:
 
 
 class _Shard:
-    """One file: ``{"format": 1, "run": N, "entries": {"KEY PATH": [N, VALUE]}}``, N counting the runs that wrote it."""
+    """One file: ``{"format": 1, "run": N, "entries": {"KEY PATH": [N, VALUE]}}``, N counting the runs that wrote it.
+
+    Each entry has a line of its own, and is text until it is asked for: a cache of many workspaces costs each of them
+    what it uses.
+    """
 
     def __init__(self, data: bytes) -> None:
         self.is_changed = False
@@ -174,6 +182,8 @@ class _Shard:
 
     def get(self, entry: str) -> object | None:
         found = self._entries.get(entry)
+        if isinstance(found, str):
+            found = self._entries[entry] = _loaded(found)
         if not isinstance(found, list) or len(found) != 2:
             return None
         self._used.add(entry)
@@ -189,7 +199,11 @@ class _Shard:
         """The file's text, of at most *limit* bytes: the entries that were not used for the longest are left out."""
         rows = []
         for entry, found in self._entries.items():
-            if isinstance(found, list) and len(found) == 2 and isinstance(found[0], int):
+            if isinstance(found, str):
+                written = _LAST_RUN.match(found)
+                if written is not None:
+                    rows.append((int(written[1]), entry, f"{json.dumps(entry)}:{found}"))
+            elif isinstance(found, list) and len(found) == 2 and isinstance(found[0], int):
                 last = self._run + 1 if entry in self._used else found[0]
                 try:
                     value = json.dumps(found[1], separators=(",", ":"), allow_nan=False)
@@ -248,17 +262,41 @@ def _default(environment: Mapping[str, str]) -> Path:
 
 
 def _parse(data: bytes) -> tuple[int, dict[str, Any]]:
-    """Run count and entries of a shard, (0, {}) if it is not one."""
-    try:
-        document = json.loads(data, parse_constant=_refuse) if data else None
-    except (ValueError, RecursionError):
-        return 0, {}
+    """Run count and entries of a shard, (0, {}) if it is not one; the entries are text where each has its line."""
+    by_line = _lines(data)
+    if by_line is not None:
+        return by_line
+    document = _loaded(data) if data else None
     if not isinstance(document, dict) or document.get("format") != FORMAT:
         return 0, {}
     run, entries = document.get("run"), document.get("entries")
     if not isinstance(run, int) or not 0 <= run < 1 << 53 or not isinstance(entries, dict):
         return 0, {}
     return run, entries
+
+
+def _lines(data: bytes) -> tuple[int, dict[str, Any]] | None:
+    """Run count and entries of a shard as ``document`` lays it out, None for any other."""
+    text = data.decode("ascii", "replace")
+    head = _HEAD.match(text)
+    if head is None or not text.endswith(_TAIL, head.end()):
+        return None
+    entries = {}
+    for line in filter(None, text[head.end() : -len(_TAIL)].split(",\n")):
+        key = _KEY.match(line)
+        entry = _loaded(key[1]) if key is not None and line[-1] == "]" else None
+        if key is None or not isinstance(entry, str):
+            return None
+        entries[entry] = line[key.end() - 1 :]
+    return int(head[1]), entries
+
+
+def _loaded(text: str | bytes) -> Any:
+    """What JSON text stands for, None if it is none."""
+    try:
+        return json.loads(text, parse_constant=_refuse)
+    except (ValueError, RecursionError):
+        return None
 
 
 def _file_name(group: str, number: int) -> str:

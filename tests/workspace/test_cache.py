@@ -260,3 +260,38 @@ def test_a_link_of_the_user_outside_is_followed(tmp_path: Path) -> None:
     place = cache_directory(tmp_path / "cache", {}, tmp_path / "ws", explicit=True)
     filled(place)
     assert len(list((tmp_path / "disk").iterdir())) == 1
+
+
+def test_an_entry_is_read_when_it_is_asked_for(tmp_path: Path) -> None:
+    """Others in its file may be anything: they are neither read nor lost."""
+    first = DiskCache(tmp_path)
+    paths = [f"p{number}" for number in range(200)]
+    for path in paths:
+        first.put("facts", path, "k", {"path": path, "text": 'a "quoted",\nline'})
+    first.flush()
+    file = max(tmp_path.iterdir(), key=lambda each: each.stat().st_size)
+    lines = file.read_text().splitlines()
+    broken = next(number for number, line in enumerate(lines) if line.startswith('"k p'))
+    name = lines[broken].split('"')[1].partition(" ")[2]
+    lines[broken] = f'"k {name}":[1,{{oops]' + ("," if lines[broken].endswith(",") else "")
+    file.write_text("\n".join(lines) + "\n")
+
+    second = DiskCache(tmp_path)
+    found = {path: second.get("facts", path, "k") for path in paths}
+    assert [path for path, value in found.items() if value is None] == [name]
+    assert all(value == {"path": path, "text": 'a "quoted",\nline'} for path, value in found.items() if value)
+    second.put("facts", name, "k", "anew")
+    second.flush()
+    third = DiskCache(tmp_path)
+    assert third.get("facts", name, "k") == "anew"
+    assert all(third.get("facts", path, "k") == value for path, value in found.items() if value)
+
+
+@pytest.mark.parametrize("layout", [None, 1])
+def test_entries_that_are_laid_out_in_another_way_are_read(tmp_path: Path, layout: int | None) -> None:
+    first = DiskCache(tmp_path)
+    first.put("facts", "p", "k", [1, "two"])
+    first.flush()
+    (file,) = tmp_path.iterdir()
+    file.write_text(json.dumps(json.loads(file.read_text()), indent=layout))
+    assert DiskCache(tmp_path).get("facts", "p", "k") == [1, "two"]
