@@ -5,7 +5,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import comprehensions, dispatch, dynamic, formats, library_yaml, members, partials, python_texts
+from haros_ci.link import (
+    command_lines,
+    comprehensions,
+    dispatch,
+    dynamic,
+    formats,
+    library_yaml,
+    members,
+    partials,
+    python_texts,
+)
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     LIST_LIMIT,
@@ -108,6 +118,8 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
         if isinstance(first, Object) and "[path]" in first.fields:
             return library_yaml.yaml_file(run, first.fields["[path]"].value)
         return library_yaml.yaml_stream(run, first)
+    if name == command_lines.PARSER:
+        return command_lines.parser(args)
     if name in ("rospkg.RosPack", "rospkg.rospack.RosPack"):
         return Object("rospkg.RosPack")
     if name in ("roslib.packages.get_pkg_dir", "ament_index_python.packages.get_package_share_directory"):
@@ -202,6 +214,8 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
         return _dictionary(run, frame, receiver.content.value, name, args)
     if isinstance(receiver, ClassValue) and name == "__subclasses__" and not args:
         return Sequence(Cell(tuple(Cell(each) for each in dispatch.subclasses(run, receiver))))
+    if isinstance(receiver, Object) and receiver.name == command_lines.PARSER:
+        return command_lines.method(run, frame, receiver, name, args)
     if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
         return Known(f"$(find {args[0].value.value})") if args and isinstance(args[0].value, Known) else None
     if isinstance(receiver, Object) and receiver.name == "file" and name in ("read", "__enter__"):

@@ -6,6 +6,9 @@ from __future__ import annotations
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import Cell, Choice, Known, Object, Sequence, Value, join
 
+#: What a part of a list is that has nothing as things are.
+NOTHING = "a part of a list, which has nothing as it is started"
+
 
 def part(run: Run, frame: Frame, container: Value, bounds: Object) -> Value:
     """``container[a:b:c]``, a new text or list; *bounds* is the object that ``[slice]`` makes.
@@ -30,5 +33,5 @@ def part(run: Run, frame: Frame, container: Value, bounds: Object) -> Value:
         cells = container.content.value
         if isinstance(cells, tuple) and (cells[which] or not cells):
             return Sequence(Cell(tuple(Cell(cell.value, cell.type) for cell in cells[which])))
-        return Sequence(Cell(unknown))
+        return Sequence(Cell(run.opaque(NOTHING, frame) if isinstance(cells, tuple) else unknown))
     return unknown

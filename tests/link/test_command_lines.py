@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Options of Python programs that argparse reads from the words of a launch file."""
+
+from __future__ import annotations
+
+import pytest
+from follow_kit import names, python
+
+HEAD = """import argparse, sys
+p = argparse.ArgumentParser(description="d")
+p.add_argument("-t", "--topic", default="a", help="where")
+p.add_argument("--count", type=int, default=2)
+p.add_argument("--loud", action="store_true")
+p.add_argument("--only", nargs="*", default=[])
+p.add_argument("station", nargs="?", default="home")
+o = p.parse_args(rospy.myargv()[1:])
+"""
+ALL = "PUB(o.topic + str(o.count) + ('/loud' if o.loud else '/quiet') + '/' + o.station)\n"
+
+TOLD = (
+    ("", ALL, "/a2/quiet/home"),
+    ("dock", ALL, "/a2/quiet/dock"),
+    ("-t b --count 3", ALL, "/b3/quiet/home"),
+    ("--topic=b --loud", ALL, "/b2/loud/home"),
+    ("--top b", ALL, "/b2/quiet/home"),
+    ("chatter:=x", ALL, "/a2/quiet/home"),
+    ("--only x y", "for s in o.only:\n    PUB(s)\n", "/x /y"),
+    ("", "for s in o.only:\n    PUB(s)\nPUB('z')\n", "/z"),
+)
+
+
+@pytest.mark.parametrize(("words", "body", "expected"), TOLD)
+def test_options_of_a_launch_file(words: str, body: str, expected: str) -> None:
+    launch = f'<launch><node pkg="p" type="n.py" name="n" args="{words}"/></launch>'
+    assert names(python(HEAD + body, launch)) == expected.split()
+
+
+def test_a_group_and_words_left_over() -> None:
+    body = (
+        "import argparse\np = argparse.ArgumentParser()\ng = p.add_argument_group('x')\n"
+        "g.add_argument('--name', default='a')\no, rest = p.parse_known_args(rospy.myargv()[1:])\nPUB(o.name)\nPUB(rest[0])\n"
+    )
+    launch = '<launch><node pkg="p" type="n.py" name="n" args="--name b more"/></launch>'
+    assert names(python(body, launch)) == ["/b", "/more"]
+
+
+#: Another beginning, and the words.
+UNKNOWN = (
+    (HEAD.replace("rospy.myargv()[1:]", ""), "", "with the words that roslaunch adds the program ends"),
+    (HEAD, "--nothing", "no such option"),
+    (HEAD, "--count many", "no number"),
+    (HEAD.replace('description="d"', 'prefix_chars="+"'), "", "other rules"),
+    (HEAD.replace('description="d"', 'fromfile_prefix_chars="@"'), "@file", "words of a file"),
+    (HEAD.replace("type=int", "type=lambda text: 7"), "", "a type of its own"),
+    (HEAD.replace("o = ", "p.set_defaults(topic=open('x').read())\no = "), "", "other defaults"),
+    (HEAD.replace('default="a"', 'default=open("x").read()'), "", "a default that is not known"),
+    (HEAD.replace('action="store_true"', "action=Other"), "", "an action of its own"),
+)
+
+
+@pytest.mark.parametrize(("head", "words", "why"), UNKNOWN)
+def test_options_that_are_not_known(head: str, words: str, why: str) -> None:
+    launch = f'<launch><node pkg="p" type="n.py" name="n" args="{words}"/></launch>'
+    assert [name for name in names(python(head + "PUB('base')\nPUB(o.topic)\n", launch)) if name != "/base"] == ["/?"]
+
+
+def test_a_program_alone_is_started_without_words() -> None:
+    assert names(python(HEAD + "PUB(o.topic)\n")) == ["/a"]
