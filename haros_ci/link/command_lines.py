@@ -23,8 +23,9 @@ PLAIN = frozenset(("", "prog", "usage", "description", "epilog", "formatter_clas
 GROUPS = frozenset(("add_argument_group", "add_mutually_exclusive_group"))
 ACTIONS = frozenset(("store", "store_true", "store_false", "store_const", "append", "count"))
 TYPES: dict[str, Any] = {"int": int, "float": float, "str": str}
-#: Words on one command line, and options of one parser, that are read.
-MOST = 200
+#: Words on one command line, options of one parser, and positional ones of these that take a number of words that is not
+#: fixed: argparse matches with expressions that try each way to share the words among them.
+MOST, OPEN = 64, 3
 
 
 def parser(args: tuple[Argument, ...]) -> Object:
@@ -95,6 +96,7 @@ def _read(options: tuple[Cell, ...], words: list[str]) -> tuple[dict[str, Any], 
 
     reader = Reader(add_help=False, conflict_handler="resolve")
     kept: dict[int, Value] = {}
+    is_open = 0
     for cell in options:
         members = cell.value.fields
         given = {key: member.value for key, member in members.items() if not key.isdigit()}
@@ -108,6 +110,12 @@ def _read(options: tuple[Cell, ...], words: list[str]) -> tuple[dict[str, Any], 
         for key in ("dest", "nargs", "const", "required"):
             if key in given:
                 wanted[key] = _data(given[key])
+        count = wanted.get("nargs")
+        if isinstance(count, int) and not 0 < count <= MOST:
+            raise ValueError("a number of words that no command line has")
+        is_open += isinstance(count, str) and not flags[0].startswith("-")
+        if is_open > OPEN:
+            raise ValueError("too many ways to share the words")
         if "type" in given:
             kind = given["type"]
             wanted["type"] = TYPES[kind.name if isinstance(kind, Library) else ""]

@@ -58,6 +58,28 @@ UNKNOWN = (
 )
 
 
+MANY = "import argparse\np = argparse.ArgumentParser()\n"
+PLUS = "".join(f'p.add_argument("x{number}", nargs="+")\n' for number in range(60))
+MAYBE = "".join(f'p.add_argument("x{number}", nargs="?")\n' for number in range(60))
+#: Parsers over which argparse itself would not come to an end, or out of memory.
+ENDLESS = (
+    ('p.add_argument("x", nargs=10**9)\n', "a b"),
+    ('p.add_argument("--x", nargs=10**9)\n', "--x a b"),
+    ('p.add_argument("x", nargs=-(10**9))\n', "a b"),
+    (PLUS, " ".join("a" * 59)),
+    (MAYBE + 'p.add_argument("y", nargs=40)\n', " ".join("a" * 39)),
+    ('for i in range(500):\n    p.add_argument("--x%d" % i)\n', ""),
+    ('p.add_argument("x", nargs="*")\n', " ".join("a" * 500)),
+)
+
+
+@pytest.mark.parametrize(("options", "words"), ENDLESS)
+def test_what_argparse_cannot_bear_is_not_asked(options: str, words: str) -> None:
+    launch = f'<launch><node pkg="p" type="n.py" name="n" args="{words}"/></launch>'
+    body = MANY + options + 'p.add_argument("--name", default="a")\no = p.parse_args(rospy.myargv()[1:])\nPUB(o.name)\n'
+    assert names(python(body, launch)) == ["/?"]
+
+
 @pytest.mark.parametrize(("head", "words", "why"), UNKNOWN)
 def test_options_that_are_not_known(head: str, words: str, why: str) -> None:
     launch = f'<launch><node pkg="p" type="n.py" name="n" args="{words}"/></launch>'
