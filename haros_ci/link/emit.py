@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.link.common_messages import COMMON
@@ -241,7 +242,9 @@ def _integer(applied: Applied, entry: Entry, key: str, unknowns: Unknowns) -> in
     if found is None:
         return None
     if isinstance(found, Known) and isinstance(found.value, (int, float)) and not isinstance(found.value, bool):
-        return int(found.value)
+        if isfinite(found.value):
+            return int(found.value)
+        found = Opaque("it is infinite")
     if isinstance(found, Known) and found.value is None:
         return None
     why = opaque_of(found)

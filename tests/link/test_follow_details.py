@@ -3,8 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 from follow_kit import admits, because, case, conditions, cpp, ends, names, python, table, types
+
+from haros_ci.model.architecture import Node
 
 BEFORE = """#include <string>
 #include <std_srvs/Empty.h>
@@ -264,3 +268,18 @@ def test_what_is_called_by_another_name_is_followed(before: str, code: str, expe
 @table(PYTHON_REACHED, NOT_REACHED_IN_PYTHON)
 def test_what_a_script_calls_by_another_name_is_followed(before: str, code: str, expected: list[str]) -> None:
     assert admits(names(python(f"def make(s):\n    PUB(s)\n{code}\n")), expected)
+
+
+INFINITE = (
+    (cpp, 'ADV("x", INFINITY);'),
+    (cpp, 'ADV("x", std::numeric_limits<double>::infinity());'),
+    (cpp, 'ADV("x", -HUGE_VAL);'),
+    (python, 'rospy.Publisher("x", String, queue_size=float("inf"))\n'),
+)
+
+
+@pytest.mark.parametrize(("followed", "code"), INFINITE)
+def test_no_queue_is_infinite(followed: Callable[[str], Node], code: str) -> None:
+    (end,) = ends(followed(code))
+    assert (end.name, end.queue_size) == ("/x", None)
+    assert [(unknown.field, unknown.reason) for unknown in end.unknowns] == [("queue_size", "it is infinite")]
