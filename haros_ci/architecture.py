@@ -59,7 +59,7 @@ def architecture(
         link,
         workspace,
         programs(workspace, built, store, problems, processes),
-        launch_reader(workspace, store),
+        launch_reader(workspace),
         built,
         api_rows(project.get("apis"), where, problems),
         wanted=chosen_ones,
@@ -157,7 +157,7 @@ def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
     return best.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
 
 
-def launch_reader(workspace: Workspace, store: Store) -> Callable[[str], LaunchFile | None]:
+def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:
     """A function from a root-relative path to the launch file's tags, None if there is no such file."""
     from haros_ci.extract.launch.xml import read_launch
 

@@ -67,7 +67,6 @@ def invoke(
     frame: Frame,
     function: Callable,
     args: tuple[call_arguments.Argument, ...],
-    location: Location | None,
     targs: Any = (),
 ) -> Value:
     """Follow a function of the workspace with these arguments."""
@@ -105,7 +104,7 @@ def invoke(
         run.quiet and spent > REHEARSED
     ):
         return inert.skipped(run, inner, function, definition, returns, given)
-    bind(run, frame, inner, definition, given, ())
+    bind(run, frame, inner, definition, given)
     before = run.steps
     value = conversions.converted(follow_body(run, inner, definition), returns)
     value = copies.returned(run, inner, definition, returns, value)
@@ -144,9 +143,7 @@ def _deduced(definition: Function, args: tuple[call_arguments.Argument, ...]) ->
     return found
 
 
-def bind(
-    run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.Argument, ...], _: Any
-) -> None:
+def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.Argument, ...]) -> None:
     """Declare the parameters of *function* in *inner*: references are the caller's cells, the rest are copies."""
     positional = [argument for argument in args if not argument.keyword]
     named = {argument.keyword: argument for argument in args if argument.keyword}

@@ -99,7 +99,7 @@ def construct(run: Run, frame: Frame, this: Object, kind: Type, args: tuple[Argu
     """What constructing a library's class makes; nothing if no row knows it."""
     row = select(run, kind[0], args)
     if row is not None:
-        _apply(selectors.Applied(run, frame, row, this, args, kind[1], location), this, kind)
+        _apply(selectors.Applied(run, frame, row, this, args, kind[1], location), this)
 
 
 def _filled(
@@ -172,7 +172,7 @@ def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
     return name == wanted
 
 
-def _apply(applied: selectors.Applied, made: Object | None, kind: Type | None = None) -> Value | None:
+def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
     """Make, fill, store and register what the row says; the value that its getter reads is returned."""
     run, row = applied.run, applied.row
     if row.unseen and not run.quiet:
@@ -187,7 +187,7 @@ def _apply(applied: selectors.Applied, made: Object | None, kind: Type | None = 
             continue
         for item in _items(applied, entry):
             inner = replace(applied, item=item)
-            found = emit(inner, entry, kind)
+            found = emit(inner, entry)
             if entry.kind == "getters" and item is None:
                 parameter, known = found, True
     target = made if made is not None else applied.receiver

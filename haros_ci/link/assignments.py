@@ -69,7 +69,7 @@ def assignment(run: Run, frame: Frame, expression: Expression) -> Value:
         argument = call_arguments.Argument(value, None, conversions.value_type(value))
         method = methods.method_of(run, held, f"operator{symbol}", (argument,))
         if method is not None and method.function.body is not None:
-            return activation.invoke(run, frame, method, (argument,), None)
+            return activation.invoke(run, frame, method, (argument,))
     if symbol != "=":
         if python and symbol == "+=" and isinstance(held, Sequence):
             return _extended(run, frame, held, value)
@@ -236,7 +236,7 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
     if isinstance(container, Object) and container.definition is not None:
         method = methods.method_of(run, container, "operator[]")
         if method is not None:
-            return activation.invoke(run, frame, method, (call_arguments.Argument(key),), None)
+            return activation.invoke(run, frame, method, (call_arguments.Argument(key),))
     cells = container.content.value if isinstance(container, Sequence) else ()
     if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
         return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)

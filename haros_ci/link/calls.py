@@ -93,7 +93,7 @@ def method_call(
     if isinstance(receiver, Object):
         method = methods.method_of(run, receiver, name, args)
         if method is not None:
-            return activation.invoke(run, frame, method, args, location, targs)
+            return activation.invoke(run, frame, method, args, targs)
         field = receiver.fields.get(name)
         if field is not None:
             return apply(run, frame, field.value, args, targs, location, ("name", name))
@@ -165,7 +165,7 @@ def _of_base(
     owner = run.class_of(meant[0], frame.source)
     found = methods.class_method(run, *owner, last, args) if owner is not None else None
     if found is not None:
-        return activation.invoke(run, frame, Callable(*found, this, templates=this.templates), args, location, targs)
+        return activation.invoke(run, frame, Callable(*found, this, templates=this.templates), args, targs)
     inherited = _inherited(run, frame, this, name, args, targs, location)
     return inherited if inherited is not None else library.unknown_call(run, frame, f"{this.name}::{name}", args)
 
@@ -188,7 +188,7 @@ def super_call(
             continue
         method = methods.class_method(run, *found, name)
         if method is not None:
-            return activation.invoke(run, frame, Callable(*method, this), args, location)
+            return activation.invoke(run, frame, Callable(*method, this), args)
     return library.unknown_call(run, frame, f"super().{name}", args)
 
 
@@ -215,7 +215,7 @@ def apply(
             assert isinstance(this, Object)
             function = Callable(function.source, function.function, this, function.bound, None, this.templates)
             args = args[1:]
-        return activation.invoke(run, frame, activation.choose(run, frame, function, args), args, location, targs)
+        return activation.invoke(run, frame, activation.choose(run, frame, function, args), args, targs)
     if isinstance(function, ClassValue):
         owner = (function.source, function.definition)
         resolved = tuple(run.type_in(t, frame) for t in targs if isinstance(t, (tuple, list)) and len(t) == 3)
@@ -228,7 +228,7 @@ def apply(
     if isinstance(function, Object):
         method = methods.method_of(run, function, "operator()" if frame.source.separator == "::" else "__call__")
         if method is not None:
-            return activation.invoke(run, frame, method, args, location, targs)
+            return activation.invoke(run, frame, method, args, targs)
     if isinstance(function, Choice):
         ways = [partial(apply, run, frame, option, args, targs, location, callee) for option in function.options]
         return run.either_way(ways, "one of several functions is called")

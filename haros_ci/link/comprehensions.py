@@ -92,7 +92,7 @@ def _guarded(
 
 
 def _call(run: Run, frame: Frame, function: Callable, item: Value) -> Value:
-    return activation.invoke(run, frame, function, (call_arguments.Argument(item),), None)
+    return activation.invoke(run, frame, function, (call_arguments.Argument(item),))
 
 
 def applied(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Value:

@@ -180,7 +180,7 @@ def initialise(
     inits: dict[str, Any] = {}
     body_at = location
     if function is not None:
-        activation.bind(run, frame, inner, function, arguments, ())
+        activation.bind(run, frame, inner, function, arguments)
         for name, kind, args, line, column in function.inits:
             inits[name.rpartition("::")[2]] = (kind, args, line, column)
         if function.body is not None:
@@ -227,7 +227,7 @@ def initialise(
             cell.value = initial(run, declared, kind, member.init, Location(source.path, member.line, member.column))
         elif "*" in kind[2] or "&" in kind[2]:
             cell.value = run.opaque(f"the member {member.name} is not set before", declared, member.line, pointee(kind))
-        elif _has_default(run, kind, source):
+        elif not call_arguments.is_scalar(kind):
             at = body_at if function is not None else Location(source.path, member.line, member.column)
             cell.value = initial(run, declared, kind, None, at)
         else:
@@ -243,10 +243,6 @@ def _as_value(kind: Type, start: Any) -> Any:
     return start
 
 
-def _has_default(run: Run, kind: Type, source: Source) -> bool:
-    return not call_arguments.is_scalar(kind)
-
-
 def python_construct(
     run: Run, frame: Frame, this: Object, arguments: tuple[call_arguments.Argument, ...], location: Location
 ) -> None:
@@ -254,7 +250,7 @@ def python_construct(
     source, definition = this.definition
     method = methods.method_of(run, this, "__init__")
     if method is not None:
-        activation.invoke(run, frame, method, arguments, None)
+        activation.invoke(run, frame, method, arguments)
     for base in methods.library_bases(run, source, definition):
         if method is None:
             library_objects.construct_library(run, frame, this, (base, (), ""), arguments, location)

@@ -24,7 +24,7 @@ Unknowns = list[tuple[str, str, Location | None]]
 PARAMETERS = ("getters", "setters")
 
 
-def emit(applied: Applied, entry: Entry, kind: Type | None) -> Value | None:
+def emit(applied: Applied, entry: Entry) -> Value | None:
     """Make one endpoint (or name the node); for a getter, the value that it reads is returned."""
     run = applied.run
     if entry.kind == "node":

@@ -39,13 +39,12 @@ def follow(run: Run, entry: Entry) -> bool:
 
 
 def _start(run: Run, frame: Frame, entry: Entry) -> None:
-    location = Location(entry.source.path)
     if entry.definition is not None:
         owner = (entry.source, entry.definition)
         construct.instance(run, frame, owner, (), (), Location(entry.source.path, entry.definition.line))
         first, run.roots[:] = list(run.roots), []
         for root in first:
-            activation.invoke(run, frame, root.function, _arguments(run, root, frame), location)
+            activation.invoke(run, frame, root.function, _arguments(run, root, frame))
     elif entry.function is not None:
         words = run.context.arguments
         args: tuple[call_arguments.Argument, ...] = ()
@@ -57,7 +56,7 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
                 call_arguments.Argument(argv or Known(len(cells))),
                 call_arguments.Argument(argv or Sequence(Cell(cells))),
             )
-        activation.invoke(run, frame, Callable(entry.source, entry.function), args, location)
+        activation.invoke(run, frame, Callable(entry.source, entry.function), args)
     else:
         lookup.module_frame(run, entry.source)
 
@@ -141,7 +140,7 @@ def _invoke(run: Run, frame: Frame, root: Root) -> None:
     run.conditions[:] = root.conditions
     for cell, value in root.writes.items():
         run.state.write(cell, value)
-    activation.invoke(run, frame, root.function, _arguments(run, root, frame), Location(frame.source.path))
+    activation.invoke(run, frame, root.function, _arguments(run, root, frame))
     run.conditions[:] = before
 
 

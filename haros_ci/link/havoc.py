@@ -61,7 +61,7 @@ def called(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Non
         mark = run.state.mark()
         run.quiet += 1
         try:
-            activation.invoke(run, frame, function, values, None)
+            activation.invoke(run, frame, function, values)
         finally:
             run.quiet -= 1
             writes = run.state.undo(mark)

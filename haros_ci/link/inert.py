@@ -23,6 +23,7 @@ from haros_ci.link.values import (
     Opaque,
     Pointer,
     Sequence,
+    Text,
     Value,
 )
 from haros_ci.model.program import Function, Type
@@ -233,5 +234,5 @@ def _forget(run: Run, cell: Cell, unknown: Opaque) -> None:
     value = cell.value
     if isinstance(value, (Sequence, Mapped)):
         run.state.write(value.content, unknown)
-    elif isinstance(value, (Known, Choice)) or type(value).__name__ == "Text":
+    elif isinstance(value, (Known, Choice, Text)):
         run.state.write(cell, unknown)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.link import callbacks, harmless, havoc, library_cpp, library_python
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.values import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
+from haros_ci.link.values import NONE, Cell, Known, Mapped, Opaque, Sequence, Text, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Type
 
@@ -76,8 +76,3 @@ def unknown_call(
     if isinstance(receiver, Opaque):
         return Opaque(receiver.reason, receiver.location)
     return run.opaque(f"what {name} returns is not known", frame)
-
-
-def instance_of(name: str, **fields: Value) -> Object:
-    """An object of a modelled class."""
-    return Object(name, fields={key: Cell(value) for key, value in fields.items()})

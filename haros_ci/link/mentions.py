@@ -158,7 +158,7 @@ def _inner(node: Any) -> list[Any]:
     return [part for part in node if (part.__class__ is list or part.__class__ is tuple) and part]
 
 
-def targets(item: Any, found: set[str], source: Source) -> None:
+def targets(item: Any, found: set[str]) -> None:
     """The last names of all that is assigned to, read into or built up in a block."""
     waiting = _inner((item,))
     while waiting:

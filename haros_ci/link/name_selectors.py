@@ -66,7 +66,7 @@ def parent(applied: selectors.Applied, selector: str) -> Value:
     if why is None:
         return Known(f"{applied.run.context.remap(full).rpartition('/')[0]}/")
     head = f"{full.rpartition('/')[0]}/"
-    return Text((head.partition("?")[0] or "/", why)) if "?" in head else Text((head, why))
+    return Text((head.partition("?")[0] or "/", why))
 
 
 def search(applied: selectors.Applied, selector: str) -> Value:

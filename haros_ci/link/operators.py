@@ -73,7 +73,7 @@ def operation(run: Run, frame: Frame, expression: Expression) -> Value:
         given = (call_arguments.Argument(right, None, conversions.value_type(right)),)
         method = methods.method_of(run, left, f"operator{symbol}", given)
         if method is not None:
-            return activation.invoke(run, frame, method, given, None)
+            return activation.invoke(run, frame, method, given)
     return binary(run, frame, symbol, left, right)
 
 
@@ -224,7 +224,7 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: Any, left: Value) -> V
             given = (call_arguments.Argument(right, cell, kind),)
             method = methods.method_of(run, left, f"operator{symbol}", given)
             if method is not None:
-                return activation.invoke(run, frame, method, given, None)
+                return activation.invoke(run, frame, method, given)
         text = left.fields.get("[text]")
         if text is not None and symbol == "<<":
             texts.insert(run, frame, left, right)

@@ -140,7 +140,7 @@ class Relevance:
         result = frozenset[str]()
         if function.body is not None:
             reached: set[str] = set()
-            assigned = set(self._assigned(function.body, source))
+            assigned = set(self._assigned(function.body))
             waiting = list(self.names(function.body, source))
             while waiting:
                 name = waiting.pop()
@@ -149,17 +149,17 @@ class Relevance:
                 reached.add(name)
                 for where, item in self._named(name):
                     if isinstance(item, Function) and item.body is not None:
-                        assigned |= self._assigned(item.body, where)
+                        assigned |= self._assigned(item.body)
                         waiting.extend(self.names(item.body, where))
             result = frozenset(assigned)
         self._changes[id(function)] = (function, result)
         return result
 
-    def _assigned(self, block: Any, source: Source) -> frozenset[str]:
+    def _assigned(self, block: Any) -> frozenset[str]:
         known = self._targets.get(id(block))
         if known is None:
             found: set[str] = set()
-            targets(block, found, source)
+            targets(block, found)
             known = self._targets[id(block)] = (block, frozenset(found))
         return known[1]
 

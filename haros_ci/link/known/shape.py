@@ -16,7 +16,6 @@ from haros_ci.model.workspace import Problem
 
 PACKAGE = r"[A-Za-z][A-Za-z0-9_-]{0,99}"
 DISTRIBUTIONS = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
-TOPICS = ("publishers", "subscribers")
 PARAMETERS = ("getters", "setters")
 PARAMETER_TYPES = ("bool", "int", "double", "str", "yaml")
 NODE_KEYS = ("source", "nodelet", "distributions", *KINDS)
