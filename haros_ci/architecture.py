@@ -193,8 +193,8 @@ def known_types(declared: object, where: str, problems: list[Problem], here: fro
     return known
 
 
-def api_rows(declared: object, where: str, problems: list[Problem]) -> dict[str, tuple[Row, ...]]:
-    """The API rows by language; those of the project file come first."""
+def api_rows(declared: object, where: str, problems: list[Problem]) -> dict[tuple[str, int], tuple[Row, ...]]:
+    """The API rows by language and ROS version; those of the project file come first."""
     own: list[Row] = []
     for number, item in enumerate(declared if isinstance(declared, (list, tuple)) else (), start=1):
         try:
@@ -203,7 +203,7 @@ def api_rows(declared: object, where: str, problems: list[Problem]) -> dict[str,
             own.append(load_row(item))
         except RowError as err:
             problems.append(Problem(where, f"row {number} of 'apis': {err}"))
-    return {language: (*own, *rows(language, 1)) for language in ("cpp", "python")}
+    return {(language, ros): (*own, *rows(language, ros)) for language in ("cpp", "python") for ros in (1, 2)}
 
 
 def configurations(

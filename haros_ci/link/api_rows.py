@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import callbacks, conversions, handles, library_objects, selectors
+from haros_ci.link import callbacks, conversions, handles, library_objects, ros2_nodes, selectors
 from haros_ci.link.emit import emit
 from haros_ci.link.names import clean
 from haros_ci.link.run import Frame, Run
@@ -41,6 +41,13 @@ HANDLES = frozenset(("ros::NodeHandle",))
 UNMISTAKABLE = frozenset(("advertise", "advertiseService", "serviceClient"))
 
 
+def node_class(run: Run, name: str, separator: str) -> str:
+    """The class that a method can only be of, whatever it is called on: a node handle's or, in ROS 2, a node's; else ""."""
+    if run.context.process is not None:
+        return ros2_nodes.NODE[separator] if name in ros2_nodes.UNMISTAKABLE else ""
+    return "ros::NodeHandle" if separator == "::" and name in UNMISTAKABLE else ""
+
+
 def call(
     run: Run,
     frame: Frame,
@@ -61,7 +68,7 @@ def call(
     returns = row.returns
     if returns is not None and all(isinstance(part, str) for part in returns.parts):
         made = Object("".join(str(part) for part in returns.parts), types, location=location)
-    elif returns is None and (any(e.kind == "handle" for e in row.makes) or (row.fills and not receiver)):
+    elif returns is None and (any(e.kind in ("handle", "node") for e in row.makes) or (row.fills and not receiver)):
         made = Object(name, types, location=location)
     is_class = re.split(r"::|\.", name)[-1][:1].isupper()
     if made is None and is_class and receiver is None and row.transparent is None and returns is None:
@@ -180,6 +187,11 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
     parameter: Value | None = None
     known = False
     for entry in row.makes:
+        if entry.kind == "node" and run.context.process is not None:
+            target = made if made is not None else applied.receiver
+            if isinstance(target, Object):
+                ros2_nodes.construct(applied, entry, target)
+            continue
         if entry.kind == "handle":
             target = made if made is not None else applied.receiver
             if isinstance(target, Object):
@@ -188,19 +200,19 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
         for item in _items(applied, entry):
             inner = replace(applied, item=item)
             found = emit(inner, entry)
-            if entry.kind == "getters" and item is None:
+            if entry.kind in ("getters", "parameters") and item is None:
                 parameter, known = found, True
     target = made if made is not None else applied.receiver
+    with_parameter = replace(applied, parameter=parameter)
     if isinstance(target, Object):
         for name, template in row.fills:
-            value = selectors.value_of(applied, template)
+            value = selectors.value_of(with_parameter, template)
             if value is not None:
                 filled = value if not isinstance(value, selectors.TypeValue) else Library(value.type[0])
                 if name in target.fields:
                     run.state.write(target.fields[name], filled)
                 else:
                     target.fields[name] = Cell(filled)
-    with_parameter = replace(applied, parameter=parameter)
     for where, template in row.sets:
         argument = selectors.given(applied.args, where)
         if argument is None:

@@ -126,11 +126,14 @@ def method_call(
                     )
                     if found is not None:
                         return found
-        elif name in api_rows.UNMISTAKABLE and frame.source.program.language != "python":
-            stand_in = Object("ros::NodeHandle", namespace=receiver)
-            found = api_rows.call(run, frame, f"ros::NodeHandle::{name}", stand_in, args, targs, location)
-            if found is not None:
-                return found
+        else:
+            handle = api_rows.node_class(run, name, frame.source.separator)
+            if handle:
+                stand_in = Object(handle, namespace=receiver)
+                qualified = f"{handle}{frame.source.separator}{name}"
+                found = api_rows.call(run, frame, qualified, stand_in, args, targs, location)
+                if found is not None:
+                    return found
         return library.unknown_call(run, frame, name, args, receiver)
     if isinstance(receiver, Library) and receiver.this is None and _is_of_a_handle(frame, name, args):
         space = run.opaque(f"what {receiver.name} is is not known", frame, location.line)
@@ -275,7 +278,9 @@ def _inherited(
 
 #: Functions in which callbacks are called.
 SPINNING = frozenset(
-    "ros::spin ros::spinOnce ros::waitForShutdown rospy.spin rospy.sleep rospy.wait_for_message rospy.wait_for_service".split()
+    "ros::spin ros::spinOnce ros::waitForShutdown rospy.spin rospy.sleep rospy.wait_for_message rospy.wait_for_service "
+    "rclcpp::spin rclcpp::spin_some rclcpp::spin_until_future_complete rclpy.spin rclpy.spin_once "
+    "rclpy.spin_until_future_complete".split()
 )
 
 

@@ -6,11 +6,12 @@ from __future__ import annotations
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
+from haros_ci.link import ros2_emit
 from haros_ci.link.common_messages import COMMON
 from haros_ci.link.ends import UNNAMED
 from haros_ci.link.names import pattern, resolve
 from haros_ci.link.run import Made, Renamed, Run
-from haros_ci.link.types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, pointee
+from haros_ci.link.types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, pointee, ros2_type
 from haros_ci.link.values import NONE, Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
@@ -27,6 +28,8 @@ PARAMETERS = ("getters", "setters")
 def emit(applied: Applied, entry: Entry) -> Value | None:
     """Make one endpoint (or name the node); for a getter, the value that it reads is returned."""
     run = applied.run
+    if run.context.process is not None:
+        return ros2_emit.emit(applied, entry)
     if entry.kind == "node":
         from haros_ci.link.selectors import value_of
 
@@ -154,18 +157,30 @@ def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | N
         if result is None and ("type" in entry.values or "value" in entry.values):
             unknowns.append(("type", "the type of the variable is not known", applied.location))
         return result
+    return interface_type(applied, entry, unknowns)
+
+
+def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | None:
+    """The message, service or action type of an endpoint: ``pkg/T``, in ROS 2 ``pkg/msg/T``; None if it is not known."""
+    from haros_ci.link.selectors import TypeValue, value_of
+
+    found: Any = value_of(applied, entry.values["type"]) if "type" in entry.values else None
+    result: str | None = None
+    if isinstance(found, Library):
+        found = TypeValue((found.name, (), ""))
+    is_ros2 = applied.run.context.process is not None
     if isinstance(found, TypeValue):
-        result = message_type(found.type)
-        if result is not None and not _is_interface(applied, found.type, result):
+        result = ros2_type(found.type) if is_ros2 else message_type(found.type)
+        if result is not None and not is_ros2 and not _is_interface(applied, found.type, result):
             result = None
-        if result is not None and entry.kind == "servers" and not found.type[0].endswith(("::Request", "::Response")):
+        if result is not None and not is_ros2 and entry.kind == "servers" and not found.type[0].endswith(("::Request", "::Response")):
             result = _service(found.type, result)
         if result is None and found.type[0]:
             unknowns.append(("type", f"{found.type[0]} is no message type that is known", applied.location))
             return None
     elif isinstance(found, Known) and isinstance(found.value, str):
         result = found.value
-    if result is not None and entry.kind in ("action_servers", "action_clients"):
+    if result is not None and not is_ros2 and entry.kind in ("action_servers", "action_clients"):
         result = result.removesuffix("Action")
     if result is None:
         reason = found.reason if isinstance(found, Opaque) else "the call does not tell it"

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from haros_ci.link.parameters import ParameterServer
@@ -18,7 +18,7 @@ ANONYMOUS = "the node is anonymous: its name ends in a number of its own"
 
 
 def endpoints(
-    made: tuple[Made, ...], remaps: Mapping[str, str], server: ParameterServer, unnamed: str = UNNAMED
+    made: Iterable[Made], remap: Callable[[Made], str], server: ParameterServer, unnamed: str = UNNAMED
 ) -> tuple[Endpoint, ...]:
     """Endpoints with their final names, by kind and place; *unnamed* says why the node's own name is not known.
 
@@ -28,7 +28,7 @@ def endpoints(
     found = [
         Endpoint(
             kind=item.kind,
-            name=remaps.get(item.name, item.name),
+            name=remap(item),
             original_name=item.name,
             type=item.type,
             location=item.location,
@@ -37,10 +37,14 @@ def endpoints(
             latched=item.latched,
             value=item.value,
             implicit=item.implicit,
+            qos=item.qos,
+            effective=item.effective,
+            read_only=item.read_only,
+            range=item.range,
             source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
-                *_told_by_others(item, remaps, unnamed),
+                *_told_by_others(item, remap(item), unnamed),
             ),
         )
         for item in made
@@ -60,10 +64,15 @@ def endpoints(
     )
 
 
-def _told_by_others(item: Made, remaps: Mapping[str, str], unnamed: str) -> tuple[Unknown, ...]:
+def by(remaps: Mapping[str, str]) -> Callable[[Made], str]:
+    """The final name of what is made under *remaps* of absolute names, as ROS 1 has them."""
+    return lambda item: remaps.get(item.name, item.name)
+
+
+def _told_by_others(item: Made, final: str, unnamed: str) -> tuple[Unknown, ...]:
     if "?" in item.name and not any(field == "name" for field, _, _ in item.unknowns):
         return (Unknown("name", unnamed),)
-    if "?" not in item.name and "?" in remaps.get(item.name, ""):
+    if "?" not in item.name and "?" in final:
         return (Unknown("name", "the launch file remaps it to a name that is not known"),)
     return ()
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from haros_ci.link import activation, call_arguments, construct, inert, lookup
+from haros_ci.link import activation, call_arguments, construct, inert, lookup, ros2_nodes
 from haros_ci.link.index import Source
 from haros_ci.link.run import ROOTS, Frame, OutOfSteps, Root, Run
 from haros_ci.link.state import Writes, joined
@@ -41,10 +41,14 @@ def follow(run: Run, entry: Entry) -> bool:
 def _start(run: Run, frame: Frame, entry: Entry) -> None:
     if entry.definition is not None:
         owner = (entry.source, entry.definition)
-        construct.instance(run, frame, owner, (), (), Location(entry.source.path, entry.definition.line))
+        args = _component_arguments(run, entry)
+        construct.instance(run, frame, owner, (), args, Location(entry.source.path, entry.definition.line))
         first, run.roots[:] = list(run.roots), []
         for root in first:
             activation.invoke(run, frame, root.function, _arguments(run, root, frame))
+    elif entry.function is not None and entry.source.separator == ".":
+        lookup.module_frame(run, entry.source)
+        activation.invoke(run, frame, Callable(entry.source, entry.function), ())
     elif entry.function is not None:
         words = run.context.arguments
         args: tuple[call_arguments.Argument, ...] = ()
@@ -59,6 +63,13 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
         activation.invoke(run, frame, Callable(entry.source, entry.function), args)
     else:
         lookup.module_frame(run, entry.source)
+
+
+def _component_arguments(run: Run, entry: Entry) -> tuple[call_arguments.Argument, ...]:
+    """What a component is constructed with: the options of its node (rclcpp_components/node_factory.hpp)."""
+    if run.context.process is None or entry.source.separator == ".":
+        return ()
+    return (call_arguments.Argument(ros2_nodes.options_for(run), type=("rclcpp::NodeOptions", (), "")),)
 
 
 def _call_back(run: Run, frame: Frame) -> None:

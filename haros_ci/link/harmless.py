@@ -53,7 +53,7 @@ FUNCTIONS = frozenset(
     for space in SPACES
 )
 #: Beginnings of names: logging and checking macros.
-MACROS = ("ROS_", "ROSCONSOLE_", "NODELET_", "EXPECT_", "ASSERT_", "BOOST_ASSERT", "RCUTILS_", "PLUGINLIB_")
+MACROS = ("RCLCPP_", "ROS_", "ROSCONSOLE_", "NODELET_", "EXPECT_", "ASSERT_", "BOOST_ASSERT", "RCUTILS_", "PLUGINLIB_")
 #: Libraries whose functions take what they are given as constants, but for those that get something.
 LIBRARIES = (
     "ros::",
@@ -73,6 +73,11 @@ LIBRARIES = (
     "boost::chrono::",
     "boost::posix_time::",
     "cv_bridge::",
+    "rclcpp::",
+    "rclcpp_action::",
+    "rclcpp_components::",
+    "rclcpp_lifecycle::",
+    "point_cloud_transport::",
 )
 GETTERS = ("get", "search", "read", "parse", "extract", "split", "fill", "from")
 
@@ -87,6 +92,7 @@ PYTHON = frozenset(
 )
 PYTHON_LIBRARIES = (
     "rospy.",
+    "rclpy.",
     "logging.",
     "math.",
     "os.",

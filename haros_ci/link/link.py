@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
 
-from haros_ci.link import api_rows, system
+from haros_ci.link import api_rows, ros2_entries, ros2_system, system
 from haros_ci.link.entries import Programs, executables, nodelets, plugins
 from haros_ci.link.follow import Entry
 from haros_ci.link.index import Source, build_index
@@ -27,7 +27,7 @@ from haros_ci.model.launch import Launched, LaunchFile
 from haros_ci.model.workspace import Problem, Workspace
 
 #: A node with its endpoints, and what went wrong.
-Result = tuple[Node, tuple[Problem, ...]]
+Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
 #: Does jobs, each of a group that has work in common, and gives their results in order.
 Share = Callable[[Sequence[Callable[[], Result]], Sequence[Hashable]], Sequence[Result]]
 #: What is known of a node type outside the workspace, by package and executable or nodelet's look-up name.
@@ -55,7 +55,7 @@ def link(
     sources: Iterable[Source],
     load: Callable[[str], LaunchFile | None],
     builds: Mapping[str, Build],
-    rows: Mapping[str, Iterable[Row]],
+    rows: Mapping[tuple[str, int], Iterable[Row]],
     *,
     wanted: tuple[Wanted, ...] | None = None,
     environment: Mapping[str, str] | None = None,
@@ -95,6 +95,7 @@ def link(
         for package, name in sorted(types.executables):
             if (package, name) not in started and types.executables[package, name][1] not in behind_links:
                 jobs.append(system.alone(types, package, name))
+        jobs += ros2_alone(types, started)
         for described, _, _ in dict.fromkeys(types.nodelets.values()):
             if system.type_of(described.name, described) not in started:
                 jobs.append(system.standalone(types, described.name))
@@ -108,18 +109,19 @@ def link(
             Configuration(
                 name=item.name,
                 launch=tuple(path_name(workspace, path) for path in item.launch),
-                nodes=tuple(node for node, _ in followed),
+                nodes=tuple(node for nodes, _ in followed for node in nodes),
                 parameters=launched.parameters,
                 arguments=tuple((name, str(value)) for name, value in launched.arguments),
                 user_data=item.user_data,
             )
         )
-    for node, said in results:
+    for nodes, said in results:
+        node = nodes[0]
         if node.kind != system.PROGRAM:
             problems.update(dict.fromkeys(said))
             name = f"{node.package}/{node.type}"
             taken = node.kind == "nodelet" and any(c.name == name for c in configurations)
-            configurations.append(Configuration(name=f"{name} (nodelet)" if taken else name, nodes=(node,)))
+            configurations.append(Configuration(name=f"{name} (nodelet)" if taken else name, nodes=nodes))
     for build in builds.values():
         problems.update(dict.fromkeys(build.problems))
     return Architecture(
@@ -133,7 +135,7 @@ def types_of(
     workspace: Workspace,
     sources: Iterable[Source],
     builds: Mapping[str, Build],
-    rows: Mapping[str, Iterable[Row]],
+    rows: Mapping[tuple[str, int], Iterable[Row]],
     known: KnownNodes,
     exact: Exact | None = None,
 ) -> Types:
@@ -145,25 +147,29 @@ def types_of(
     cpp.defined = {build.package: build.defined for build in builds.values() if build.defined}
     python.packages = frozenset(package.name for package in workspace.packages)
     programs = Programs(cpp, python, by_path, builds)
-    tables: dict[str, dict[str, tuple[Row, ...]]] = {}
-    for language, items in rows.items():
+    tables: dict[tuple[str, int], dict[str, tuple[Row, ...]]] = {}
+    for version, items in rows.items():
         table: dict[str, list[Row]] = {}
         for row in items:
             table.setdefault(row.call, []).append(row)
-        tables[language] = {name: tuple(found) for name, found in table.items()}
-    cpp.library = frozenset(name for row in rows.get("cpp", ()) for name in api_rows.names_of(row))
+        tables[version] = {name: tuple(found) for name, found in table.items()}
+    libraries = (row for version, items in rows.items() if version[0] == "cpp" for row in items)
+    cpp.library = frozenset(name for row in libraries for name in api_rows.names_of(row))
     configs = {
         f"{config.package}::{config.name}Config": config
         for _, build in sorted(builds.items())
         for config in build.configs
     }
     relevance = {
-        language: Relevance(python if language == "python" else cpp, [row for found in table.values() for row in found])
-        for language, table in tables.items()
+        version: Relevance(python if version[0] == "python" else cpp, [row for found in table.values() for row in found])
+        for version, table in tables.items()
     }
     reader = yaml_reader(files_of(workspace))
-    ordinary = executables(programs)
-    startable = {**linked(workspace, programs), **executables(programs, tests=True), **ordinary}
+    versions = {package.name: package.ros for package in workspace.packages}
+    ordinary = of_version(executables(programs), versions, 1)
+    every = of_version({**linked(workspace, programs), **executables(programs, tests=True)}, versions, 1)
+    startable = {**every, **ordinary}
+    loadable = of_version(ros2_entries.components(programs), versions, 2)
     return Types(
         programs,
         ordinary,
@@ -176,7 +182,30 @@ def types_of(
         reader,
         known,
         exact=exact,
+        ros2_programs=of_version(ros2_entries.programs_of(programs, loadable), versions, 2),
+        components=loadable,
+        versions=versions,
     )
+
+
+def of_version(
+    found: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]], versions: Mapping[str, int | None], ros: int
+) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
+    """Of node types those in packages of that ROS version; packages that do not tell are of ROS 1."""
+    return {key: entry for key, entry in found.items() if (versions.get(key[0]) == 2) == (ros == 2)}
+
+
+def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
+    """The ROS 2 node types that nothing starts: executables, and components that no executable runs."""
+    running = {id(types.components[each][0]) for each in started if each in types.components}
+    for package, name in sorted(types.ros2_programs):
+        entry = types.ros2_programs[package, name][0]
+        if (package, name) not in started and id(entry) not in running:
+            running.add(id(entry))
+            yield ros2_system.alone(types, package, name)
+    for package, name in sorted(types.components):
+        if id(types.components[package, name][0]) not in running:
+            yield ros2_system.alone(types, package, name, is_component=True)
 
 
 def linked(workspace: Workspace, programs: Programs) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:

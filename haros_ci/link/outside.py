@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from haros_ci.link.entries import Programs
 from haros_ci.link.known.entry import KnownNode
@@ -12,6 +13,11 @@ from haros_ci.link.known.instantiate import instantiate
 from haros_ci.link.parameters import Perhaps
 from haros_ci.link.values import Value, data_of, opaque_of
 from haros_ci.model.architecture import Node, Unknown
+
+if TYPE_CHECKING:
+    from haros_ci.link.ros2_process import Parameters, Rule
+    from haros_ci.link.system import Types
+    from haros_ci.model.launch import LaunchedNode
 
 
 def described(
@@ -78,3 +84,12 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
             where = f"{target.location.path}:{target.location.line}"
             return f"no main function was found in the sources of {what} ({where})"
     return f"package {package} is in the workspace, but no C++ or Python program called {name} was found in it"
+
+
+def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple[Rule, ...], given: Parameters) -> Node:
+    """A ROS 2 *node* whose code is not in the workspace."""
+    reason = why(types.programs, node.package, node.type, None)
+    unknowns = [*node.unknowns, Unknown("endpoints", reason, node.location)]
+    if "?" in node.name and not any(each.field == "name" for each in unknowns):
+        unknowns.append(Unknown("name", "the program names itself, and its code is not in the workspace", node.location))
+    return replace(node, unknowns=tuple(unknowns))

@@ -11,11 +11,12 @@ from typing import Any
 
 from haros_ci.link.index import Index, Source
 from haros_ci.link.relevance import Relevance
+from haros_ci.link.ros2_process import Process, RosNode
 from haros_ci.link.state import State
 from haros_ci.link.types import NO_TYPE, resolve_type
 from haros_ci.link.values import NONE, Callable, Cell, Known, Object, Opaque, Value, join
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Condition
+from haros_ci.model.architecture import Condition, Qos
 from haros_ci.model.build import ConfigFile
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function, Type
@@ -103,6 +104,12 @@ class Made:
     latched: bool | None = None
     value: Any = None
     implicit: bool = False
+    qos: Qos | None = None
+    effective: Any = None
+    read_only: bool | None = None
+    range: Any = None
+    #: The ROS 2 node that has it; None if it is not known, and in ROS 1.
+    node: RosNode | None = None
     is_exact: bool = False
     #: Whether it stands in a branch that is not taken as things are.
     is_dead: bool = False
@@ -147,6 +154,8 @@ class Context:
     #: The process that a nodelet is loaded into; the node itself otherwise.
     process_name: str = ""
     process_namespace: str = "/"
+    #: What a ROS 2 process is given; None in ROS 1.
+    process: Process | None = None
     #: Whether to stop at the first name that the node gives itself (a value, and whether it is made anonymous).
     renames: Function_[[Value, bool], bool] = lambda name, anonymous: False
 
@@ -204,6 +213,8 @@ class Run:
     server: Cell = field(default_factory=lambda: Cell({}))
     config_objects: dict[str, Object] = field(default_factory=dict)
     names: list[tuple[Value, bool]] = field(default_factory=list)
+    #: The nodes of a ROS 2 process, in the order in which they are made.
+    nodes: list[RosNode] = field(default_factory=list)
     #: The place of the ``if`` that each ``else`` belongs to.
     pairs: dict[Location, Location] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)
@@ -243,7 +254,7 @@ class Run:
         """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
         if self.quiet:
             return
-        key = (made.kind, made.name, made.type, made.location, made.queue_size, made.latched, repr(made.value))
+        key = (made.kind, made.name, made.type, made.location, made.queue_size, made.latched, repr(made.value), made.qos, made.node and made.node.name)
         known = self.made.get(key)
         if self.doubts:
             made = replace(made, unknowns=(*made.unknowns, ("conditions", self.doubts[-1], made.location)))

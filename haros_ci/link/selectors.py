@@ -156,6 +156,8 @@ def select_value(applied: Applied, selector: str) -> Any:
         return Object("ros::NodeHandle", namespace=Known(context.name if inside == "~" else context.namespace))
     if function == "parent":
         return name_selectors.parent(applied, inside)
+    if function == "declared":
+        return name_selectors.declared(applied, inside)
     if function == "search":
         return name_selectors.search(applied, inside)
     where, _, index = inside.partition(",")

@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci.link import outside
-from haros_ci.link.ends import ANONYMOUS, UNNAMED, endpoints
+from haros_ci.link.ends import ANONYMOUS, UNNAMED, by, endpoints
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
 from haros_ci.link.index import Source
@@ -17,6 +17,7 @@ from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
+from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Context, Exact, Made, Renamed, Run
 from haros_ci.link.values import Known, Value
 from haros_ci.link.words import scalar, split
@@ -45,6 +46,7 @@ class Followed:
     names: list[tuple[Value, bool]]
     gaps: Mapping[str, Location]
     asked: Mapping[str, Value | None]
+    nodes: tuple[RosNode, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,9 +58,10 @@ class Types:
     #: The same, with those that are built for tests.
     startable: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]]
     nodelets: Mapping[str, tuple[PluginClass, Entry, frozenset[str]]]
-    rows: Mapping[str, Mapping[str, tuple[Row, ...]]]
+    #: By language and ROS version: API rows by call, and what they make relevant.
+    rows: Mapping[tuple[str, int], Mapping[str, tuple[Row, ...]]]
     plugins: Mapping[str, tuple[Source, Class]]
-    relevance: Mapping[str, Relevance]
+    relevance: Mapping[tuple[str, int], Relevance]
     configs: Mapping[str, ConfigFile]
     read_yaml: Any
     #: What is known of node types outside the workspace, by package and type.
@@ -66,6 +69,11 @@ class Types:
     #: What following has given so far, with the parameters that it depended on.
     followed: dict[Any, list[Followed]] = field(default_factory=dict)
     exact: Exact | None = None
+    #: ROS 2: executables and components, by package and executable or class.
+    ros2_programs: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
+    components: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
+    #: The ROS version of each package, None where it does not tell.
+    versions: Mapping[str, int | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +98,7 @@ class Job:
 
     node: Node
     group: Hashable
-    follow: Callable[[], tuple[Node, tuple[Problem, ...]]]
+    follow: Callable[[], tuple[tuple[Node, ...], tuple[Problem, ...]]]
     size: int = 0
 
 
@@ -136,16 +144,16 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     if found is None:
         known = types.known(node.package, outside.look_up(node))
         given = (namespace, words.rest, parameter, remaps)
-        return Job(node, None, lambda: (outside.described(node, types.programs, known, *given), ()))
+        return Job(node, None, lambda: ((outside.described(node, types.programs, known, *given),), ()))
     entry, files = found
     arguments = None if any("?" in word for word in words.rest) else words.rest
     instance = Instance(started.name, namespace, arguments, remaps, process)
 
-    def follow_it() -> tuple[Node, tuple[Problem, ...]]:
+    def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, parameter)
-        unknowns = (*node.unknowns, *_incomplete(followed, entry, node.location))
-        ends = endpoints(followed.made, remaps, server)
-        return replace(node, endpoints=ends, unknowns=unknowns), followed.problems
+        unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
+        ends = endpoints(followed.made, by(remaps), server)
+        return (replace(node, endpoints=ends, unknowns=unknowns),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
@@ -199,16 +207,16 @@ def alone(types: Types, package: str, name: str) -> Job:
         before, chosen = chosen, own
         return own != before
 
-    def follow_it() -> tuple[Node, tuple[Problem, ...]]:
+    def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         try:
             followed = run_node(types, entry, files, instance, server.get, renames)
         except Renamed:
             followed = run_node(types, entry, files, Instance(chosen, "/", (), {}, chosen), server.get)
-        unknowns = _incomplete(followed, entry, location)
-        ends = endpoints(followed.made, {}, server, ANONYMOUS if chosen.endswith("_?") else UNNAMED)
+        unknowns = incomplete(followed, entry, location)
+        ends = endpoints(followed.made, by({}), server, ANONYMOUS if chosen.endswith("_?") else UNNAMED)
         kind = "node" if ends or followed.names else PROGRAM
         made = replace(node, name=chosen, process=chosen, kind=kind, unknowns=unknowns, endpoints=ends)
-        return made, followed.problems
+        return (made,), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
@@ -231,10 +239,11 @@ def standalone(types: Types, look_up: str) -> Job:
         class_name=described.type.strip(),
     )
 
-    def follow_it() -> tuple[Node, tuple[Problem, ...]]:
+    def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, server.get)
-        unknowns = _incomplete(followed, entry, node.location)
-        return replace(node, unknowns=unknowns, endpoints=endpoints(followed.made, {}, server)), followed.problems
+        unknowns = incomplete(followed, entry, node.location)
+        made = replace(node, unknowns=unknowns, endpoints=endpoints(followed.made, by({}), server))
+        return (made,), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files))
 
@@ -274,9 +283,18 @@ def run_node(
         process_namespace=instance.process.rpartition("/")[0] or "/",
         renames=renames,
     )
-    language = "python" if entry.source.program.language == "python" else "cpp"
+    earlier.append(followed_in(types, entry, files, context, asked))
+    return earlier[-1]
+
+
+def followed_in(
+    types: Types, entry: Entry, files: frozenset[str], context: Context, asked: Mapping[str, Value | None]
+) -> Followed:
+    """Follow from *entry* in *context*; what goes wrong is a problem, and what was made until then counts."""
     index = types.programs.index_of(entry)
-    run = Run(index, types.rows[language], context, types.configs, types.relevance[language], files, types.exact)
+    language = "python" if entry.source.program.language == "python" else "cpp"
+    version = (language, 1 if context.process is None else 2)
+    run = Run(index, types.rows[version], context, types.configs, types.relevance[version], files, types.exact)
     problems: tuple[Problem, ...] = ()
     try:
         if not follow(run, entry):
@@ -287,8 +305,7 @@ def run_node(
             f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         )
         problems = (Problem(entry.source.path, said),)
-    earlier.append(Followed(tuple(run.made.values()), problems, run.names, run.gaps, asked))
-    return earlier[-1]
+    return Followed(tuple(run.made.values()), problems, run.names, run.gaps, asked, tuple(run.nodes))
 
 
 def _loaded(
@@ -311,7 +328,7 @@ def _loaded(
     return followed.made, {**problems, **followed.gaps}
 
 
-def _incomplete(followed: Followed, entry: Entry, location: Location | None) -> tuple[Unknown, ...]:
+def incomplete(followed: Followed, entry: Entry, location: Location | None) -> tuple[Unknown, ...]:
     """Why a node may have more endpoints than are known."""
     found = [Unknown("endpoints", problem.message, location) for problem in followed.problems]
     found += [Unknown("endpoints", said, where) for said, where in sorted(followed.gaps.items())]

@@ -42,6 +42,16 @@ WRAPPERS = frozenset(
     )
     for name in names
 )
+#: What RCLCPP_SMART_PTR_DEFINITIONS and the message generator add to a class (rclcpp/macros.hpp, rosidl_generator_cpp).
+ROS2_POINTERS = frozenset(
+    f"{const}{kind}{last}"
+    for const in ("", "Const")
+    for kind in ("Shared", "Unique", "Weak")
+    for last in ("Ptr", "PtrWithInfo")
+)
+#: The ROS 2 parameter types of lists, by that of their elements (rcl_interfaces/msg/ParameterType).
+_ARRAYS = {"bool": "bool[]", "int": "int[]", "double": "double[]", "str": "str[]"}
+_BYTES = frozenset(("uint8_t", "std::uint8_t", "unsigned char", "std::byte"))
 #: Members of traits and containers, which are not types by themselves.
 DEPENDENT = frozenset(("type", "value_type", "element_type", "mapped_type", "key_type"))
 #: Names of ``std`` that something is known of, for ``using namespace std``.
@@ -168,6 +178,8 @@ def _foreign(index: Index, source: Source) -> bool:
 def _pointer(name: str, arguments: Any, marks: str) -> Type:
     """``ros::NodeHandlePtr``, ``pkg::Message::ConstPtr``: the smart pointers that ROS packages give their classes."""
     head, _, last = name.rpartition("::")
+    if last in ROS2_POINTERS and "::" in head:
+        return ("std::shared_ptr", ((head, arguments, ""),), marks)
     for suffix in ("ConstPtr", "Ptr"):
         if last == suffix and "::" in head:
             return ("boost::shared_ptr", ((head, arguments, ""),), marks)
@@ -280,3 +292,59 @@ def data_type(value: Any) -> str | None:
         if isinstance(value, kind):
             return name
     return None
+
+
+def ros2_type(kind: Type | None) -> str | None:
+    """``pkg/msg/T``, ``pkg/srv/T`` or ``pkg/action/T`` of an interface's C++ or Python type; None if it is no such type.
+
+    Pointers, message events and type adapters are looked through; a service's ``::Request`` is the service.
+    """
+    if kind is None:
+        return None
+    kind = pointee(kind)
+    while kind[0] in WRAPPERS and kind[1] and is_type(kind[1][0]):
+        kind = pointee(kind[1][0])
+    name = kind[0]
+    if name.startswith("rclcpp::TypeAdapter") and len(kind[1]) > 1 and is_type(kind[1][1]):
+        return ros2_type(kind[1][1])
+    if name.startswith("rclcpp::adapt_type") and kind[1] and is_type(kind[1][-1]):
+        return ros2_type(kind[1][-1])
+    parts = [part for part in name.replace(".", "::").split("::") if part]
+    for index in range(1, len(parts) - 1):
+        if parts[index] in ("msg", "srv", "action"):
+            rest = parts[index + 1 :]
+            if rest[0].startswith("_") and len(rest) > 1:  # Python's pkg.msg._string.String
+                rest = rest[1:]
+            if rest[1:] and rest[1] not in ROS2_POINTERS | {"Request", "Response", "Goal", "Result", "Feedback"}:
+                return None
+            return f"{parts[index - 1]}/{parts[index]}/{rest[0].removesuffix('_')}"
+    return None
+
+
+def ros2_parameter_type(kind: Type | None) -> str | None:
+    """bool, int, double, str, bytes or a list of these (``int[]``) for a C++ or Python type; None if it is none of them."""
+    if kind is None or not kind[0]:
+        return None
+    kind = pointee(kind)
+    if kind[0] in SEQUENCES:
+        inner = kind[1][0] if kind[1] and is_type(kind[1][0]) else None
+        if inner is not None and inner[0] in _BYTES:
+            return "bytes"
+        return _ARRAYS.get(ros2_parameter_type(inner) or "")
+    found = parameter_type(kind)
+    if found == "yaml":
+        return None
+    return found if found is not None else kind[0] if kind[0] in ("bytes", *_ARRAYS.values()) else None
+
+
+def ros2_data_type(value: Any) -> str | None:
+    """The ROS 2 parameter type of plain data; None for an empty or mixed list."""
+    if isinstance(value, (list, tuple)):
+        kinds = {data_type(item) for item in value}
+        if kinds == {"int", "double"}:
+            kinds = {"double"}
+        return _ARRAYS.get(kinds.pop() or "") if len(kinds) == 1 else None
+    if isinstance(value, bytes):
+        return "bytes"
+    found = data_type(value)
+    return None if found == "yaml" else found

@@ -88,6 +88,8 @@ class Object:
     templates: Mapping[str, Type] = field(default_factory=dict)
     #: The node handle's namespace, where the object is one: a value.
     namespace: Value | None = None
+    #: The ROS 2 node that the object is (``ros2_process.RosNode``).
+    node: Any = None
 
 
 @dataclass(slots=True, eq=False)

@@ -33,6 +33,7 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
                     where nothing sets it
     item.name       in an entry with ``each``: the item's name, type, default, group
     parameter       the value that the row's getter reads
+    declared(0)     ROS 2: whether the node has declared the parameter of that name
     this.namespace  of a node handle: its full namespace       handle()  handle(~)    a node handle, for ``fills``
     node.name  node.namespace  process.name  process.namespace    full names of the node, and of the process that it
                     runs in: the same but for a nodelet, whose process is its manager's
@@ -43,8 +44,14 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
     node            the process registers as node ``name`` (ros::init, rospy.init_node); ``anonymous`` is true, or flags
                     that name ``AnonymousName``
     rate, timer     ``period`` in seconds or ``frequency`` in hertz; not endpoints, kept for other checks
+    parameters      ROS 2: a parameter is declared; ``value`` is its default, ``descriptor`` a ParameterDescriptor
 
-Other keys of an entry: ``name``, ``type``, ``queue_size``, ``latched``, ``value``, ``namespace`` (a handle or text;
+In rows of ROS 2 a ``node`` is an object: the one constructed, else the one returned, becomes a node of the process by
+``name``, ``namespace`` and ``options`` (a NodeOptions), or with ``parent`` (a node) and ``namespace`` a sub-node.
+``lifecycle`` is true for a managed node. Names are relative to the node that is the receiver, or that ``namespace``
+selects: an object that is a node, or has one as its ``node`` field (``fills: {"node": "{0}"}``).
+
+Other keys of an entry: ``name``, ``type``, ``queue_size``, ``latched``, ``qos`` (a number or a profile), ``value``, ``namespace`` (a handle or text;
 default: the receiver if it is a handle, else the node's own namespace), ``implicit``, ``unsure`` (in words, why it may not
 be made at all), ``each: "config(<0>)"`` (one
 endpoint for every parameter of the dynamic_reconfigure file of that class), ``each: "keys(0)"`` (of a dict or map
@@ -78,6 +85,7 @@ ENTRY_KINDS = (
     "action_clients",
     "getters",
     "setters",
+    "parameters",
     "handle",
     "node",
     "rate",
@@ -104,7 +112,11 @@ ENTRY_KEYS = (
     "type",
     "queue_size",
     "latched",
+    "qos",
     "value",
+    "descriptor",
+    "options",
+    "lifecycle",
     "namespace",
     "parent",
     "implicit",
@@ -120,7 +132,7 @@ UNTOLD = ("kind", "each", "implicit", "unsure")
 SELECTOR = re.compile(r"\{([^{}]*)\}")
 ALTERNATIVE = re.compile(
     r"\d+(\.\w+)*|<\d+>|this(<\d+>|(\.\w+)+)?|item\.(name|type|default|group)|parameter|[A-Za-z_]\w*(\.\w+)*"
-    r"|callback\([\w|]+(,\d+)?\)|(typeof|typename|parent|search|remap|canonical)\([\w.|<>]+\)|resolve\([\w.|]+(,\d+)?\)|handle\(~?\)"
+    r"|callback\([\w|]+(,\d+)?\)|(typeof|typename|parent|search|remap|canonical|declared)\([\w.|<>]+\)|resolve\([\w.|]+(,\d+)?\)|handle\(~?\)"
 )
 
 

@@ -23,6 +23,7 @@ KINDS = (
     "action_clients",
     "getters",
     "setters",
+    "parameters",
 )
 
 #: Where an entity was learned: the source, a launch file, a hint of the project file, the data on known nodes, or the
@@ -49,11 +50,32 @@ class Condition:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Endpoint:
-    """One end of a topic, service, action or parameter. *kind* is one of ``KINDS``.
+class Qos:
+    """The quality of service of a ROS 2 topic or service end: words in lower case, times in seconds.
 
-    *name* is resolved and remapped, *original_name* resolved before remapping. *value* is a getter's default in the
-    code, or what a setter writes; None if it has none or it is unknown. *queue_size* and *latched* are of topics.
+    None is the middleware's default, ``?`` not known. *history* is ``keep_last`` or ``keep_all``, *reliability* reliable,
+    best_effort or best_available, *durability* volatile, transient_local or best_available, *liveliness* automatic or
+    manual_by_topic.
+    """
+
+    history: str | None = None
+    depth: int | str | None = None
+    reliability: str | None = None
+    durability: str | None = None
+    deadline: float | str | None = None
+    lifespan: float | str | None = None
+    liveliness: str | None = None
+    lease: float | str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Endpoint:
+    """One end of a topic, service, action or parameter. *kind* is one of ``KINDS``; ``parameters`` are ROS 2 declarations.
+
+    *name* is resolved and remapped, *original_name* resolved before remapping. *value* is a getter's or a declaration's
+    default in the code, or what a setter writes; None if it has none or it is unknown. *effective* is what a declared
+    parameter has once launch files and YAML are applied, *range* its least and greatest value and step. *queue_size* and
+    *latched* are of ROS 1 topics, *qos* of ROS 2 topics and services.
     """
 
     kind: str
@@ -68,11 +90,15 @@ class Endpoint:
     implicit: bool = False
     source: str = "source"
     unknowns: tuple[Unknown, ...] = ()
+    qos: Qos | None = None
+    effective: Any = None
+    read_only: bool | None = None
+    range: tuple[float | None, float | None, float | None] | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Node:
-    """A node of a running system. *kind* is node or nodelet; *type* the executable, or a nodelet's class as looked up.
+    """A node of a running system. *kind* is node, nodelet, component or lifecycle; *ros* is 1 or 2; *type* the executable, or a nodelet's class as looked up.
 
     *package* and *type* are ``kobuki_node`` and ``KobukiNodelet`` for ``kobuki_node/KobukiNodelet``; *class_name* is the C++
     class of a nodelet; *container* the manager's full name; *process* is shared by the nodes of one process.
@@ -93,6 +119,7 @@ class Node:
     process: str | None = None
     source: str = "source"
     unknowns: tuple[Unknown, ...] = ()
+    ros: int = 1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -53,6 +53,66 @@ class Launched:
     problems: tuple[Problem, ...] = ()
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ParameterRule:
+    """A parameter that ROS 2 nodes are given: *node* is the pattern of full node names that it is for.
+
+    In it ``*`` is one part of a name, ``**`` any number of them (``/**``, ``/*/planner``, ``/ns/node``); *name* is dotted.
+    *location* is the tag or call, *origin* the line of YAML. An unknown *value* is None with an entry in *unknowns*; a
+    parameter file that is not known is one rule with the name ``?``.
+    """
+
+    node: str
+    name: str
+    type: str | None
+    value: Any
+    location: Location
+    origin: Location | None = None
+    conditions: tuple[Condition, ...] = ()
+    unknowns: tuple[Unknown, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LaunchedNode:
+    """A ROS 2 node, container or composable that a launch file starts.
+
+    *kind* is node, lifecycle, container or component. *type* is the executable, a component's full class
+    (``ns::Class``). *name* has no namespace, None where the program names itself; *namespace* is full, None where nothing
+    gives it. *container* is the full name of a component's container. *parameters* are in order: of those that match
+    a node the last counts, but one that names the node outright beats a wildcard of the same source. *remaps* are in order, the first
+    that matches counts; a source may be ``node:from``. *arguments* is the substituted ``args``, *ros_arguments* what
+    follows ``--ros-args``. What could not be substituted is ``?`` in the text, with an entry in *unknowns*.
+    """
+
+    kind: str
+    package: str
+    type: str
+    location: Location
+    name: str | None = None
+    namespace: str | None = None
+    container: str | None = None
+    parameters: tuple[ParameterRule, ...] = ()
+    remaps: tuple[tuple[str, str, Location], ...] = ()
+    arguments: str = ""
+    ros_arguments: str = ""
+    conditions: tuple[Condition, ...] = ()
+    environment: tuple[tuple[str, str], ...] = ()
+    launch_prefix: str = ""
+    respawn: bool = False
+    unknowns: tuple[Unknown, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LaunchedSystem:
+    """The whole of a ROS 2 launch file in one context; *arguments*, *files* and *includes* as in ``Launched``."""
+
+    nodes: tuple[LaunchedNode, ...] = ()
+    arguments: tuple[tuple[str, Any], ...] = ()
+    files: tuple[str, ...] = ()
+    includes: tuple[str, ...] = ()
+    problems: tuple[Problem, ...] = ()
+
+
 @dataclass(frozen=True, slots=True)
 class LaunchElement:
     """One tag of a launch file as it is written; *line* and *column* are of its ``<``.

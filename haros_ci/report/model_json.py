@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from itertools import groupby
 from math import isfinite
 from pathlib import PurePosixPath
@@ -23,6 +23,7 @@ from haros_ci.model.architecture import (
     Endpoint,
     Node,
     Parameter,
+    Qos,
     Unknown,
 )
 from haros_ci.model.location import Location
@@ -188,6 +189,7 @@ def _node(node: Node, place: Places) -> dict[str, Any]:
         "package": node.package,
         "type": node.type,
         "class": node.class_name,
+        "ros": node.ros,
         "container": node.container,
         "process": node.process,
         "args": node.arguments,
@@ -217,13 +219,23 @@ def _endpoint(end: Endpoint, place: Places) -> dict[str, Any]:
 def _particulars(end: Endpoint) -> dict[str, Any]:
     match end.kind:
         case "publishers":
-            return {"queue_size": _count(end.queue_size), "latched": end.latched, "qos": None}
+            return {"queue_size": _count(end.queue_size), "latched": end.latched, "qos": _qos(end.qos)}
         case "subscribers":
-            return {"queue_size": _count(end.queue_size), "qos": None}
+            return {"queue_size": _count(end.queue_size), "qos": _qos(end.qos)}
+        case "servers" | "clients" | "action_servers" | "action_clients" if end.qos is not None:
+            return {"qos": _qos(end.qos)}
         case "getters" | "setters":
             return {"value": plain(end.value)}
+        case "parameters":
+            limits = list(end.range) if end.range is not None else None
+            given = {"default": plain(end.value), "value": plain(end.effective)}
+            return {**given, "read_only": end.read_only, "range": limits}
         case _:
             return {}
+
+
+def _qos(qos: Qos | None) -> dict[str, Any] | None:
+    return None if qos is None else {each.name: plain(getattr(qos, each.name)) for each in fields(qos)}
 
 
 def _count(value: int | None) -> int | None:

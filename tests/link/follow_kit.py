@@ -44,8 +44,8 @@ class Nothing:
         return None
 
 
-def workspace(texts: Mapping[str, str]) -> Workspace:
-    """The workspace with these files; every first directory is a package."""
+def workspace(texts: Mapping[str, str], ros: int | None = None) -> Workspace:
+    """The workspace with these files; every first directory is a package, of the ROS version *ros*."""
     packages = {path.partition("/")[0] for path in texts}
     whole = {f"{p}/package.xml": f"<package><name>{p}</name></package>" for p in packages} | dict(texts)
     files = []
@@ -53,13 +53,13 @@ def workspace(texts: Mapping[str, str]) -> Workspace:
         language = language_of(path.rpartition("/")[2]) or ("python" if text.startswith("#!") else None)
         if language is not None:
             files.append(SourceFile(path, language, len(text), "", path.partition("/")[0]))
-    return Workspace(Path("/nowhere"), tuple(Package(p, p) for p in sorted(packages)), tuple(files), Texts(whole))
+    return Workspace(Path("/nowhere"), tuple(Package(p, p, ros=ros) for p in sorted(packages)), tuple(files), Texts(whole))
 
 
-def follow(texts: Mapping[str, str]) -> Architecture:
+def follow(texts: Mapping[str, str], ros: int | None = None) -> Architecture:
     """The architecture of the workspace with these files, without what is known of nodes from elsewhere."""
     settings = Settings(root=Path("/nowhere"))
-    return architecture(workspace(texts), settings, Nothing(), environment={}, known_nodes=False)
+    return architecture(workspace(texts, ros), settings, Nothing(), environment={}, known_nodes=False)
 
 
 def cpp_files(text: str, launch: str = "", **others: str) -> dict[str, str]:
@@ -112,6 +112,51 @@ def cpp(body: str, before: str = "", launch: str = "", **others: str) -> Node:
 def python(body: str, launch: str = "", **modules: str) -> Node:
     """The only node of a package whose script is this."""
     return node(follow(python_files(script(body), launch, **modules)))
+
+
+ROS2_CMAKE = "cmake_minimum_required(VERSION 3.8)\nproject({})\nfind_package(ament_cmake_auto REQUIRED)\n"
+ROS2_HEAD = (
+    "#include <rclcpp/rclcpp.hpp>\n#include <std_msgs/msg/string.hpp>\n"
+    "using std_msgs::msg::String;\nusing namespace std::chrono_literals;\n"
+)
+ROS2_NODE = (
+    'class N : public rclcpp::Node {\npublic:\nexplicit N(const rclcpp::NodeOptions & options)\n: Node("n", options)'
+    "{\n%s\n}\n%s\n};\n"
+)
+
+
+def ros2_files(text: str, launch: Mapping[str, str] | None = None, **others: str) -> dict[str, str]:
+    """The package ``p`` whose library has the component ``N`` of *text*, with the executable ``n``.
+
+    *launch* are launch files by name, *others* are headers and sources, ``__`` for a dot.
+    """
+    more = {f"p/src/{name.replace('__', '.')}": content for name, content in others.items()}
+    sources = " ".join(path[2:] for path in ("p/src/n.cpp", *more) if path.endswith(".cpp"))
+    cmake = ROS2_CMAKE.format("p") + (
+        f"ament_auto_add_library(n_lib SHARED {sources})\n"
+        'rclcpp_components_register_node(n_lib PLUGIN "N" EXECUTABLE n)\nament_auto_package(INSTALL_TO_SHARE launch)\n'
+    )
+    files = {"p/CMakeLists.txt": cmake, "p/src/n.cpp": text, **more}
+    return files | {f"p/launch/{name}": content for name, content in (launch or {}).items()}
+
+
+def ros2_cpp(body: str, members: str = "", before: str = "", **others: str) -> Configuration:
+    """The only configuration of a component with this in its constructor and class."""
+    return only(follow(ros2_files(ROS2_HEAD + before + ROS2_NODE % (body, members), **others), 2))
+
+
+def ros2_main(body: str, before: str = "", **others: str) -> Configuration:
+    """The only configuration of a program with this in ``main``, after ``rclcpp::init``."""
+    more = {f"p/src/{name.replace('__', '.')}": content for name, content in others.items()}
+    sources = " ".join(path[2:] for path in ("p/src/n.cpp", *more) if path.endswith(".cpp"))
+    text = f"{ROS2_HEAD}{before}\nint main(int argc, char ** argv) {{\nrclcpp::init(argc, argv);\n{body}\n}}\n"
+    cmake = ROS2_CMAKE.format("p") + f"ament_auto_add_executable(n {sources})\nament_auto_package()\n"
+    return only(follow({"p/CMakeLists.txt": cmake, "p/src/n.cpp": text, **more}, 2))
+
+
+def explicit(found: Node, kind: str = "publishers") -> list[Endpoint]:
+    """The endpoints of a ROS 2 node that its own code makes."""
+    return [end for end in ends(found, kind) if not end.implicit]
 
 
 def ends(found: Node, kind: str = "publishers") -> list[Endpoint]:

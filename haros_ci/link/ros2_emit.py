@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From an entry of a ROS 2 API row to what it makes: names on the node that it belongs to, QoS, declared parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.link import conversions, ros2_nodes
+from haros_ci.link.names import pattern
+from haros_ci.link.ros2_process import RosNode
+from haros_ci.link.run import Made
+from haros_ci.link.types import ros2_data_type, ros2_parameter_type
+from haros_ci.link.values import NONE, Known, Object, Opaque, Pointer, Value, data_of, opaque_of
+from haros_ci.model.api import Entry
+from haros_ci.model.architecture import KINDS, Qos
+from haros_ci.model.location import Location
+
+if TYPE_CHECKING:
+    from haros_ci.link.selectors import Applied
+
+Unknowns = list[tuple[str, str, Location | None]]
+PARAMETERS = frozenset(("getters", "setters", "parameters"))
+
+
+def emit(applied: Applied, entry: Entry) -> Value | None:
+    """Make one endpoint; for what reads or declares a parameter, the value that it has is returned."""
+    from haros_ci.link.emit import interface_type
+    from haros_ci.link.selectors import value_of
+
+    if entry.kind not in KINDS:
+        return None
+    run = applied.run
+    unknowns: Unknowns = []
+    node, why_not = ros2_nodes.of_entry(applied, entry)
+    given = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    text, why, where = pattern(given if given is not None else Opaque("it is not given", applied.location))
+    if why is None and not text and entry.kind not in PARAMETERS:
+        return None  # no name, no topic: a filter's subscriber that is to be told later
+    if entry.kind in PARAMETERS:
+        return _parameter(applied, entry, node, why_not, (text, why, where))
+    if why is not None:
+        unknowns.append(("name", why, where or applied.location))
+    if node is None:
+        if not text.startswith("/"):
+            unknowns.append(("name", why_not, applied.location))
+        name = text if text.startswith("/") else f"/?/{text.removeprefix('~/')}"
+    else:
+        name = node.expand(text)
+        if "?" in name and why is None and node.why is not None:
+            unknowns.append(("name", *node.why))
+    qos: Qos | None = None
+    if "qos" in entry.values:
+        profile = value_of(applied, entry.values["qos"])
+        if profile is not None:
+            from haros_ci.link.qos import qos_of
+
+            qos, said = qos_of(profile)
+            if said is not None:
+                unknowns.append(("qos", said[0], said[1] or applied.location))
+    endpoint_type = interface_type(applied, entry, unknowns)
+    if entry.unsure:
+        unknowns.append(("conditions", entry.unsure, applied.location))
+    run.make(
+        Made(
+            kind=entry.kind,
+            name=name,
+            type=endpoint_type,
+            location=applied.location,
+            conditions=tuple(run.conditions),
+            implicit=entry.implicit,
+            is_exact=applied.is_exact,
+            unknowns=tuple(unknowns),
+            node=node.whole if node is not None else None,
+            qos=qos,
+        )
+    )
+    return None
+
+
+def _parameter(
+    applied: Applied, entry: Entry, node: RosNode | None, why_not: str, name: tuple[str, str | None, Location | None]
+) -> Value | None:
+    from haros_ci.link.selectors import TypeValue, value_of
+
+    run = applied.run
+    unknowns: Unknowns = []
+    text, why, where = name
+    if why is not None:
+        unknowns.append(("name", why, where or applied.location))
+    if node is None:
+        unknowns.append(("name", why_not, applied.location))
+    elif node.why is not None and why is None:
+        unknowns.append(("name", *node.why))
+    full = f"{node.whole.name if node is not None else '/?'}:{text}"
+    found = value_of(applied, entry.values["value"]) if "value" in entry.values else None
+    default, data = found if not isinstance(found, TypeValue) else None, None
+    default = _unwrapped(default)
+    if default is not None and default != NONE:
+        known, data = data_of(default)
+        if not known:
+            reason = opaque_of(default)
+            said = reason.reason if reason else "it is not plain data"
+            unknowns.append(("value", said, (reason and reason.location) or applied.location))
+            data = None
+    kind = value_of(applied, entry.values["type"]) if "type" in entry.values else None
+    declared: str | None = None
+    if isinstance(kind, TypeValue):
+        declared = ros2_parameter_type(kind.type)
+    elif isinstance(kind, Known):
+        declared = ros2_parameter_type((str(kind.value), (), "")) or str(kind.value)
+    if declared is None and default is not None:
+        declared = ros2_data_type(data) if data is not None else ros2_parameter_type(conversions.value_type(default))
+    value, effective = _effective(applied, node, text if why is None else None, default)
+    if declared is None and entry.kind == "parameters":
+        declared = ros2_data_type(effective)
+    if declared is None and ("type" in entry.values or "value" in entry.values):
+        unknowns.append(("type", "the type of the parameter is not known", applied.location))
+    read_only, limits = _descriptor(applied, entry)
+    if declared == "double" and isinstance(data, int) and not isinstance(data, bool):
+        data = float(data)
+    run.make(
+        Made(
+            kind=entry.kind,
+            name=full,
+            type=declared,
+            location=applied.location,
+            conditions=tuple(run.conditions),
+            value=data,
+            implicit=entry.implicit,
+            is_exact=applied.is_exact,
+            unknowns=tuple(unknowns),
+            node=node.whole if node is not None else None,
+            effective=effective if entry.kind == "parameters" else None,
+            read_only=read_only,
+            range=limits,
+        )
+    )
+    if entry.kind == "setters" or entry.kind == "parameters":
+        stored = default if entry.kind == "setters" else value
+        _remember(applied, full, stored if stored is not None else NONE)
+    return value
+
+
+def _unwrapped(value: Value | None) -> Value | None:
+    """What a ParameterValue or Parameter holds."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Object) and "value" in value.fields:
+        held: Value = value.fields["value"].value
+        return held
+    return value
+
+
+def _effective(
+    applied: Applied, node: RosNode | None, name: str | None, default: Value | None
+) -> tuple[Value | None, Any]:
+    """The value that the parameter has, and as data: what is set or given from outside, else the default."""
+    run = applied.run
+    if name is None or node is None:
+        return Opaque("the parameter's name is not known", applied.location), None
+    found = parameter(applied, node, name)
+    value = found if found is not None else default
+    if value is None:
+        return None, None
+    known, data = data_of(value)
+    return value, data if known else None
+
+
+def parameter(applied: Applied, node: RosNode, name: str) -> Value | None:
+    """What *node* has for a parameter: what it has declared or set itself, else what it is given; None if nothing."""
+    own: Any = applied.run.server.value
+    if isinstance(own, Opaque):
+        return own
+    held = own.get(f"{node.whole.name}:{name}")
+    if held is not None:
+        return None if held == NONE else held
+    return given(applied, node, name)
+
+
+def given(applied: Applied, node: RosNode, name: str) -> Value | None:
+    """What *node* is given for a parameter from outside."""
+    if name in node.whole.given:
+        return node.whole.given[name]
+    return applied.run.context.parameter(f"{node.whole.name}:{name}")
+
+
+def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
+    """Whether the node has declared the parameter of that name."""
+    text, why, _ = pattern(name)
+    own: Any = applied.run.server.value
+    if node is None or why is not None or isinstance(own, Opaque):
+        return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
+    return Known(own.get(f"{node.whole.name}:{text}", NONE) != NONE)
+
+
+def _remember(applied: Applied, full: str, value: Value) -> None:
+    run = applied.run
+    own: Any = run.server.value
+    if isinstance(own, Opaque):
+        return
+    if "?" in full.partition(":")[2]:
+        return  # one more under a name that is not known; the others stay as they are
+    run.state.write(run.server, {**own, full: value})
+
+
+def _descriptor(applied: Applied, entry: Entry) -> tuple[bool | None, Any]:
+    """Whether a parameter is read-only, and its range, as a ParameterDescriptor says."""
+    from haros_ci.link.selectors import value_of
+
+    found = value_of(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
+    if isinstance(found, Pointer):
+        found = found.cell.value
+    if not isinstance(found, Object):
+        return (False if entry.kind == "parameters" and found is None else None), None
+    flag = found.fields.get("read_only")
+    read_only = flag.value.value if flag is not None and isinstance(flag.value, Known) else None
+    if flag is None or flag.value == NONE:
+        read_only = False
+    for name in ("floating_point_range", "integer_range"):
+        cell = found.fields.get(name)
+        first = _first(cell.value) if cell is not None else None
+        if first is not None:
+            limits = tuple(_number(first, part) for part in ("from_value", "to_value", "step"))
+            return bool(read_only), limits
+    return read_only if read_only is None else bool(read_only), None
+
+
+def _first(value: Any) -> Object | None:
+    content = getattr(getattr(value, "content", None), "value", None)
+    if isinstance(content, tuple) and content and isinstance(content[0].value, Object):
+        found: Object = content[0].value
+        return found
+    return None
+
+
+def _number(value: Object, name: str) -> float | None:
+    cell = value.fields.get(name)
+    held = cell.value.value if cell is not None and isinstance(cell.value, Known) else None
+    return float(held) if isinstance(held, (int, float)) and not isinstance(held, bool) else None

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Nodes of a ROS 2 process in the code: what constructs one, and which one an entry of an API row belongs to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.link.names import pattern
+from haros_ci.link.ros2_process import RosNode, named, ros_arguments
+from haros_ci.link.values import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
+from haros_ci.model.api import Entry
+from haros_ci.model.location import Location
+
+if TYPE_CHECKING:
+    from haros_ci.link.run import Run
+    from haros_ci.link.selectors import Applied
+
+#: The class of a node in the client libraries, by language's separator.
+NODE = {"::": "rclcpp::Node", ".": "rclpy.node.Node"}
+#: Methods that no other class has: what they are called on is a node.
+UNMISTAKABLE = frozenset(
+    "create_publisher create_subscription create_service create_client create_generic_publisher "
+    "create_generic_subscription create_wall_timer declare_parameter declare_parameters".split()
+)
+#: Options of a node that say what it makes by itself.
+SWITCHES = ("start_parameter_services", "enable_rosout", "start_parameter_event_publisher")
+#: Fields of an object that hold its node, or the object that has it.
+HOLDING = ("node", "node_")
+UNKNOWN_NODE = "which node it belongs to is not known"
+
+
+def construct(applied: Applied, entry: Entry, target: Object) -> None:
+    """*target* becomes a node: under the name that it is given, unless its options or the process's arguments rename it."""
+    from haros_ci.link.selectors import value_of
+
+    run = applied.run
+    process = run.context.process
+    assert process is not None
+    if "parent" in entry.values:
+        found = of_value(run, value_of(applied, entry.values["parent"]))
+        below = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
+        text, why, where = pattern(below if below is not None else NONE)
+        if found is not None:
+            space = found.expand(text) if not text.startswith(("/", "~")) else found.space
+            target.node = RosNode(
+                name=found.name,
+                own=found.own,
+                space=space,
+                kind=found.kind,
+                class_name=found.class_name,
+                location=applied.location,
+                rules=found.rules,
+                given=found.given,
+                why=(why, where) if why is not None else found.why,
+                main=found.whole,
+                options=found.options,
+            )
+        return
+    name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    space = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
+    options = value_of(applied, entry.values["options"]) if "options" in entry.values else None
+    is_managed = value_of(applied, entry.values["lifecycle"]) == Known(True) if "lifecycle" in entry.values else False
+    target.node = made(run, target, name, space, options, applied.location, is_managed)
+
+
+def made(
+    run: Run,
+    target: Object,
+    name: Value | None,
+    space: Value | None,
+    options: Any,
+    location: Location,
+    is_managed: bool = False,
+) -> RosNode:
+    """A node of the process by the name, namespace and options that its constructor is given."""
+    process = run.context.process
+    assert process is not None
+    text, why, where = pattern(name) if name is not None else ("?", "the code does not tell its name", location)
+    above, space_why, space_where = pattern(space) if space is not None and space != NONE else ("", None, None)
+    options = options.cell.value if isinstance(options, Pointer) else options
+    local, is_open = _arguments(options)
+    rules = (*local, *(() if _flag(options, "use_global_arguments") is False else process.rules))
+    full, own = named(text, above, rules)
+    unknown = None
+    if "?" in full:
+        unknown = (why or space_why or "it is renamed to what is not known", where or space_where or location)
+    elif is_open:
+        full, unknown = "/?", ("the arguments in its options are not known", location)
+    node = RosNode(
+        name=full,
+        own=own,
+        space=own,
+        kind="lifecycle" if is_managed else "node",
+        class_name=target.name,
+        location=location,
+        conditions=tuple(run.conditions),
+        rules=rules,
+        given=_overrides(options),
+        why=unknown,
+        options={switch: flag for switch in SWITCHES if (flag := _flag(options, switch)) is not None},
+    )
+    if not run.quiet:
+        known = next((n for n in run.nodes if (n.name, n.location) == (full, location)), None)
+        if known is None:
+            run.nodes.append(node)
+    return node
+
+
+def options_for(run: Run) -> Object:
+    """The NodeOptions that a component is constructed with: what the container, or launch, gives it."""
+    process = run.context.process
+    words: list[str] = ["--ros-args"]
+    for rule in (process.component or ()) if process is not None else ():
+        head = f"{rule.node}:{rule.source}" if rule.node else rule.source
+        words += ["-r", f"{head}:={rule.target}"]
+    cells = tuple(Cell(Known(word)) for word in words)
+    return Object("rclcpp::NodeOptions", fields={"arguments": Cell(Sequence(Cell(cells)))})
+
+
+def _field(value: Any, name: str) -> Value | None:
+    if isinstance(value, Object) and name in value.fields:
+        held: Value = value.fields[name].value
+        return held
+    return None
+
+
+def _flag(options: Any, name: str) -> bool | None:
+    held = _field(options, name)
+    return held.value if isinstance(held, Known) and isinstance(held.value, bool) else None
+
+
+def _arguments(options: Any) -> tuple[Any, bool]:
+    """The remapping rules in a node's options, and whether there may be others."""
+    held = _field(options, "arguments")
+    if held is None or held == NONE:
+        return (), False
+    words: list[str] = []
+    if isinstance(held, Known) and isinstance(held.value, list):
+        words = [str(word) for word in held.value]
+    elif isinstance(held, Sequence) and isinstance(held.content.value, tuple):
+        words = [pattern(cell.value)[0] for cell in held.content.value]
+    else:
+        return (), True
+    return ros_arguments(words).rules, False
+
+
+def _overrides(options: Any) -> dict[str, Value]:
+    """The parameters in a node's options: ``parameter_overrides``, ``append_parameter_override``."""
+    held = _field(options, "parameter_overrides")
+    found: dict[str, Value] = {}
+    if isinstance(held, Sequence) and isinstance(held.content.value, tuple):
+        for cell in held.content.value:
+            name, value = _field(cell.value, "name"), _field(cell.value, "value")
+            if isinstance(name, Known) and value is not None:
+                found[str(name.value)] = value
+    elif isinstance(held, Mapped) and isinstance(held.content.value, dict):
+        found = {str(key): cell.value for key, cell in held.content.value.items()}
+    return found
+
+
+def of_value(run: Run, value: Any, depth: int = 0) -> RosNode | None:
+    """The node that a value is, or has; None if that is not known."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if not isinstance(value, Object) or depth > 3:
+        return None
+    if value.node is not None:
+        found: RosNode = value.node
+        return found
+    for name in HOLDING:
+        if name in value.fields:
+            inner = of_value(run, value.fields[name].value, depth + 1)
+            if inner is not None:
+                return inner
+    return None
+
+
+def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:
+    """The node that an entry is made on: what ``namespace`` selects, else the receiver; and why it is not known."""
+    from haros_ci.link.selectors import value_of
+
+    run = applied.run
+    chosen = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else applied.receiver
+    if isinstance(chosen, Choice):
+        every = [of_value(run, option) for option in chosen.options]
+        if every and every[0] is not None and all(each is every[0] for each in every):
+            return every[0], ""
+        return None, "it belongs to one of several nodes"
+    found = of_value(run, chosen)
+    if found is not None:
+        return found, ""
+    if isinstance(chosen, Object) and chosen.definition is not None and chosen is applied.receiver:
+        chosen.node = made(run, chosen, None, None, None, chosen.location or applied.location)
+        return chosen.node, ""
+    return None, chosen.reason if isinstance(chosen, Opaque) else UNKNOWN_NODE

@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A ROS 2 configuration: what launch files start, each process followed; every node of it with its own endpoints."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from haros_ci.link import outside
+from haros_ci.link.ends import endpoints
+from haros_ci.link.follow import Entry
+from haros_ci.link.names import clean
+from haros_ci.link.ros2_implicit import implicit
+from haros_ci.link.ros2_process import (
+    Arguments,
+    Parameters,
+    Process,
+    RosNode,
+    Rule,
+    from_arguments,
+    ros_arguments,
+    rule_of,
+)
+from haros_ci.link.run import Context, Made
+from haros_ci.link.system import PROGRAM, Followed, Job, Types, followed_in, incomplete
+from haros_ci.link.parameters import ParameterServer
+from haros_ci.link.values import Known, Value
+from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
+from haros_ci.model.launch import LaunchedNode
+from haros_ci.model.location import Location
+from haros_ci.model.workspace import Problem
+
+NOTHING = ParameterServer(())
+UNNAMED = "the program names itself, and its code is not in the workspace"
+
+
+@dataclass(frozen=True, slots=True)
+class Started:
+    """A process or component as it is started: its remapping rules, parameters, words of its command line."""
+
+    rules: tuple[Rule, ...]
+    parameters: Parameters
+    words: tuple[str, ...]
+    is_component: bool
+
+
+def launched(types: Types, node: LaunchedNode) -> Job:
+    """What a launch file starts: a process with its nodes, or a component."""
+    started = started_by(node)
+    key = (node.package, node.type)
+    found = types.components.get(key) if node.kind == "component" else types.ros2_programs.get(key)
+    name = clean(f"{node.namespace or '/'}/{node.name or '?'}")
+    basic = Node(
+        name=name,
+        kind="node" if node.kind == "container" else node.kind,
+        package=node.package,
+        type=node.type,
+        arguments=node.arguments,
+        conditions=node.conditions,
+        location=node.location,
+        container=node.container,
+        process=node.container or name,
+        source="launch",
+        unknowns=node.unknowns,
+        class_name=node.type if node.kind == "component" else None,
+        ros=2,
+    )
+    if found is None:
+        return Job(basic, None, lambda: (_not_followed(types, node, basic, started), ()))
+    entry, files = found
+    return Job(
+        basic,
+        (id(entry), name),
+        lambda: _followed(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
+        _size(types, files),
+    )
+
+
+def started_by(node: LaunchedNode) -> Started:
+    """The rules, parameters and words that a launched node begins with."""
+    said = ros_arguments(_words(node.ros_arguments, "--ros-args"))
+    more = ros_arguments(_words(node.arguments))
+    naming: list[Rule] = []
+    if node.name is not None:
+        naming.append(Rule("", "__node", node.name))
+    if node.namespace is not None:
+        naming.append(Rule("", "__ns", node.namespace))
+    remaps = [rule for source, target, _ in node.remaps if (rule := rule_of(f"{source}:={target}")) is not None]
+    rules = (*more.rules, *said.rules, *naming, *remaps)
+    given = (*node.parameters, *_arguments_parameters(node.location, more, said))
+    return Started(rules, Parameters(given), more.rest, node.kind == "component")
+
+
+def _arguments_parameters(location: Location, *found: Arguments) -> Iterable:
+    for each in found:
+        yield from from_arguments(each, location)
+
+
+def _words(text: str, first: str = "") -> list[str]:
+    try:
+        words = shlex.split(text)
+    except ValueError:
+        words = text.split()
+    return [first, *words] if first and words and words[0] != first else words
+
+
+def alone(types: Types, package: str, name: str, is_component: bool = False) -> Job:
+    """A node type started by itself, under the name that it gives itself."""
+    entry, files = (types.components if is_component else types.ros2_programs)[package, name]
+    line = entry.function.line if entry.function else entry.definition.line if entry.definition else 1
+    chosen = f"/{name.rpartition('::')[2]}"
+    node = Node(
+        name=chosen,
+        kind="component" if is_component else "node",
+        package=package,
+        type=name,
+        location=Location(entry.source.path, line),
+        process=chosen,
+        class_name=name if is_component else None,
+        ros=2,
+    )
+    started = Started((), Parameters(()), (), is_component)
+    return Job(
+        node, (id(entry), name), lambda: _followed(types, entry, files, node, started, False), _size(types, files)
+    )
+
+
+def _size(types: Types, files: frozenset[str]) -> int:
+    sources = types.programs.sources
+    return sum(len(sources[path].program.functions) for path in files if path in sources)
+
+
+def _followed(
+    types: Types, entry: Entry, files: frozenset[str], node: Node, started: Started, is_named: bool
+) -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
+    """The nodes of a process with what each has."""
+    followed = run_process(types, entry, files, started, node)
+    unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
+    if not followed.nodes:
+        kind = node.kind if is_named or followed.made or node.source == "launch" else PROGRAM
+        ends = endpoints(followed.made, lambda item: item.name, NOTHING)
+        return (replace(node, kind=kind, endpoints=ends, unknowns=unknowns),), followed.problems
+    found: list[Node] = []
+    groups = grouped(followed)
+    main = followed.nodes[0]
+    for each in followed.nodes:
+        made = groups.get(each.name, ())
+        if each is not main and each.name in (other.name for other in found):
+            continue  # the same node on another way
+        own = [] if each is not main else list(unknowns)
+        if each.why is not None:
+            own.append(Unknown("name", each.why[0], each.why[1] or each.location))
+        kind = "lifecycle" if each.kind == "lifecycle" else node.kind if each is main else "node"
+        ends = endpoints(made, final, NOTHING)
+        found.append(
+            replace(
+                node,
+                name=each.name,
+                kind=kind,
+                process=node.container or main.name,
+                class_name=node.class_name if each is main and node.class_name else _class_name(each),
+                remaps=_remaps(each, ends),
+                conditions=(*node.conditions, *each.conditions),
+                location=node.location if node.source == "launch" and each is main else each.location,
+                source=node.source if each is main else "source",
+                unknowns=tuple(own),
+                endpoints=_sorted((*ends, *_implicit(each, kind, started, ends))),
+            )
+        )
+    return tuple(found), followed.problems
+
+
+def _class_name(node: RosNode) -> str | None:
+    return None if node.class_name in ("rclcpp::Node", "rclpy.node.Node") else node.class_name
+
+
+def _implicit(node: RosNode, kind: str, started: Started, ends: tuple[Endpoint, ...]) -> Iterable[Endpoint]:
+    sim = started.parameters.get(node.name, "use_sim_time")
+    value = sim.value if isinstance(sim, Known) else None
+    there = {(end.kind, end.name) for end in ends}
+    for end in implicit(node.name, kind, node.options, value, node.location):
+        final_name = end.name if end.kind == "parameters" else node.remap(end.name)
+        if (end.kind, final_name) not in there:
+            yield replace(end, name=final_name)
+
+
+def _sorted(ends: Iterable[Endpoint]) -> tuple[Endpoint, ...]:
+    return tuple(
+        sorted(ends, key=lambda e: (KINDS.index(e.kind), e.location.sort_key if e.location else (), e.name, e.type or ""))
+    )
+
+
+def grouped(followed: Followed) -> Mapping[str, tuple[Made, ...]]:
+    """What was made, by the full name of the node that has it; what has none is the first node's."""
+    first = followed.nodes[0].name
+    found: dict[str, list[Made]] = {}
+    for item in followed.made:
+        found.setdefault(item.node.name if item.node is not None else first, []).append(item)
+    return {name: tuple(items) for name, items in found.items()}
+
+
+def final(item: Made) -> str:
+    """The name of what is made after remapping; parameters are not remapped."""
+    if item.node is None or item.kind in ("getters", "setters", "parameters") or "?" in item.name:
+        return item.name
+    return item.node.remap(item.name)
+
+
+def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str], ...]:
+    rules = {
+        node.expand(rule.source): node.expand(rule.target)
+        for rule in reversed(node.rules)
+        if not rule.source.startswith("__") and "?" not in rule.source and rule.node in ("", node.name.rpartition("/")[2])
+    }
+    return tuple(sorted(rules.items()))
+
+
+def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
+    """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again."""
+    key = (2, id(entry), started.rules, started.words, started.is_component)
+    earlier = types.followed.setdefault(key, [])
+
+    def parameter(full: str) -> Value | None:
+        name, _, inner = full.partition(":")
+        return started.parameters.get(name, inner, node.conditions)
+
+    for done in earlier:
+        if all(parameter(name) == value for name, value in done.asked.items()):
+            return done
+    asked: dict[str, Value | None] = {}
+
+    def ask(name: str) -> Value | None:
+        value = asked[name] = parameter(name)
+        return value
+
+    is_component = started.is_component
+    words = None if any("?" in word for word in started.words) else started.words
+    context = Context(
+        name="",
+        namespace="/",
+        arguments=words,
+        plugins=types.plugins,
+        parameter=ask,
+        read_yaml=types.read_yaml,
+        process=Process(
+            rules=() if is_component else started.rules, component=started.rules if is_component else None
+        ),
+    )
+    earlier.append(followed_in(types, entry, files, context, asked))
+    return earlier[-1]
+
+
+def _not_followed(types: Types, launched_node: LaunchedNode, node: Node, started: Started) -> tuple[Node, ...]:
+    """A node whose code is not in the workspace: with what is known of its type."""
+    return (outside.ros2_described(node, types, launched_node, started.rules, started.parameters),)
+
+
+def given_parameters(nodes: Iterable[tuple[Node, Parameters]]) -> tuple[Parameter, ...]:
+    """The parameters that each node is given from outside, by full name of node and parameter."""
+    found: dict[tuple[str, Location, Location | None], Parameter] = {}
+    for node, parameters in nodes:
+        for name, rule in sorted(parameters.of(node.name).items()):
+            made = Parameter(
+                name=f"{node.name}:{name}",
+                type=rule.type,
+                value=rule.value,
+                conditions=(*node.conditions, *rule.conditions),
+                location=rule.location,
+                origin=rule.origin,
+                unknowns=rule.unknowns,
+            )
+            found[made.name, rule.location, rule.origin] = made
+    return tuple(found.values())
+
+
+Followable = Callable[[], tuple[tuple[Node, ...], tuple[Problem, ...]]]
