@@ -17,6 +17,7 @@ from haros_ci.extract.program_json import from_json, to_json
 from haros_ci.forks import shared
 from haros_ci.link import hints
 from haros_ci.link.index import Source
+from haros_ci.link.keeping import Keeper
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.link import KnownNodes, Wanted, link
 from haros_ci.model.api import Row, RowError, load_row
@@ -67,7 +68,7 @@ def architecture(
         known=known,
         share=partial(shared, processes=processes),
     )
-    found = link_all()
+    found = link_all(keeper=keeper(workspace, store))
     if exact:
         from haros_ci.exactness import ask, doubtful
 
@@ -92,6 +93,22 @@ def architecture(
         found,
         configurations=tuple(hinted),
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
+    )
+
+
+def keeper(workspace: Workspace, store: Store) -> Keeper:
+    """Where what nodes make is kept between runs: in *store*, beside the facts of the files."""
+    files = {file.path: file.digest for file in workspace.files if file.language in ("cpp", "python")}
+    languages = {file.path: file.language for file in workspace.files}
+
+    def program(path: str, digest: str) -> Program | None:
+        return from_json(store.get(f"facts-{languages[path]}", path, f"{FACTS} {digest}"))
+
+    return Keeper(
+        files,
+        lambda key: store.get("linked", "nodes", f"{FACTS} {key}"),
+        lambda key, data: store.put("linked", "nodes", f"{FACTS} {key}", data),
+        program,
     )
 
 

@@ -14,6 +14,7 @@ from haros_ci.link import (
     dynamic,
     expressions,
     follow,
+    forwarding,
     library,
     library_objects,
     members,
@@ -93,7 +94,8 @@ def method_call(
     if isinstance(receiver, Object):
         method = methods.method_of(run, receiver, name, args)
         if method is not None:
-            return activation.invoke(run, frame, method, args, targs)
+            with forwarding.through(run, method.function, location):
+                return activation.invoke(run, frame, method, args, targs)
         field = receiver.fields.get(name)
         if field is not None:
             return apply(run, frame, field.value, args, targs, location, ("name", name))
@@ -218,7 +220,9 @@ def apply(
             assert isinstance(this, Object)
             function = Callable(function.source, function.function, this, function.bound, None, this.templates)
             args = args[1:]
-        return activation.invoke(run, frame, activation.choose(run, frame, function, args), args, targs)
+        function = activation.choose(run, frame, function, args)
+        with forwarding.through(run, function.function, location):
+            return activation.invoke(run, frame, function, args, targs)
     if isinstance(function, ClassValue):
         owner = (function.source, function.definition)
         resolved = tuple(run.type_in(t, frame) for t in targs if isinstance(t, (tuple, list)) and len(t) == 3)

@@ -26,6 +26,12 @@ class Entry:
     function: Function | None = None
     definition: Class | None = None
 
+    @property
+    def key(self) -> tuple[str, str, str]:
+        """The file and the names of the function and class: the same in the next run."""
+        function = self.function.name if self.function is not None else ""
+        return self.source.path, function, self.definition.name if self.definition is not None else ""
+
 
 def follow(run: Run, entry: Entry) -> bool:
     """Follow the node; what it makes is in ``run.made``. False if it is larger than the budget."""

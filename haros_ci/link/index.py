@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
+from haros_ci.link.trace import Trace, Traced
 from haros_ci.model.program import Alias, Class, Field, Function, Program
 
 Entity = TypeVar("Entity")
@@ -71,6 +72,7 @@ class Index:
     #: The namespaces that are open in each file, and the messages that it includes.
     open: dict[str, tuple[str, ...]] = field(default_factory=dict)
     headers: dict[str, Mapping[str, str]] = field(default_factory=dict)
+    trace: Trace | None = None
     visible: dict[tuple[str, frozenset[str]], tuple[frozenset[str], frozenset[str | None]]] = field(
         default_factory=dict
     )
@@ -79,7 +81,19 @@ class Index:
         self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
     ) -> list[tuple[Source, Entity]]:
         """The entities of that name nearest to *source*; several are equally near, and any may be the one."""
-        found = table.get(name)
+        trace = self.trace
+        if trace is None:
+            return self._near(table, name, source, files)
+        trace.names.add(name)
+        trace.paths.add(source.path)
+        found = self._near(table, name, source, files)
+        trace.paths.update(item[0].path for item in found)
+        return found
+
+    def _near(
+        self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
+    ) -> list[tuple[Source, Entity]]:
+        found = dict.get(table, name)  # type: ignore[call-overload]
         if not found:
             return []
         if len(found) > 1:
@@ -98,6 +112,13 @@ class Index:
 
     def _of_a_class(self, entity: Any) -> bool:
         return isinstance(entity, Function) and entity.owner in self.classes
+
+    def traced(self, trace: Trace | None) -> None:
+        """Tell *trace* from now on what is looked up; None to stop."""
+        self.trace = trace
+        for table in (self.classes, self.functions, self.variables, self.aliases, self.macros, self.by_tail):
+            if isinstance(table, Traced):
+                table.trace = trace
 
     def sees(self, source: Source, other: Source, files: frozenset[str]) -> bool:
         """Whether code of *source*, in an executable of *files*, can use what stands in *other*, as far as can be told."""
@@ -233,6 +254,8 @@ def build_index(sources: Iterable[Source]) -> Index:
         for function in source.program.functions:
             if function.owner and function.owner not in index.classes and function.owner in index.aliases:
                 _through_alias(index, source, function)
+    for name in ("classes", "functions", "variables", "aliases", "macros", "by_tail"):
+        setattr(index, name, Traced(getattr(index, name)))
     return index
 
 

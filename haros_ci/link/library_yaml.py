@@ -38,6 +38,8 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
 
 def yaml_file(run: Run, path: Value) -> Value:
     if isinstance(path, Known) and isinstance(path.value, str):
+        if run.index.trace is not None:
+            run.index.trace.is_whole = False
         found = run.context.read_yaml(path.value)
         if found is not None:
             return found

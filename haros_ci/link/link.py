@@ -5,13 +5,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import islice
 from typing import Any
 
-from haros_ci.link import api_rows, ros2_entries, ros2_system, system
+from haros_ci.link import api_rows, keeping, ros2_entries, ros2_system, system
 from haros_ci.link.entries import Programs, executables, nodelets, plugins
 from haros_ci.link.follow import Entry
 from haros_ci.link.index import Source, build_index
+from haros_ci.link.keeping import Keeper
+from haros_ci.link.kept import Followed
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.parameters import ParameterServer, yaml_reader
 from haros_ci.link.relevance import Relevance
@@ -29,12 +32,12 @@ from haros_ci.model.workspace import Problem, Workspace
 #: A node with its endpoints, and what went wrong.
 Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
 #: Does jobs, each of a group that has work in common, and gives their results in order.
-Share = Callable[[Sequence[Callable[[], Result]], Sequence[Hashable]], Sequence[Result]]
+Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
 #: What is known of a node type outside the workspace, by package and executable or nodelet's look-up name.
 KnownNodes = Callable[[str, str], KnownNode | None]
 
 
-def in_turn(jobs: Sequence[Callable[[], Result]], groups: Sequence[Hashable]) -> Sequence[Result]:
+def in_turn(jobs: Sequence[Callable[[], Any]], groups: Sequence[Hashable]) -> Sequence[Any]:
     """Do the jobs here, one after the other."""
     return [job() for job in jobs]
 
@@ -62,13 +65,15 @@ def link(
     known: KnownNodes | None = None,
     exact: Exact | None = None,
     share: Share = in_turn,
+    keeper: Keeper | None = None,
 ) -> Architecture:
     """The architecture of *workspace*.
 
     *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
     *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
     is one alone. *known* tells what is known of node types that are not of the workspace, *exact* what the exact
-    tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes.
+    tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes. *keeper* has what
+    earlier runs followed.
     """
     types = types_of(workspace, sources, builds, rows, known or (lambda package, name: None), exact)
     problems: dict[Problem, None] = {}
@@ -99,9 +104,14 @@ def link(
         for described, _, _ in dict.fromkeys(types.nodelets.values()):
             if system.type_of(described.name, described) not in started:
                 jobs.append(system.standalone(types, described.name))
+    key = keeping.key_of(types, rows) if keeper is not None else ""
+    old = keeping.take_up(types, keeper, key) if keeper is not None else []
     order = sorted(range(len(jobs)), key=lambda number: -jobs[number].size)  # large ones first: nobody waits at the end
-    done = dict(zip(order, share([jobs[n].follow for n in order], [jobs[n].group for n in order]), strict=True))
-    results = (done[number] for number in range(len(jobs)))
+    work = [partial(_worked, types, jobs[number]) for number in order]
+    done = dict(zip(order, share(work, [jobs[number].group for number in order]), strict=True))
+    if keeper is not None:
+        keeping.hand_on(keeper, key, old, [each for _, fresh in done.values() for each in fresh])
+    results = (done[number][0] for number in range(len(jobs)))
     for item, launched, count in opened:
         followed = list(islice(results, count))
         problems.update(dict.fromkeys(problem for _, said in followed for problem in said))
@@ -129,6 +139,12 @@ def link(
         packages=workspace.packages,
         problems=tuple(sorted(problems, key=lambda p: (p.path, p.line or 0, p.message))),
     )
+
+
+def _worked(types: Types, job: Job) -> tuple[Result, list[tuple[Any, Followed]]]:
+    """What a job gives, and all that was followed for it."""
+    before = len(types.fresh)
+    return job.follow(), types.fresh[before:]
 
 
 def types_of(

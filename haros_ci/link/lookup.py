@@ -325,6 +325,8 @@ def module_frame(run: Run, source: Source) -> Frame:
         from haros_ci.link import statements
 
         frame = run.modules[source.path] = Frame(source, "")
+        if run.index.trace is not None:
+            run.index.trace.paths.add(source.path)
         body = next((f for f in source.program.functions if f.kind == "module"), None)
         if body is not None and body.body:
             for statement in body.body:

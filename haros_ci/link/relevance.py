@@ -53,7 +53,7 @@ class Relevance:
                 self._by_name.setdefault(last(name), []).extend(found)
         self._blocks: dict[tuple[int, int], tuple[Any, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
-        self._changes: dict[int, tuple[Function, frozenset[str]]] = {}
+        self._changes: dict[int, tuple[Function, frozenset[str], set[str]]] = {}
         self._variables: dict[int, tuple[Function, frozenset[str]]] = {}
         self._makes: dict[int, tuple[Function, bool]] = {}
         #: The last parts of the names of all global variables, module variables and static members.
@@ -135,11 +135,14 @@ class Relevance:
 
     def changes(self, function: Function, source: Source) -> frozenset[str]:
         """The names that a function, or anything that it calls, assigns to."""
+        trace = self._index.trace
         if id(function) in self._changes:
+            if trace is not None:
+                trace.names |= self._changes[id(function)][2]
             return self._changes[id(function)][1]
         result = frozenset[str]()
+        reached: set[str] = set()
         if function.body is not None:
-            reached: set[str] = set()
             assigned = set(self._assigned(function.body))
             waiting = list(self.names(function.body, source))
             while waiting:
@@ -152,8 +155,28 @@ class Relevance:
                         assigned |= self._assigned(item.body)
                         waiting.extend(self.names(item.body, where))
             result = frozenset(assigned)
-        self._changes[id(function)] = (function, result)
+        self._changes[id(function)] = (function, result, reached)
+        if trace is not None:
+            trace.names |= reached
         return result
+
+    def calls_of(self, function: Function, source: Source) -> frozenset[str]:
+        """The names of all that a function of *source* calls, its initialisers included."""
+        found = self.names(function.body, source, function) if function.body is not None else frozenset[str]()
+        return found | self.names(function.inits, source) if function.inits else found
+
+    def assigned_in(self, function: Function) -> frozenset[str]:
+        """The names that a function assigns to by itself."""
+        return self._assigned(function.body) if function.body is not None else frozenset()
+
+    def called(self, name: str) -> bool:
+        """Whether a call of this spelling, as ``calls_of`` has it, may make something."""
+        return name == GIVEN or self._name_matters(name)
+
+    def rules(self) -> tuple[Any, ...]:
+        """What is relevant by itself, whatever is called: a change of it voids all that was followed."""
+        sets = (self._api, self._registering, self.shared, self.holding, self._function_types, self._functors)
+        return tuple(tuple(sorted(each)) for each in (*sets, self._functor_members))
 
     def _assigned(self, block: Any) -> frozenset[str]:
         known = self._targets.get(id(block))
@@ -197,9 +220,9 @@ class Relevance:
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
         if isinstance(item, Class):
             found = [last(kind) for f in item.fields for kind in type_names(f.type)] + [last(b[0]) for b in item.bases]
-            if self._index.functions.get(f"{item.name}::{CALL}"):
+            if dict.get(self._index.functions, f"{item.name}::{CALL}"):  # untraced: kept.py compares what is called
                 found.append(CALL)
-            for where, function in self._index.functions.get(f"{item.name}.__init__", ()):
+            for where, function in dict.get(self._index.functions, f"{item.name}.__init__", ()):
                 if where.path == source.path and function.body is not None:
                     found += self.names(function.body, where)
             return found

@@ -23,7 +23,8 @@ from haros_ci.link.ros2_process import (
     rule_of,
 )
 from haros_ci.link.run import Context, Made
-from haros_ci.link.system import PROGRAM, Followed, Job, Types, followed_in, incomplete
+from haros_ci.link.kept import Followed
+from haros_ci.link.system import PROGRAM, Job, Types, followed_in, incomplete
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.values import Known, Value
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
@@ -218,7 +219,7 @@ def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str],
 
 def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
     """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again."""
-    key = (2, id(entry), started.rules, started.words, started.is_component)
+    key = (2, entry.key, started.rules, started.words, started.is_component)
     earlier = types.followed.setdefault(key, [])
 
     def parameter(full: str) -> Value | None:
@@ -247,7 +248,7 @@ def run_process(types: Types, entry: Entry, files: frozenset[str], started: Star
             rules=() if is_component else started.rules, component=started.rules if is_component else None
         ),
     )
-    earlier.append(followed_in(types, entry, files, context, asked))
+    earlier.append(followed_in(types, entry, files, context, asked, key))
     return earlier[-1]
 
 

@@ -232,6 +232,8 @@ class Run:
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
     quiet: int = 0
+    #: Where the call stands that a wrapper forwards to an API.
+    outer: Location | None = None
     #: Branches around what is followed that are not taken as things are.
     dead: int = 0
     steps: int = 0

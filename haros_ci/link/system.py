@@ -16,8 +16,9 @@ from haros_ci.link.index import Source
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
+from haros_ci.link.kept import Followed, small
 from haros_ci.link.relevance import Relevance
-from haros_ci.link.ros2_process import RosNode
+from haros_ci.link.trace import Trace
 from haros_ci.link.run import Context, Exact, Made, Renamed, Run
 from haros_ci.link.values import Known, Value
 from haros_ci.link.words import scalar, split
@@ -35,18 +36,6 @@ LOAD, STANDALONE, MANAGER = "load", "standalone", "manager"
 PROGRAM = "program"
 #: Nodelets that load nodelets that load nodelets.
 DEEPEST = 3
-
-
-@dataclass(frozen=True, slots=True)
-class Followed:
-    """What one node has made, what went wrong, the names it gives itself; and each parameter that it asked for."""
-
-    made: tuple[Made, ...]
-    problems: tuple[Problem, ...]
-    names: list[tuple[Value, bool]]
-    gaps: Mapping[str, Location]
-    asked: Mapping[str, Value | None]
-    nodes: tuple[RosNode, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +58,9 @@ class Types:
     #: What following has given so far, with the parameters that it depended on.
     followed: dict[Any, list[Followed]] = field(default_factory=dict)
     exact: Exact | None = None
+    #: What nodes of one language and set of files have consulted, and what was followed in this run.
+    traces: dict[Any, Trace] = field(default_factory=dict)
+    fresh: list[tuple[Any, Followed]] = field(default_factory=list)
     #: ROS 2: executables and components, by package and executable or class.
     ros2_programs: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
     components: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
@@ -258,7 +250,7 @@ def run_node(
 ) -> Followed:
     """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
     wiring = tuple(sorted(instance.remaps.items()))
-    key = (id(entry), instance.name, instance.namespace, instance.arguments, wiring, instance.process)
+    key = (entry.key, instance.name, instance.namespace, instance.arguments, wiring, instance.process)
     earlier = types.followed.setdefault(key, [])
     for done in earlier:
         if all(parameter(name) == value for name, value in done.asked.items()):
@@ -283,15 +275,35 @@ def run_node(
         process_namespace=instance.process.rpartition("/")[0] or "/",
         renames=renames,
     )
-    earlier.append(followed_in(types, entry, files, context, asked))
+    earlier.append(followed_in(types, entry, files, context, asked, key))
     return earlier[-1]
 
 
 def followed_in(
-    types: Types, entry: Entry, files: frozenset[str], context: Context, asked: Mapping[str, Value | None]
+    types: Types, entry: Entry, files: frozenset[str], context: Context, asked: Mapping[str, Value | None], key: Any
 ) -> Followed:
     """Follow from *entry* in *context*; what goes wrong is a problem, and what was made until then counts."""
     index = types.programs.index_of(entry)
+    trace = types.traces.setdefault((entry.source.separator, files), Trace())
+    before = index.trace
+    index.traced(trace)
+    try:
+        return _followed_in(types, entry, files, context, asked, key, trace)
+    finally:
+        index.traced(before)
+
+
+def _followed_in(
+    types: Types,
+    entry: Entry,
+    files: frozenset[str],
+    context: Context,
+    asked: Mapping[str, Value | None],
+    key: Any,
+    trace: Trace,
+) -> Followed:
+    index = types.programs.index_of(entry)
+    trace.paths |= {entry.source.path, *files}
     language = "python" if entry.source.program.language == "python" else "cpp"
     version = (language, 1 if context.process is None else 2)
     run = Run(index, types.rows[version], context, types.configs, types.relevance[version], files, types.exact)
@@ -305,7 +317,12 @@ def followed_in(
             f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         )
         problems = (Problem(entry.source.path, said),)
-    return Followed(tuple(run.made.values()), problems, run.names, run.gaps, asked, tuple(run.nodes))
+    if context.loaded:
+        trace.is_whole = False
+    made, nodes = tuple(run.made.values()), tuple(run.nodes)
+    followed = Followed(made, problems, tuple(run.names), run.gaps, asked, nodes, small(trace))
+    types.fresh.append((key, followed))
+    return followed
 
 
 def _loaded(

@@ -1,0 +1,316 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Nodes that were followed before: what they gave holds as long as nothing that they consulted has changed.
+
+A node's result depends on what it looked up (``trace``), on what it is given (parameters, rules, arguments), and on whether
+functions may make something, which is known by name. A record keeps all three beside the digests of all files. From the
+facts of a changed file before and after follows which names mean something else now (docs/decisions/0009).
+"""
+
+from __future__ import annotations
+
+from base64 import b64decode, b64encode
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from hashlib import sha256
+from struct import pack, unpack
+from typing import Any
+from zlib import crc32
+
+from haros_ci.link.index import Index, Source
+from haros_ci.link.kept_json import Unfit, from_json, to_json
+from haros_ci.link.relevance import Relevance
+from haros_ci.link.ros2_process import RosNode
+from haros_ci.link.run import Made
+from haros_ci.link.trace import Trace
+from haros_ci.link.values import Value
+from haros_ci.model.location import Location
+from haros_ci.model.program import Function, Program
+from haros_ci.model.workspace import Problem
+
+#: Part of every key: an interpreter that makes something else of the same facts gets another.
+VERSION = "1"
+
+
+@dataclass(frozen=True, slots=True)
+class Followed:
+    """What one node has made, what went wrong, the names it gives itself; and each parameter that it asked for."""
+
+    made: tuple[Made, ...]
+    problems: tuple[Problem, ...]
+    names: tuple[tuple[Value, bool], ...]
+    gaps: Mapping[str, Location]
+    asked: Mapping[str, Value | None]
+    nodes: tuple[RosNode, ...] = ()
+    consulted: Consulted | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Consulted:
+    """A ``Trace`` made small: paths, the names' last parts as numbers."""
+
+    paths: tuple[str, ...]
+    names: bytes
+    has_scanned: bool
+
+
+@dataclass(slots=True)
+class Change:
+    """What of the C++ and Python files is not as it was: *paths*, *names*, and those whose includes are others."""
+
+    paths: set[str] = field(default_factory=set)
+    names: set[int] = field(default_factory=set)
+    includes: set[str] = field(default_factory=set)
+    is_shape: bool = False
+    #: Whether all that was known is void.
+    is_all: bool = False
+
+
+def small(trace: Trace) -> Consulted | None:
+    """*trace* as it is kept; None if it is not all that was consulted."""
+    if not trace.is_whole:
+        return None
+    numbers = sorted({number_of(name) for name in trace.names})
+    return Consulted(tuple(sorted(trace.paths)), pack(f"<{len(numbers)}I", *numbers), trace.has_scanned)
+
+
+def number_of(name: str) -> int:
+    return crc32(last(name).encode())
+
+
+def last(name: str) -> str:
+    return name.rpartition("::")[2].rpartition(".")[2] or name
+
+
+def holds(consulted: Consulted, change: Change, indexes: Sequence[Index]) -> bool:
+    """Whether what was consulted is as it was."""
+    if change.is_all or not change.paths.isdisjoint(consulted.paths):
+        return False
+    if change.names:
+        if consulted.has_scanned and change.is_shape:
+            return False
+        numbers = unpack(f"<{len(consulted.names) // 4}I", consulted.names)
+        if not change.names.isdisjoint(numbers):
+            return False
+    if change.includes:
+        for index in indexes:
+            if any(not change.includes.isdisjoint(index.reach(path)) for path in consulted.paths):
+                return False
+    return True
+
+
+def change_of(
+    before: Mapping[str, str],
+    now: Mapping[str, str],
+    source_before: Callable[[str, str], Source | None],
+    source_now: Callable[[str], Source | None],
+    relevance: Callable[[str], Sequence[Relevance]],
+) -> Change:
+    """What has changed from the files *before* to those of *now* (digests by path)."""
+    change = Change()
+    if before.keys() != now.keys():
+        change.is_all = True
+        return change
+    for path in sorted(now):
+        if before[path] == now[path]:
+            continue
+        old, new = source_before(path, before[path]), source_now(path)
+        if old is None or new is None:
+            change.is_all = True
+            return change
+        change.paths.add(path)
+        _compare(change, path, old, new, relevance(path))
+        if change.is_all:
+            return change
+    return change
+
+
+def _compare(change: Change, path: str, before: Source, now: Source, relevance: Sequence[Relevance]) -> None:
+    old, new = before.program, now.program
+    if (old.includes, old.scopes, old.registered) != (new.includes, new.scopes, new.registered):
+        change.includes.add(path)
+    for which in ("classes", "variables", "aliases", "macros"):
+        gone, come = _entities(getattr(old, which)), _entities(getattr(new, which))
+        for name in gone.keys() | come.keys():
+            if gone.get(name) != come.get(name):
+                change.names.add(number_of(name))
+                change.is_shape = True
+    earlier, later = _functions(old), _functions(new)
+    for name in earlier.keys() | later.keys():
+        gone_ones, come_ones = earlier.get(name, []), later.get(name, [])
+        if [_head(each) for each in gone_ones] != [_head(each) for each in come_ones]:
+            change.names.add(number_of(name))
+            change.is_shape = True
+        if gone_ones != come_ones and _reaches_other(name, before, now, gone_ones, come_ones, relevance, change):
+            change.is_all = True
+            return
+
+
+def _entities(items: Iterable[Any]) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for item in items:
+        name = item[0] if isinstance(item, (tuple, list)) else item.name
+        shown = item
+        if hasattr(item, "line"):
+            shown = replace(item, line=0, column=0)
+        found.setdefault(name, []).append(_shown(shown))
+    return found
+
+
+def _shown(item: Any) -> str:
+    return repr(item).replace("[", "(").replace("]", ")").replace(",)", ")")
+
+
+def _functions(program: Program) -> dict[str, list[Function]]:
+    found: dict[str, list[Function]] = {}
+    for function in program.functions:
+        found.setdefault(function.name, []).append(function)
+    return found
+
+
+def _head(function: Function) -> str:
+    """A function but for what it does and where."""
+    has_body = function.body is not None
+    bare = replace(function, body=None, inits=(), line=0, column=0, body_line=0, body_column=0, guards=())
+    return f"{has_body} {_shown(bare)}"
+
+
+def _reaches_other(
+    name: str,
+    old: Source,
+    new: Source,
+    gone: list[Function],
+    come: list[Function],
+    relevance: Sequence[Relevance],
+    change: Change,
+) -> bool:
+    """Whether what is called by the functions of one name differs so that more, or less, may be made by a call."""
+    for each in relevance:
+        before = frozenset(called for function in gone for called in each.calls_of(function, old))
+        after = frozenset(called for function in come for called in each.calls_of(function, new))
+        assigned = [frozenset(a for f in group for a in each.assigned_in(f)) for group in (gone, come)]
+        if before != after or assigned[0] != assigned[1]:
+            change.names.add(number_of(name))
+        if any(map(each.called, before ^ after)) and not any(map(each.called, before & after)):
+            return True
+    return False
+
+
+@dataclass(slots=True)
+class Record:
+    """What earlier runs have followed: by key the results, and what each consulted."""
+
+    files: Mapping[str, str]
+    followed: list[tuple[Any, Followed]]
+
+
+def digest_of(*parts: Any) -> str:
+    """A key for what every result depends on."""
+    found = sha256(VERSION.encode())
+    for part in parts:
+        found.update(repr(part).encode("utf-8", "surrogatepass"))
+    return found.hexdigest()
+
+
+def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) -> Any:
+    """A record as JSON: paths once, what nodes of one library consulted once."""
+    paths = {path: number for number, path in enumerate(sorted(files))}
+    traces: dict[Consulted, int] = {}
+    items = []
+    for key, each in followed:
+        if each.consulted is None or each.problems:
+            continue
+        try:
+            item = [to_json(key), *_written(each)]
+        except Unfit:
+            continue
+        items.append([traces.setdefault(each.consulted, len(traces)), *item])
+    kept_traces = [
+        [[paths[p] for p in each.paths if p in paths], b64encode(each.names).decode(), each.has_scanned]
+        for each in traces
+    ]
+    return [list(files.items()), kept_traces, items]
+
+
+def _written(each: Followed) -> list[Any]:
+    nodes: dict[int, int] = {}
+    table: list[RosNode] = []
+    for node in (*each.nodes, *(made.node for made in each.made if made.node is not None)):
+        if id(node) not in nodes:
+            nodes[id(node)] = len(table)
+            table.append(node)
+    made = [[nodes[id(m.node)] if m.node is not None else -1, to_json(replace(m, node=None))] for m in each.made]
+    asked = [[name, to_json(value)] for name, value in each.asked.items()]
+    gaps = [[said, to_json(where)] for said, where in each.gaps.items()]
+    return [to_json(tuple(table)), len(each.nodes), made, asked, gaps, to_json(each.names)]
+
+
+def read(data: Any) -> Record | None:
+    """The record that *data* is the JSON of; None if it is none."""
+    try:
+        files, traces, items = data
+        known = {_text(path): _text(digest) for path, digest in files}
+        paths = sorted(known)
+        consulted = [
+            Consulted(tuple(paths[_index(n, paths)] for n in numbers), b64decode(_text(names)), bool(scanned))
+            for numbers, names, scanned in traces
+        ]
+        followed = []
+        for trace, key, table, count, made, asked, gaps, names in items:
+            nodes = from_json(table)
+            if not isinstance(nodes, tuple) or not all(node.__class__ is RosNode for node in nodes):
+                return None
+            followed.append(
+                (
+                    from_json(key),
+                    Followed(
+                        made=tuple(_made(each, nodes) for each in made),
+                        problems=(),
+                        names=_names(from_json(names)),
+                        gaps={_text(said): _location(from_json(where)) for said, where in gaps},
+                        asked={_text(name): from_json(value) for name, value in asked},
+                        nodes=nodes[: _count(count)],
+                        consulted=consulted[_index(trace, consulted)],
+                    ),
+                )
+            )
+        return Record(known, followed)
+    except (Unfit, ValueError, TypeError):
+        return None
+
+
+def _made(data: Any, nodes: tuple[RosNode, ...]) -> Made:
+    number, held = data
+    made = from_json(held)
+    if made.__class__ is not Made:
+        raise Unfit
+    return made if number == -1 else replace(made, node=nodes[_index(number, nodes)])
+
+
+def _text(value: Any) -> str:
+    if not isinstance(value, str):
+        raise Unfit
+    return value
+
+
+def _count(value: Any) -> int:
+    if value.__class__ is not int or value < 0:
+        raise Unfit
+    return int(value)
+
+
+def _index(value: Any, items: Sequence[Any]) -> int:
+    if _count(value) >= len(items):
+        raise Unfit
+    return int(value)
+
+
+def _location(value: Any) -> Location:
+    if value.__class__ is not Location:
+        raise Unfit
+    return value  # type: ignore[no-any-return]
+
+
+def _names(value: Any) -> tuple[tuple[Value, bool], ...]:
+    if not isinstance(value, tuple) or not all(isinstance(pair, tuple) and len(pair) == 2 for pair in value):
+        raise Unfit
+    return value

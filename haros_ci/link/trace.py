@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What following a node has consulted of the workspace: names that it looked up, files whose contents it saw."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+
+@dataclass(slots=True)
+class Trace:
+    """Consulted by the nodes of one set of files.
+
+    *names* are the last parts of names, *paths* those of C++ and Python files, *has_scanned* whether all classes were
+    gone through, *is_whole* whether this is all: other inputs (plug-ins that load others, YAML files) are not traced.
+    """
+
+    names: set[str] = field(default_factory=set)
+    paths: set[str] = field(default_factory=set)
+    has_scanned: bool = False
+    is_whole: bool = True
+
+
+class Traced(dict[str, list[tuple[Any, Any]]]):
+    """A table of the index that tells its ``trace`` what is looked up in it."""
+
+    __slots__ = ("trace",)
+
+    def __init__(self, table: Mapping[str, list[tuple[Any, Any]]]) -> None:
+        super().__init__(table)
+        self.trace: Trace | None = None
+
+    def get(self, name: str, default: Any = None) -> Any:
+        found = super().get(name, default)
+        trace = self.trace
+        if trace is not None:
+            trace.names.add(name)
+            if found:
+                trace.paths.update(item[0].path for item in found)
+        return found
+
+    def __getitem__(self, name: str) -> list[tuple[Any, Any]]:
+        found = super().__getitem__(name)
+        if self.trace is not None:
+            self.trace.names.add(name)
+            self.trace.paths.update(item[0].path for item in found)
+        return found
+
+    def __contains__(self, name: object) -> bool:
+        if self.trace is not None and isinstance(name, str):
+            self.trace.names.add(name)
+        return super().__contains__(name)
+
+    def __iter__(self) -> Any:
+        if self.trace is not None:
+            self.trace.has_scanned = True
+        return super().__iter__()
+
+    def values(self) -> Any:
+        if self.trace is not None:
+            self.trace.has_scanned = True
+        return super().values()
