@@ -184,15 +184,22 @@ def show(**flags: Any) -> int:
 
 @haros_ci.command()
 @click.argument("paths", nargs=-1, type=click.Path())
-@click.option("--format", type=click.Choice(["text", "json", "dot", "mermaid", "sqlite"]), default="text")
-@click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
+@click.option(
+    "--format", type=click.Choice(["text", "json", "dot", "mermaid", "sqlite", "nodl", "readme"]), default="text"
+)
+@click.option(
+    "--output", type=click.Path(), help="File to write, of nodl and readme also a directory; default: stdout."
+)
 @click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
 @click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
 @click.option("--env", metavar="NAME=VALUE", multiple=True, help="What $(env NAME) is in launch files.")
 @click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
 @click.option("--no-known-nodes", is_flag=True, help="Leave out what is known of nodes outside the workspace.")
 @click.option("--exact", is_flag=True, help="Let libclang fill what is unknown, where ROS headers are installed.")
-@click.option("--expect", type=click.Path(dir_okay=False), help="Compare with the architecture that this file declares.")
+@click.option(
+    "--expect", type=click.Path(dir_okay=False), help="Compare with the architecture that this file declares."
+)
+@click.option("--check-readme", is_flag=True, help="Compare with the interface tables of the packages' READMEs.")
 @click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
 @click.option("--isolated", is_flag=True, help="Read no project file.")
 @click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""``haros-ci model``: the architecture, in the format asked for, and how it differs from a declared one."""
+"""``haros-ci model``: the architecture, in the format asked for, and how a declared or documented one differs."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from haros_ci.baselines import read_input
 from haros_ci.commands import cores, settings_from, store_for
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
-from haros_ci.model.workspace import Problem
+from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.output import write
 from haros_ci.report.escape import terminal
 from haros_ci.workspace.discover import discover
 
 #: Problems that are told one by one.
 SHOWN = 20
-FORMATS = ("text", "json", "dot", "mermaid", "sqlite")
+FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
 
 
 def model(flags: Mapping[str, Any]) -> int:
-    """Extract, link, print; exit code 1 if ``--expect`` finds a difference, 2 for wrong usage, else 0."""
+    """Extract, link, print; exit code 1 if what is expected or documented differs, 2 for wrong usage, else 0."""
     import gc
 
     gc.disable()
@@ -63,18 +63,32 @@ def model(flags: Mapping[str, Any]) -> int:
         click.echo(f"note: {terminal(note)}", err=True)
     tell(found.problems)
     path = Path(flags["output"]) if flags["output"] else None
-    content = rendered(found, flags["format"])
-    if isinstance(content, bytes):
-        if path is None:
-            raise UserError("SQLite is a binary file", help="name it: --output model.db")
-        path.write_bytes(content)
-    else:
-        write(content, path)
+    if path is not None or not flags["check_readme"]:
+        put(found, flags["format"], path, workspace.root)
     if flags["timings"]:
         for seconds, what in clock:
             click.echo(f"{seconds:8.3f} s  {what}", err=True)
         click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
-    return expected(found, flags["expect"]) if flags["expect"] else 0
+    code = expected(found, flags["expect"]) if flags["expect"] else 0
+    return max(code, documented(workspace, found)) if flags["check_readme"] else code
+
+
+def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:
+    """Write *found* to *path*, or to stdout; UserError if that is not possible."""
+    if format in ("nodl", "readme"):
+        from haros_ci.interface_files import put as put_interfaces
+
+        put_interfaces(found, format, path, root)
+        return
+    if path is not None and path.is_dir():
+        raise UserError(f"{path} is a directory", help="name a file; nodl and readme write one for each package")
+    content = rendered(found, format)
+    if not isinstance(content, bytes):
+        write(content, path)
+    elif path is None:
+        raise UserError("SQLite is a binary file", help="name it: --output model.db")
+    else:
+        path.write_bytes(content)
 
 
 def tell(problems: tuple[Problem, ...]) -> None:
@@ -141,4 +155,15 @@ def expected(found: Architecture, path: str) -> int:
             at = f"{difference.location}: " if difference.location is not None else ""
             click.echo(terminal(f"{at}{difference.level}: {difference.message} [{difference.rule}]"))
             count += difference.level != "note"
+    return 1 if count else 0
+
+
+def documented(workspace: Workspace, found: Architecture) -> int:
+    """Say on stdout where the interface tables of READMEs and the model disagree; 1 if by more than notes, else 0."""
+    from haros_ci.readme_check import differences
+
+    count = 0
+    for item in differences(workspace, found):
+        click.echo(terminal(f"{item.path}:{item.line}: {item.level}: {item.message} [{item.rule}]"))
+        count += item.level != "note"
     return 1 if count else 0

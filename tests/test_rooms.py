@@ -29,8 +29,11 @@ DOORS: dict[str, set[str]] = {
     "architecture": {"model", "errors", "config", "workspace", "extract", "link", "exactness", "forks"},
     "exactness": {"model", "config", "extract", "linters"},
     "model_command": {
-        "architecture", "baselines", "commands", "errors", "link", "model", "output", "report", "workspace",
+        "architecture", "baselines", "commands", "errors", "interface_files", "link", "model", "output", "readme_check",
+        "report", "workspace",
     },
+    "interface_files": {"model", "errors", "output", "report"},
+    "readme_check": {"model", "report"},
     "output": {"results", "errors", "report"},
     "commands": {
         "output",

@@ -36,6 +36,8 @@ from haros_ci.model.program import Type
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
 
+#: How the names of functions end that register what is called when parameters are set.
+UPDATES = frozenset(("_callback", "_set_callback"))
 HANDLES = frozenset(("ros::NodeHandle",))
 #: Methods that no other class has: a receiver of unknown type is taken for a node handle.
 UNMISTAKABLE = frozenset(("advertise", "advertiseService", "serviceClient"))
@@ -230,7 +232,7 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
     for where in row.calls:
         value = selectors.select_value(applied, where)
         if value is not None and not isinstance(value, selectors.TypeValue):
-            callbacks.register(run, value, applied.args)
+            callbacks.register(run, value, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
             if isinstance(value, Opaque) and applied.frame.source.separator == ".":
                 run.gaps.setdefault(f"what it calls back is not known: {value.reason}", applied.location)
     return parameter

@@ -16,8 +16,13 @@ from haros_ci.link.values import (
 from haros_ci.model.location import Location
 
 
-def register(run: Run, value: Value, others: tuple[call_arguments.Argument, ...] = ()) -> None:
-    """*value* will be called back: remember it with the object among *others* that it is a method of."""
+def register(
+    run: Run, value: Value, others: tuple[call_arguments.Argument, ...] = (), is_update: bool = False
+) -> None:
+    """*value* will be called back: remember it with the object among *others* that it is a method of.
+
+    With *is_update* that is when somebody sets parameters of the node.
+    """
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Object) and value.name == partials.PARTIAL:
@@ -30,7 +35,7 @@ def register(run: Run, value: Value, others: tuple[call_arguments.Argument, ...]
         value = found
     if isinstance(value, Choice):
         for option in value.options:
-            register(run, option, others)
+            register(run, option, others, is_update)
         return
     if not isinstance(value, Callable):
         return
@@ -44,7 +49,7 @@ def register(run: Run, value: Value, others: tuple[call_arguments.Argument, ...]
     key = (id(value.function), id(value.this), len(value.bound))
     if key not in run.known_roots and not _is_endless(run, value):
         run.known_roots.add(key)
-        run.roots.append(Root(value, tuple(run.conditions)))
+        run.roots.append(Root(value, tuple(run.conditions), is_update=is_update))
 
 
 def _is_endless(run: Run, function: Callable) -> bool:

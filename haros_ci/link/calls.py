@@ -94,7 +94,7 @@ def method_call(
     if isinstance(receiver, Object):
         method = methods.method_of(run, receiver, name, args)
         if method is not None:
-            with forwarding.through(run, method.function, location):
+            with forwarding.through(run, method.function, args, location):
                 return activation.invoke(run, frame, method, args, targs)
         field = receiver.fields.get(name)
         if field is not None:
@@ -221,7 +221,7 @@ def apply(
             function = Callable(function.source, function.function, this, function.bound, None, this.templates)
             args = args[1:]
         function = activation.choose(run, frame, function, args)
-        with forwarding.through(run, function.function, location):
+        with forwarding.through(run, function.function, args, location):
             return activation.invoke(run, frame, function, args, targs)
     if isinstance(function, ClassValue):
         owner = (function.source, function.definition)

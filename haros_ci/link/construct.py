@@ -24,7 +24,7 @@ from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.link.values import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Type
+from haros_ci.model.program import Class, Function, Type
 
 
 def declare(run: Run, frame: Frame, name: str, kind: Type, init: Any, line: int, column: int) -> None:
@@ -185,7 +185,7 @@ def initialise(
             inits[name.rpartition("::")[2]] = (kind, args, line, column)
         if function.body is not None:
             body_at = Location(where.path, function.body_line, function.body_column)
-        if short in inits:  # delegates to another constructor
+        if short in inits and not _is_of_base(run, inner, function, definition.name):  # delegates to another constructor
             args = call_arguments.arguments(run, inner, inits[short][1])
             if depth < methods.BASES:
                 initialise(run, inner, this, owner, templates, args, location, depth + 1)
@@ -234,6 +234,14 @@ def initialise(
             cell.value = Opaque(f"the member {member.name} is not set before", Location(source.path, member.line), kind)
     if function is not None and function.body is not None:
         activation.follow_body(run, inner, function)
+
+
+def _is_of_base(run: Run, inner: Frame, function: Function, name: str) -> bool:
+    """Whether what a constructor initialises under the last part of its own class's *name* is a base of that name."""
+    last = name.rpartition("::")[2]
+    written = next(init for init in function.inits if init[0].rpartition("::")[2] == last)
+    qualified = written[0] if "::" in written[0] else written[1][0]
+    return "::" in qualified and run.type_in((qualified, (), ""), inner)[0] != name
 
 
 def _as_value(kind: Type, start: Any) -> Any:

@@ -94,7 +94,8 @@ def _described(programs: Programs) -> Iterator[tuple[PluginClass, Source, Class,
 
 def files_of(programs: Programs, target: Target) -> frozenset[str]:
     """The sources of a target and of all workspace libraries that it links, transitively."""
-    by_name = {t.name: t for build in programs.builds.values() for t in build.targets if t.kind not in ("executable",)}
+    every = [t for build in programs.builds.values() for t in build.targets if t.kind != "executable"]
+    by_name = {t.name: t for t in every} | {f"{t.package}::{t.name}": t for t in every}
     own = programs.builds.get(target.package)
     local = {t.name: t for t in own.targets} if own is not None else {}
     files: set[str] = set()

@@ -90,13 +90,15 @@ def _call_back(run: Run, frame: Frame) -> None:
         if run.rehearsed < CHEAP:  # what one leaves behind may change what another does
             for number, root in enumerate(batch, start=done):
                 effects[number] = _rehearsed(run, frame, root, run.effects, number)
-        for number, root in enumerate(batch, start=done):
+        for number, root in sorted(enumerate(batch, start=done), key=lambda each: each[1].is_update):
             if not inert.may_make(run, root.function, ()):
                 continue
-            mark, known = run.state.mark(), len(run.roots)
+            mark, known, made = run.state.mark(), len(run.roots), len(run.made)
             _disturb(run, effects, number)
             _invoke(run, frame, root)
             _hand_on(run, known, run.state.undo(mark))
+            if root.is_update:
+                run.forget_again(made)
         done += len(batch)
 
 
@@ -108,6 +110,8 @@ def _rehearse_all(run: Run, frame: Frame) -> None:
 
 def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
     """What a callback writes, from a state that the *others* have disturbed."""
+    if root.is_update:
+        return {}
     start = run.state.mark()
     _disturb(run, others, number)
     mark, known = run.state.mark(), len(run.roots)

@@ -9,11 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
+from haros_ci.link.names import pattern
 from haros_ci.link.run import Run
 from haros_ci.link.types import STRINGS
+from haros_ci.link.values import Choice, Known, Opaque, Text
 from haros_ci.model.location import Location
 from haros_ci.model.program import Function
+
+if TYPE_CHECKING:
+    from haros_ci.link.call_arguments import Argument
 
 #: Functions of rclcpp and rclpy that are given a name, and what wrappers of them are called besides.
 NAMES = frozenset(
@@ -25,16 +31,24 @@ NAMES = frozenset(
 
 
 @contextmanager
-def through(run: Run, function: Function, location: Location) -> Iterator[None]:
+def through(run: Run, function: Function, args: tuple[Argument, ...], location: Location) -> Iterator[None]:
     """While *function* is followed that is called at *location*: the outermost wrapper's call counts."""
     is_outermost = run.context.process is not None and run.outer is None and _is_wrapper(function)
     if is_outermost:
-        run.outer = location
+        texts = (pattern(each.value)[0] for each in args if isinstance(each.value, (Known, Text, Choice, Opaque)))
+        run.outer = location, frozenset(text for text in texts if text)
     try:
         yield
     finally:
         if is_outermost:
             run.outer = None
+
+
+def place(run: Run, name: str, location: Location) -> Location:
+    """Where an endpoint of that *name* stands that the call at *location* makes."""
+    if run.outer is not None and any(text in name for text in run.outer[1]):
+        return run.outer[0]
+    return location
 
 
 def _is_wrapper(function: Function) -> bool:

@@ -166,5 +166,9 @@ def _loose(run: Run, owner: str, name: str) -> list[Found]:
 def tail_method(run: Run, name: str, source: Source) -> Found | None:
     """``C::m`` where the class is known under a using-directive only."""
     tail = "::".join(name.split("::")[-2:])
-    found = run.index.near(run.index.by_tail, tail, source, run.files)
+    found = [
+        item
+        for item in run.index.near(run.index.by_tail, tail, source, run.files)
+        if f"::{item[1].name}".endswith(f"::{name}") or f"::{name}".endswith(f"::{item[1].name}")
+    ]
     return overload(run, found, None) if found else None

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import conversions, ros2_nodes
+from haros_ci.link import conversions, forwarding, ros2_nodes
 from haros_ci.link.names import pattern
 from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
@@ -65,7 +65,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             kind=entry.kind,
             name=name,
             type=endpoint_type,
-            location=run.outer or applied.location,
+            location=forwarding.place(run, text, applied.location),
             conditions=tuple(run.conditions),
             implicit=entry.implicit,
             is_exact=applied.is_exact,
@@ -123,7 +123,7 @@ def _parameter(
             kind=entry.kind,
             name=full,
             type=declared,
-            location=run.outer or applied.location,
+            location=forwarding.place(run, text, applied.location),
             conditions=tuple(run.conditions),
             value=data,
             implicit=entry.implicit,

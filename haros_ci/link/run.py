@@ -126,6 +126,8 @@ class Root:
     function: Callable
     conditions: tuple[Condition, ...]
     writes: Mapping[Cell, Any] = field(default_factory=dict)
+    #: Whether it is called when somebody sets parameters: what it changes then is not seen elsewhere.
+    is_update: bool = False
 
 
 @dataclass(slots=True)
@@ -232,8 +234,8 @@ class Run:
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
     quiet: int = 0
-    #: Where the call stands that a wrapper forwards to an API.
-    outer: Location | None = None
+    #: Where the call stands that a wrapper forwards to an API, and the texts that it is given.
+    outer: tuple[Location, frozenset[str]] | None = None
     #: Branches around what is followed that are not taken as things are.
     dead: int = 0
     steps: int = 0
@@ -268,6 +270,14 @@ class Run:
                 made = replace(made, unknowns=(*made.unknowns, ("conditions", SEVERAL, made.location)))
             made = replace(made, unknowns=tuple(dict.fromkeys((*known.unknowns, *made.unknowns))))
         self.made[key] = made
+
+    def forget_again(self, known: int) -> None:
+        """Of what was made after the first *known*, drop what stands where the same was made before."""
+        every = list(self.made.items())
+        before = {(made.kind, made.location) for _, made in every[:known]}
+        for key, made in every[known:]:
+            if (made.kind, made.location) in before:
+                del self.made[key]
 
     def forget_dead(self, known: int) -> None:
         """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes."""

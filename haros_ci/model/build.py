@@ -16,7 +16,8 @@ class Target:
 
     *kind*: executable, library (static, shared, module), object, interface, alias, imported. *sources* are relative to
     the workspace root, those in *conditional_sources* there in some builds only. *links* are other targets or names of
-    libraries as evaluated; what only a build knows stays as ``${catkin_LIBRARIES}``. *is_conditional* if a construct
+    libraries as evaluated, targets of other packages as ``package::target``; what only a build knows stays as
+    ``${catkin_LIBRARIES}``. *is_conditional* if a construct
     that could not be decided stands around it, *is_test* if it is made for tests. *component* is the class that an
     executable of rclcpp_components_register_node runs.
     """
@@ -107,6 +108,20 @@ class ConfigFile:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ParameterLibrary:
+    """What generate_parameter_library makes of the YAML at *path*.
+
+    *language* cpp: a header ``name.hpp`` and an interface target *name*; python: the module ``package.name``.
+    """
+
+    name: str
+    package: str
+    path: str
+    language: str
+    location: Location
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class InterfaceField:
     """A field or constant: *type* as written with the package completed (``std_msgs/Header``, ``float64[3]``)."""
 
@@ -150,4 +165,5 @@ class Build:
     scripts: tuple[str, ...] = ()
     python_roots: tuple[tuple[str, str], ...] = ()
     defined: tuple[str, ...] = ()
+    parameter_libraries: tuple[ParameterLibrary, ...] = ()
     problems: tuple[Problem, ...] = ()

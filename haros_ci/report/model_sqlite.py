@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import sqlite3
 from collections.abc import Iterable
+from dataclasses import astuple
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +14,10 @@ from haros_ci.model.architecture import Architecture, Condition, Configuration, 
 from haros_ci.model.location import Location
 from haros_ci.report.model_json import Places, endpoints_of, nodes_of, parameters_of, plain
 
-#: The tables. A *value* is JSON text, null if there is none or it is unknown; booleans are 0 and 1. A condition or an
-#: unknown belongs to one node, endpoint or parameter: the other two columns are null. Positions count from 0,
-#: conditions outermost first. What ``CHANNELS`` connects is found by grouping endpoints by configuration and name.
+#: The tables. A *value* or *effective* is JSON text, null if there is none or it is unknown; booleans are 0 and 1. A
+#: policy of *qos* is null where it is the default, and ``?`` where it is unknown. A condition or an unknown belongs to
+#: one node, endpoint or parameter: the other two columns are null. Positions count from 0, conditions outermost first.
+#: What ``CHANNELS`` connects is found by grouping endpoints by configuration and name.
 TABLES = """
 CREATE TABLE packages (id INTEGER PRIMARY KEY, name TEXT NOT NULL, path TEXT NOT NULL, version TEXT NOT NULL,
   format INTEGER NOT NULL, build_type TEXT NOT NULL, ros INTEGER, is_metapackage INTEGER NOT NULL);
@@ -28,12 +30,15 @@ CREATE TABLE launch_arguments (configuration INTEGER NOT NULL REFERENCES configu
   name TEXT NOT NULL, value TEXT NOT NULL, PRIMARY KEY (configuration, position));
 CREATE TABLE nodes (id INTEGER PRIMARY KEY, configuration INTEGER NOT NULL REFERENCES configurations,
   name TEXT NOT NULL, kind TEXT NOT NULL, package TEXT NOT NULL, type TEXT NOT NULL, class TEXT, container TEXT,
-  process TEXT, args TEXT NOT NULL, location INTEGER REFERENCES locations, source TEXT NOT NULL);
+  process TEXT, args TEXT NOT NULL, location INTEGER REFERENCES locations, source TEXT NOT NULL, ros INTEGER NOT NULL);
 CREATE TABLE remaps (node INTEGER NOT NULL REFERENCES nodes, position INTEGER NOT NULL, original TEXT NOT NULL,
   target TEXT NOT NULL, PRIMARY KEY (node, position));
 CREATE TABLE endpoints (id INTEGER PRIMARY KEY, node INTEGER NOT NULL REFERENCES nodes, kind TEXT NOT NULL,
   name TEXT NOT NULL, original_name TEXT NOT NULL, type TEXT, queue_size INTEGER, latched INTEGER, value TEXT,
-  implicit INTEGER NOT NULL, location INTEGER REFERENCES locations, source TEXT NOT NULL);
+  implicit INTEGER NOT NULL, location INTEGER REFERENCES locations, source TEXT NOT NULL, effective TEXT,
+  read_only INTEGER, minimum REAL, maximum REAL, step REAL);
+CREATE TABLE qos (endpoint INTEGER PRIMARY KEY REFERENCES endpoints, history TEXT, depth, reliability TEXT,
+  durability TEXT, deadline, lifespan, liveliness TEXT, lease);
 CREATE TABLE parameters (id INTEGER PRIMARY KEY, configuration INTEGER NOT NULL REFERENCES configurations,
   name TEXT NOT NULL, type TEXT, value TEXT, location INTEGER REFERENCES locations,
   origin INTEGER REFERENCES locations, source TEXT NOT NULL);
@@ -109,13 +114,18 @@ def _configuration(table: _Tables, configuration: Configuration) -> None:
 def _node(table: _Tables, configuration: int, node: Node) -> None:
     process = (node.class_name, node.container, node.process, node.arguments)
     kind = (node.name, node.kind, node.package, node.type)
-    key = table.add("nodes", None, configuration, *kind, *process, table.place(node.location), node.source)
+    key = table.add("nodes", None, configuration, *kind, *process, table.place(node.location), node.source, node.ros)
     for position, (original, target) in enumerate(node.remaps):
         table.add("remaps", key, position, original, target)
     table.about((key, None, None), node.conditions, node.unknowns)
     for end in endpoints_of(node):
         about = (end.kind, end.name, end.original_name, end.type, end.queue_size, end.latched, _value(end.value))
-        added = table.add("endpoints", None, key, *about, end.implicit, table.place(end.location), end.source)
+        declared = (_value(end.effective), end.read_only, *(end.range or (None, None, None)))
+        added = table.add(
+            "endpoints", None, key, *about, end.implicit, table.place(end.location), end.source, *declared
+        )
+        if end.qos is not None:
+            table.add("qos", added, *astuple(end.qos))
         table.about((None, added, None), end.conditions, end.unknowns)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 from haros_ci.model.architecture import KINDS, Architecture, Configuration, Endpoint, Node
 from haros_ci.model.location import Location
@@ -19,7 +19,10 @@ MAX_PLACES = 3
 NOUNS = dict(
     zip(
         KINDS,
-        ("publisher", "subscriber", "server", "client", "action server", "action client", "getter", "setter"),
+        (
+            *("publisher", "subscriber", "server", "client", "action server", "action client", "getter", "setter"),
+            "parameter",
+        ),
         strict=True,
     )
 )
@@ -37,28 +40,32 @@ class Reason:
 
 @dataclass(frozen=True, slots=True)
 class Gaps:
-    """How much of the endpoints is unknown, implicit ones left out."""
+    """How much of the endpoints is unknown, implicit ones left out; *qos* of the *topic_ends* of ROS 2 nodes."""
 
     endpoints: int
     names: int
     types: int
     reasons: tuple[Reason, ...]
+    topic_ends: int = 0
+    qos: int = 0
 
 
 def render(architecture: Architecture) -> str:
     """A block for each configuration: its launch files, counts, nodes, and the rate of unknown names and types."""
     blocks = [tuple(_block(item)) for item in sorted(architecture.configurations, key=lambda item: item.name)]
     if not blocks:
-        return "No configurations: no ROS 1 launch file and no ROS 1 node was found; ROS 2 is not modelled yet.\n"
+        return "No configurations: no launch file and no node was found.\n"
     return "\n".join("".join(f"{line}\n" for line in block) for block in blocks)
 
 
 def gaps(configuration: Configuration) -> Gaps:
-    """What is unknown among the endpoints of *configuration*; a name is if any part of it is."""
-    ends = [end for node in nodes_of(configuration) for end in endpoints_of(node) if not end.implicit]
+    """What is unknown among the endpoints of *configuration*; a name or QoS is if any part of it is."""
+    found_ends = [(node, end) for node in nodes_of(configuration) for end in endpoints_of(node) if not end.implicit]
+    ends = [end for _, end in found_ends]
+    topic_ends = [end for node, end in found_ends if node.ros == 2 and end.kind in ("publishers", "subscribers")]
     causes: dict[tuple[str, str], list[Location | None]] = {}
-    for end in ends:
-        for field, text, place in _causes(end):
+    for node, end in found_ends:
+        for field, text, place in _causes(end, node.ros):
             causes.setdefault((field, text), []).append(place)
     reasons = [
         Reason(field, text, len(found), tuple(sorted({p for p in found if p is not None}, key=lambda p: p.sort_key)))
@@ -69,21 +76,28 @@ def gaps(configuration: Configuration) -> Gaps:
         names=sum(not is_known(end.name) for end in ends),
         types=sum(_type_is_unknown(end) for end in ends),
         reasons=tuple(sorted(reasons, key=lambda reason: (-reason.count, reason.field, reason.text))),
+        topic_ends=len(topic_ends),
+        qos=sum(_qos_is_unknown(end) for end in topic_ends),
     )
 
 
 def _type_is_unknown(end: Endpoint) -> bool:
     """Whether the type is missing where the call has one: asking whether a parameter is there has none."""
-    if end.type is None and end.kind in ("getters", "setters"):
+    if end.type is None and end.kind in ("getters", "setters", "parameters"):
         return any(why.field == "type" for why in end.unknowns)
     return not is_known(end.type)
 
 
-def _causes(end: Endpoint) -> Iterator[tuple[str, str, Location | None]]:
-    """Field, reason and place of an unknown name and of an unknown type."""
-    for field, unknown in (("name", not is_known(end.name)), ("type", _type_is_unknown(end))):
+def _qos_is_unknown(end: Endpoint) -> bool:
+    return end.qos is None or "?" in astuple(end.qos)
+
+
+def _causes(end: Endpoint, ros: int) -> Iterator[tuple[str, str, Location | None]]:
+    """Field, reason and place of an unknown name, type and QoS."""
+    qos = ros == 2 and end.kind in ("publishers", "subscribers") and _qos_is_unknown(end)
+    for field, unknown in (("name", not is_known(end.name)), ("type", _type_is_unknown(end)), ("QoS", qos)):
         if unknown:
-            said = [why for why in end.unknowns if why.field == field]
+            said = [why for why in end.unknowns if why.field.partition(".")[0] == field.lower()]
             for why in said:
                 exact = why.location if why.location and why.location.line else None
                 yield field, why.reason, exact or end.location or why.location
@@ -122,14 +136,15 @@ def _node(node: Node) -> str:
 def _unknown(found: Gaps) -> Iterator[str]:
     if not found.endpoints:
         return
-    yield (
-        f"  unknown names: {_rate(found.names, found.endpoints)}; unknown types: {_rate(found.types, found.endpoints)}"
-    )
+    rates = [("names", found.names, found.endpoints), ("types", found.types, found.endpoints)]
+    rates += [("QoS", found.qos, found.topic_ends)] if found.topic_ends else []
+    yield "  " + "; ".join(f"unknown {what}: {_rate(part, whole)}" for what, part, whole in rates)
     for reason in found.reasons[:MAX_REASONS]:
         places = ", ".join(terminal(str(place)) for place in reason.places[:MAX_PLACES])
         more = f" and {len(reason.places) - MAX_PLACES:,} more" if len(reason.places) > MAX_PLACES else ""
         text = shorten(terminal(reason.text), 200)
-        yield f"    {plural(reason.count, reason.field)}: {text}{f' ({places}{more})' if places else ''}"
+        count = f"{reason.count:,} QoS" if reason.field == "QoS" else plural(reason.count, reason.field)
+        yield f"    {count}: {text}{f' ({places}{more})' if places else ''}"
     if len(found.reasons) > MAX_REASONS:
         yield f"    and {len(found.reasons) - MAX_REASONS:,} more reasons"
 

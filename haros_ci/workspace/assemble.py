@@ -11,7 +11,7 @@ from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
-from haros_ci.workspace.package_xml import parse_package
+from haros_ci.workspace.package_xml import parse_package, settled, supports_both
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +55,7 @@ def assemble(
     files: list[SourceFile] = []
     links: dict[str, str] = {}
     packages: dict[str, tuple[Package, Problem | None]] = {}
+    undecided: dict[str, Content] = {}
     for manifest in context:
         packages[_directory(manifest.path)] = (_package(manifest, name)[0], None)
     for content in contents:
@@ -68,7 +69,10 @@ def assemble(
         if problem is not None:
             found.append(problem)
         if content.path.rpartition("/")[2] == "package.xml":
-            packages[_directory(content.path)] = _package(content, name)
+            directory = _directory(content.path)
+            packages[directory] = _package(content, name)
+            if supports_both(packages[directory][0]):
+                undecided[directory] = content
         if usable:
             files.append(
                 SourceFile(
@@ -80,6 +84,10 @@ def assemble(
                     has_directive=b"haros:" in content.data,
                 )
             )
+    others = [package for package, _ in packages.values()]
+    for directory, manifest in undecided.items():
+        package, fault = packages[directory]
+        packages[directory] = settled(package, manifest.path, manifest.data, others), fault
     found += _doubles(package for package, _ in packages.values())
     owners = {directory: package.name for directory, (package, _) in packages.items()}
     return Workspace(

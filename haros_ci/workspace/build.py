@@ -5,12 +5,21 @@ from __future__ import annotations
 
 from itertools import islice
 
-from haros_ci.model.build import Build, ConfigFile, Installed, Interface, PluginClass, Target
+from haros_ci.model.build import (
+    Build,
+    ConfigFile,
+    Installed,
+    Interface,
+    ParameterLibrary,
+    PluginClass,
+    Target,
+)
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake import follow
 from haros_ci.workspace.cmake_state import MAX_MESSAGE, MAX_PROBLEMS, Made, State
 from haros_ci.workspace.cmake_targets import FLAG
+from haros_ci.workspace.exported import linked
 from haros_ci.workspace.interfaces import read_interface
 from haros_ci.workspace.language import HEAD, is_python_script
 from haros_ci.workspace.plugins_xml import exported_descriptions, read_plugins
@@ -31,7 +40,7 @@ def builds(workspace: Workspace) -> dict[str, Build]:
     for package in workspace.packages:
         if package.name not in found:
             found[package.name] = build_of(workspace, package, tree)
-    return found
+    return linked(found, frozenset(package.name for package in workspace.packages if package.ros == 1))
 
 
 def build_of(workspace: Workspace, package: Package, tree: Tree | None = None) -> Build:
@@ -66,6 +75,7 @@ def build_of(workspace: Workspace, package: Package, tree: Tree | None = None) -
         scripts=_scripts(workspace, package, python, installed),
         python_roots=tuple(sorted(roots.items())),
         defined=_defined(state),
+        parameter_libraries=_parameter_libraries(tree, package, state, setup),
         problems=tuple(sorted(set(problems), key=lambda p: (p.path, p.line or 0, p.message))),
     )
 
@@ -144,6 +154,17 @@ def _plugins(tree: Tree, package: Package, state: State, problems: list[Problem]
             PluginClass(name=name, type=name, base=COMPONENT, library=library, package=package.name, location=location)
         )
     return found
+
+
+def _parameter_libraries(tree: Tree, package: Package, state: State, setup: Setup) -> tuple[ParameterLibrary, ...]:
+    """Those that CMake and setup.py name, in that order."""
+    named = [(*key, location) for key, location in state.parameter_libraries.items()]
+    named += [(name, path, "python", location) for name, path, location in setup.parameter_modules]
+    return tuple(
+        ParameterLibrary(name=name, package=package.name, path=path, language=language, location=location)
+        for name, path, language, location in named
+        if tree.is_file(path)
+    )
 
 
 def _configs(workspace: Workspace, package: Package, state: State, problems: list[Problem]) -> list[ConfigFile]:

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
-from haros_ci.workspace.cmake_commands import COMMANDS, note_unknown
+from haros_ci.workspace.cmake_commands import COMMANDS, SUMMARIES, note_unknown
 from haros_ci.workspace.cmake_conditions import decide
 from haros_ci.workspace.cmake_loops import foreach_rows
 from haros_ci.workspace.cmake_parse import Command
@@ -107,7 +107,7 @@ def _run(state: State, command: Command, macro: dict[str, str] | None) -> str:
     if name == "message":  # outside of branches that may not be taken, an error is one of ours
         is_fatal = bool(command.arguments) and command.arguments[0].text == "FATAL_ERROR"
         return DEAD if is_fatal and state.doubts else END
-    run = COMMANDS.get(name)
+    run = COMMANDS.get(name) or (None if name in state.functions else SUMMARIES.get(name))
     if run is not None:
         run(state, state.expand(command, command.arguments, macro))
         return _extras(state) if state.pending else END

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from haros_ci.workspace.cmake_ament import AMENT_COMMANDS
 from haros_ci.workspace.cmake_files import FILE_COMMANDS
 from haros_ci.workspace.cmake_install import INSTALL_COMMANDS
 from haros_ci.workspace.cmake_keywords import under
@@ -157,6 +158,8 @@ def _auto_find(state: State, _: Call) -> None:
     for dependency in state.package.dependencies:
         if dependency.kind in ("depend", "build_depend", "buildtool_depend", "build_export_depend"):
             _found(state, dependency.name, True)
+            if dependency.kind != "buildtool_depend" and state.tree.has_package(dependency.name):
+                state.auto_found[dependency.name] = None
 
 
 def _first_unknown(state: State, call: Call) -> None:
@@ -229,6 +232,15 @@ COMMANDS: Mapping[str, _Run] = MappingProxyType(
         **dict.fromkeys(("execute_process", "cmake_host_system_information"), _outputs_unknown),
         **FILE_COMMANDS,
         **TARGET_COMMANDS,
+        **AMENT_COMMANDS,
         **INSTALL_COMMANDS,
+    }
+)
+#: What commands of packages outside the workspace come to; a definition in the workspace has precedence.
+#: autoware_package (autoware_cmake) sets options of the compiler and finds what the manifest names.
+SUMMARIES: Mapping[str, _Run] = MappingProxyType(
+    {
+        "autoware_package": _auto_find,
+        "autoware_ament_auto_package": INSTALL_COMMANDS["ament_auto_package"],
     }
 )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
@@ -16,6 +17,7 @@ _SINGLE = ("DESTINATION", "EXPORT", "COMPONENT", "NAMELINK_COMPONENT", "RENAME",
 _LISTS = ("PERMISSIONS", "CONFIGURATIONS", "INCLUDES", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS")
 _FLAGS = ("OPTIONAL", "FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "MESSAGE_NEVER", "EXCLUDE", "EXCLUDE_FROM_ALL")
 _WHAT = {"PROGRAMS": "program", "FILES": "file", "DIRECTORY": "directory"}
+_SLASHES = re.compile("/{2,}")
 #: Where install(... TYPE t) puts things, by the GNU conventions.
 _TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
 
@@ -42,7 +44,7 @@ def install_files(state: State, call: Call, kind: str, words: list[str]) -> None
     """What install(FILES | PROGRAMS | DIRECTORY) names. A directory that ends in a slash becomes its destination."""
     given = under(words, _FLAGS, _SINGLE, _LISTS)
     destination = readable(next(iter(given.get("DESTINATION", [])), ""))
-    destination = destination or _TYPES.get(next(iter(given.get("TYPE", [])), ""), "")
+    destination = tidy(destination) or _TYPES.get(next(iter(given.get("TYPE", [])), ""), "")
     renamed = next(iter(given.get("RENAME", [])), "")
     paths = given[""] if "PATTERN" not in given and "REGEX" not in given else _before_patterns(words)
     for word in paths:
@@ -58,6 +60,11 @@ def install_files(state: State, call: Call, kind: str, words: list[str]) -> None
             state.installed.setdefault((path, kind, final, ""), call.location)
         else:
             state.installed.setdefault((path, kind, destination, readable(renamed) or base), call.location)
+
+
+def tidy(destination: str) -> str:
+    """*destination* without doubled and trailing slashes."""
+    return _SLASHES.sub("/", destination).rstrip("/")
 
 
 def _before_patterns(words: list[str]) -> list[str]:

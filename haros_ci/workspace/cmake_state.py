@@ -90,6 +90,8 @@ class State:
         self.components: list[tuple[str, str, Location]] = []
         self.interfaces: dict[str, Location] = {}
         self.configs: dict[str, Location] = {}
+        self.parameter_libraries: dict[tuple[str, str, str], Location] = {}
+        self.auto_found: dict[str, None] = {}
         self.python_packages: dict[str, str] = {}
         self.defined: set[str] = set()
         self.testing = 0

@@ -14,16 +14,16 @@ from haros_ci.workspace.cmake_state import Call, Made, State
 from haros_ci.workspace.cmake_words import MAYBE, UNKNOWN, bare, inside, is_certain, place, readable
 
 _CODE = (".c", ".cc", ".cpp", ".cxx", ".c++", ".cu", ".m", ".mm")
-_KINDS = {"STATIC": "library", "SHARED": "library", "MODULE": "library", "UNKNOWN": "library"}
-_KINDS |= {"OBJECT": "object", "INTERFACE": "interface"}
-_SKIPPED = frozenset(("EXCLUDE_FROM_ALL", "WIN32", "MACOSX_BUNDLE", "GLOBAL", "MANUAL_FINALIZATION"))
-_SKIPPED |= {"NO_TARGET_LINK_LIBRARIES", "SKIP_LINKING_MAIN_LIBRARIES", "SKIP_TEST", "NO_EXTRAS", "THIN_LTO", "SYSTEM"}
+KINDS = {"STATIC": "library", "SHARED": "library", "MODULE": "library", "UNKNOWN": "library"}
+KINDS |= {"OBJECT": "object", "INTERFACE": "interface"}
+SKIPPED = frozenset(("EXCLUDE_FROM_ALL", "WIN32", "MACOSX_BUNDLE", "GLOBAL", "MANUAL_FINALIZATION"))
+SKIPPED |= {"NO_TARGET_LINK_LIBRARIES", "SKIP_LINKING_MAIN_LIBRARIES", "SKIP_TEST", "NO_EXTRAS", "THIN_LTO", "SYSTEM"}
 #: Keywords of test and CUDA commands behind which there are no sources any more.
 _SINGLE = ("TIMEOUT", "WORKING_DIRECTORY", "RUNNER", "COMMAND")
 _LISTS = ("OPTIONS", "ENV", "APPEND_ENV", "APPEND_LIBRARY_DIRS", "DEPENDENCIES", "ARGS")
 
 
-def _name(state: State, call: Call, what: str) -> str:
+def target_name(state: State, call: Call, what: str) -> str:
     """The target's name, "" with a problem if it depends on what is not known."""
     if not call.words:
         return ""
@@ -36,7 +36,7 @@ def _name(state: State, call: Call, what: str) -> str:
     return ""
 
 
-def _make(state: State, call: Call, kind: str, name: str, *, is_test: bool = False) -> Made:
+def make_target(state: State, call: Call, kind: str, name: str, *, is_test: bool = False) -> Made:
     """The target of that name, new or, where branches make it twice, the one there is."""
     is_test = is_test or state.testing > 0
     if not is_test:
@@ -74,76 +74,54 @@ def add_sources(state: State, made: Made, words: list[str], location: Location, 
             state.problem(location, message)
 
 
-def _sources(state: State, call: Call, made: Made, words: list[str]) -> None:
+def own_sources(state: State, call: Call, made: Made, words: list[str]) -> None:
     is_new = not made.sources and made.location == call.location
-    kept = [word for word in words if bare(word) not in _SKIPPED]
+    kept = [word for word in words if bare(word) not in SKIPPED]
     add_sources(state, made, kept, call.location, is_certainly=is_new or not state.doubts)
 
 
 def _executable(state: State, call: Call) -> None:
-    name = _name(state, call, "executable")
+    name = target_name(state, call, "executable")
     if not name:
         return
     rest = [bare(word) for word in call.words[1:2]]
     if rest in (["ALIAS"], ["IMPORTED"]):
         _other(state, call, name, rest[0])
         return
-    made = _make(state, call, "executable", name)
-    _sources(state, call, made, under(call.words[1:], (), _SINGLE, _LISTS)[""])
+    made = make_target(state, call, "executable", name)
+    own_sources(state, call, made, under(call.words[1:], (), _SINGLE, _LISTS)[""])
 
 
 def _library(state: State, call: Call) -> None:
-    name = _name(state, call, "library")
+    name = target_name(state, call, "library")
     if not name:
         return
     kind = "library"
     rest = call.words[1:]
-    while rest and bare(rest[0]) in _KINDS:
-        kind = _KINDS[bare(rest[0])]
+    while rest and bare(rest[0]) in KINDS:
+        kind = KINDS[bare(rest[0])]
         rest = rest[1:]
     if rest and bare(rest[0]) in ("ALIAS", "IMPORTED"):
         _other(state, call, name, bare(rest[0]))
         return
-    made = _make(state, call, kind, name)
-    _sources(state, call, made, under(rest, (), _SINGLE, _LISTS)[""])
+    made = make_target(state, call, kind, name)
+    own_sources(state, call, made, under(rest, (), _SINGLE, _LISTS)[""])
 
 
 def _other(state: State, call: Call, name: str, kind: str) -> None:
-    made = _make(state, call, kind.lower(), name)
+    made = make_target(state, call, kind.lower(), name)
     if kind == "ALIAS" and len(call.words) > 2:
         made.links[bare(call.words[2])] = is_certain(call.words[2])
-
-
-def _auto(kind: str) -> Callable[[State, Call], None]:
-    """ament_auto_add_executable and ament_auto_add_library: DIRECTORY stands for the source files in it."""
-
-    def run(state: State, call: Call) -> None:
-        name = _name(state, call, kind)
-        if not name:
-            return
-        rest = [word for word in call.words[1:] if bare(word) not in _KINDS]
-        given = under(rest, _SKIPPED, (), ("DIRECTORY",))
-        words = list(given[""])
-        for directory in given.get("DIRECTORY", []):
-            inner = inside(place(bare(directory), state.source_directory()))
-            for suffix in ("c", "cc", "cpp", "cxx"):
-                paths = state.tree.glob(f"{inner}/*.{suffix}", recurse=False, directories=False) if inner else []
-                words += [f"{bare(directory)}/{path.rpartition('/')[2]}" for path in paths]
-        made = _make(state, call, kind, name)
-        made.properties["AUTO"] = "1"
-        _sources(state, call, made, words)
-
-    return run
 
 
 def _test(skipped: int) -> Callable[[State, Call], None]:
     """Commands that make a test's executable; *skipped* words stand between its name and the sources."""
 
     def run(state: State, call: Call) -> None:
-        name = _name(state, call, "test")
+        name = target_name(state, call, "test")
         if name:
-            made = _make(state, call, "executable", name, is_test=True)
-            _sources(state, call, made, under(call.words[1 + skipped :], (), _SINGLE, _LISTS)[""])
+            made = make_target(state, call, "executable", name, is_test=True)
+            own_sources(state, call, made, under(call.words[1 + skipped :], (), _SINGLE, _LISTS)[""])
 
     return run
 
@@ -215,15 +193,21 @@ def _set_property(state: State, call: Call) -> None:
 
 def _components(state: State, call: Call) -> None:
     """rclcpp_components_register_node(lib PLUGIN class EXECUTABLE name) and ..._nodes(lib class...)."""
-    if not call.words or not all(map(is_certain, call.words)):
+    if not call.words:
         return
     library = call.words[0]
     single = ("PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX")
     given = under(call.words[1:], (), single, ())
+    needed = [library, *given[""], *given.get("PLUGIN", []), *given.get("EXECUTABLE", [])]
+    vague = next((word for word in needed if not is_certain(word)), None)
+    if vague is not None:
+        message = f"{call.name}: {readable(vague)} is only known in a build; the component is missing"
+        state.problem(call.location, message)
+        return
     for name in [*given.get("PLUGIN", []), *(given[""] if call.name.endswith("nodes") else [])]:
         state.components.append((name, library, call.location))
     for name in given.get("EXECUTABLE", []):
-        made = _make(state, call, "executable", name)
+        made = make_target(state, call, "executable", name)
         made.links[library] = True
         made.properties["COMPONENT"] = next(iter(given.get("PLUGIN", [])), "")
         made.is_installed = True
@@ -254,8 +238,6 @@ TARGET_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType(
         **dict.fromkeys(("add_library", "cuda_add_library", "qt_add_library", "qt6_add_library"), _library),
         **dict.fromkeys(("rosbuild_add_library", "cs_add_library", "hip_add_library"), _library),
         **dict.fromkeys(("pybind11_add_module", "python_add_library", "qt_add_plugin"), _library),
-        "ament_auto_add_executable": _auto("executable"),
-        "ament_auto_add_library": _auto("library"),
         **dict.fromkeys(("catkin_add_gtest", "catkin_add_gmock", "rosbuild_add_gtest", "cs_add_gtest"), _test(0)),
         **dict.fromkeys(("catkin_add_executable_with_gtest", "catkin_add_executable_with_gmock"), _test(0)),
         **dict.fromkeys(("ament_add_gtest", "ament_add_gmock", "ament_auto_add_gtest"), _test(0)),

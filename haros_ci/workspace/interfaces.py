@@ -25,6 +25,8 @@ def read_interface(path: str, text: str, package: str, *, is_generated: bool = T
     ``pkg/msg/T`` becomes ``pkg/T``, a type of the package itself ``package/T``, ``Header`` ``std_msgs/Header``.
     """
     stem, _, kind = path.rpartition("/")[2].rpartition(".")
+    if kind == "idl":
+        return _of_idl(path, stem, package, is_generated), []
     sections: list[list[InterfaceField]] = [[]]
     problems: list[Problem] = []
     count = 0
@@ -57,6 +59,14 @@ def read_interface(path: str, text: str, package: str, *, is_generated: bool = T
         is_generated=is_generated,
     )
     return made, problems
+
+
+def _of_idl(path: str, stem: str, package: str, is_generated: bool) -> Interface:
+    """An .idl by its name alone; its directory, ``msg``, ``srv`` or ``action``, tells its kind (rosidl_adapter)."""
+    above = path.rpartition("/")[0].rpartition("/")[2]
+    kind = above if above in _SECTIONS else "msg"
+    parts = ((),) * _SECTIONS[kind]
+    return Interface(name=f"{package}/{stem}", kind=kind, path=path, sections=parts, is_generated=is_generated)
 
 
 def _field(line: str, package: str, number: int) -> InterfaceField | None:

@@ -1,9 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Package manifests of formats 1, 2 and 3 (REP 127, 140, 149) as packages."""
+"""Package manifests of formats 1, 2 and 3 (REP 127, 140, 149) as packages.
+
+Whether a package is one of ROS 1 or of ROS 2 is decided by the first of these that speaks for one of them alone: the
+build types that its exports name, its build tools, all that it depends on. What a condition rules out does not count.
+Where the first that speaks at all speaks for both, the package builds under both: ``supports_both``. Such a package
+counts as one of ROS 2, with the build type that it has there, unless all others of the workspace that tell are of
+ROS 1; then it stays undecided (``ros`` None), and both sides of its conditions are looked at. The environment that
+the program runs in is not asked, so that the result is the same everywhere. All dependencies are kept, those with a
+condition on ``$ROS_VERSION`` included.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
 from haros_ci.model.package import Dependency, Package
@@ -70,6 +80,22 @@ def parse_package(path: str, data: bytes, *, environment: Mapping[str, str] | No
     )
 
 
+def supports_both(package: Package) -> bool:
+    """Whether what *package* depends on is of ROS 1 and of ROS 2 at once."""
+    if package.ros is not None:
+        return False
+    return {1, 2} <= _worlds({d.name for d in package.dependencies})
+
+
+def settled(package: Package, path: str, data: bytes, others: Iterable[Package]) -> Package:
+    """*package*, of the manifest at *path*: of ROS 2 if it supports both and *others* do not speak against it."""
+    if not supports_both(package) or {other.ros for other in others} - {None} == {1}:
+        return package
+    chosen = parse_package(path, data, environment={"ROS_VERSION": "2"})
+    build_type = chosen.build_type if isinstance(chosen, Package) else ""
+    return replace(package, ros=2, build_type=package.build_type or build_type)
+
+
 def _holding(parent: Element, environment: Mapping[str, str], *tags: str) -> list[tuple[Element, bool | None]]:
     """The children with *tags* whose condition holds, with True, or cannot be decided, with None."""
     found: list[tuple[Element, bool | None]] = []
@@ -85,10 +111,16 @@ def _ros(build_types: set[str], dependencies: tuple[Dependency, ...]) -> int | N
     """1 or 2 by the build type, else the build tool, else the client libraries; None where these speak for both."""
     build_tools = {d.name for d in dependencies if d.kind == "buildtool_depend"}
     for names in (build_types, build_tools, {d.name for d in dependencies}):
-        worlds = {2 if name.startswith("ament_") else _ROS_OF.get(name) for name in names} - {None}
+        worlds = _worlds(names)
         if worlds:
             return worlds.pop() if len(worlds) == 1 else None
     return None
+
+
+def _worlds(names: Iterable[str]) -> set[int]:
+    """The ROS that packages of these names exist in, of those that exist in one only."""
+    found = {2 if name.startswith("ament_") else _ROS_OF.get(name, 0) for name in names}
+    return found - {0}
 
 
 def _text(element: Element | None) -> str:

@@ -7,6 +7,7 @@ import ast
 import posixpath
 import re
 from collections import deque
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,22 +15,26 @@ from haros_ci.model.build import EntryPoint, Installed
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.workspace.cmake_install import tidy
 from haros_ci.workspace.python_values import MISSING, dotted, parse_python, value_of
+from haros_ci.workspace.setup_cfg import console_scripts, package_directories, scripts_of_text
 from haros_ci.workspace.tree import Tree
 
 MAX_GLOBS = 100
 MAX_NESTED = 10
+MAX_ITEMS = 1_000
 _CALLS = ("setup", "setuptools.setup", "distutils.core.setup", "generate_distutils_setup", "dict")
 _ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\])?\s*\Z")
 
 
 @dataclass(frozen=True, slots=True)
 class Setup:
-    """What setup.py says. *roots* as in ``Build.python_roots``."""
+    """What setup.py says. *roots* as in ``Build.python_roots``; *parameter_modules* have a name and a YAML file."""
 
     roots: tuple[tuple[str, str], ...] = ()
     installed: tuple[Installed, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
+    parameter_modules: tuple[tuple[str, str, Location], ...] = ()
     problems: tuple[Problem, ...] = ()
 
 
@@ -56,6 +61,9 @@ class _Reader:
         self.calls: dict[str, str] = {}
         self.problems: list[Problem] = []
         self.globs = 0
+        self.looked = 0
+        self.nodes: dict[str, list[ast.expr]] = {}
+        self.parameter_modules: list[tuple[str, str, Location]] = []
         statements = deque(module.body)
         while statements:
             node = statements.popleft()
@@ -67,8 +75,12 @@ class _Reader:
                 self.calls.update({item.asname: item.name for item in node.names if item.asname is not None})
             elif isinstance(node, ast.Assign):
                 self.assign(node)
+            elif isinstance(node, ast.AugAssign) and dotted(node.target) in self.nodes:
+                self.nodes[dotted(node.target)].append(node.value)
             elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
                 self.keywords(node.value)
+                self.grown(node.value)
+                self.generated(node.value)
 
     def assign(self, node: ast.Assign) -> None:
         target = node.targets[0]
@@ -81,6 +93,39 @@ class _Reader:
             if isinstance(node.value, ast.Dict):
                 self.entries(node.value)
             self.names[name] = self.value(node.value)
+            known = self.nodes.get(name, [])
+            parts = _summands(node.value)
+            self.nodes[name] = [p for part in parts for p in (known if dotted(part) == name else [part])][:MAX_ITEMS]
+
+    def grown(self, call: ast.Call) -> None:
+        """``name.append(item)`` and ``name.extend(items)``."""
+        name, _, method = dotted(call.func).rpartition(".")
+        if name not in self.nodes or len(call.args) != 1:
+            return
+        if len(self.nodes[name]) >= MAX_ITEMS:
+            return
+        if method == "append":
+            self.nodes[name].append(ast.copy_location(ast.List(elts=[call.args[0]], ctx=ast.Load()), call))
+        elif method == "extend":
+            self.nodes[name].append(call.args[0])
+
+    def generated(self, call: ast.Call) -> None:
+        """generate_parameter_module(module_name, yaml_file, ...) of generate_parameter_library_py."""
+        first, _, rest = dotted(call.func).partition(".")
+        if f"{self.calls.get(first, first)}.{rest}".rstrip(".").rpartition(".")[2] != "generate_parameter_module":
+            return
+        given = {keyword.arg: keyword.value for keyword in call.keywords}
+        given |= dict(zip(("module_name", "yaml_file"), call.args, strict=False))
+        name, path = (self.value(given[key]) if key in given else MISSING for key in ("module_name", "yaml_file"))
+        inner = self.inner(path) if isinstance(path, str) else None
+        where = Location(self.path, call.lineno, call.col_offset + 1)
+        if not isinstance(name, str) or inner is None:
+            self.problem(call, "a parameter module")
+        elif not self.tree.is_file(inner):
+            message = f"{name}: the parameters in {path} are not among the files; they are missing"
+            self.problems.append(Problem(self.path, message, call.lineno))
+        else:
+            self.parameter_modules.append((name, inner, where))
 
     def is_setup(self, call: ast.Call) -> bool:
         """Whether a call gives what is installed: setup(), what it unpacks, an update of it."""
@@ -129,11 +174,13 @@ class _Reader:
 
     def setup(self) -> Setup:
         roots = self.roots()
-        return Setup(roots, (*self.scripts(), *self.data_files()), self.entry_points(roots), tuple(self.problems))
+        installed = (*self.scripts(), *self.data_files())
+        entry_points = (*self.entry_points(roots), *self.configured(roots))
+        return Setup(roots, installed, entry_points, tuple(self.parameter_modules), tuple(self.problems))
 
     def roots(self) -> tuple[tuple[str, str], ...]:
         node = self.given.get("package_dir")
-        value = {} if node is None else self.value(node)
+        value = self.package_dir() if node is None else self.value(node)
         if not isinstance(value, dict):
             if node is not None:
                 self.problem(node, "package_dir")
@@ -143,6 +190,10 @@ class _Reader:
         if "" not in found and not found:
             found[""] = self.package.path
         return tuple(sorted(found.items()))
+
+    def package_dir(self) -> dict[str, str]:
+        """``package_dir`` of the setup.cfg beside setup.py."""
+        return package_directories(self.tree.workspace.text(f"{self.path.removesuffix('setup.py')}setup.cfg"))
 
     def scripts(self) -> list[Installed]:
         node = self.given.get("scripts")
@@ -155,10 +206,8 @@ class _Reader:
     def data_files(self) -> list[Installed]:
         """``data_files=[(directory, [file, glob(...)])]``."""
         node = self.given.get("data_files")
-        if not isinstance(node, (ast.List, ast.Tuple)):
-            return []
         found: list[Installed] = []
-        for pair in node.elts:
+        for pair in [] if node is None else self.elements(node):
             if not isinstance(pair, (ast.Tuple, ast.List)) or len(pair.elts) != 2:
                 continue
             destination = self.value(pair.elts[0])
@@ -167,8 +216,21 @@ class _Reader:
                 continue
             paths = [self.inner(word) for word in self.files(pair.elts[1], "a list in data_files")]
             kind = "program" if destination.strip("/") == f"lib/{self.package.name}" else "file"
-            found += [self.put(path, kind, destination.strip("/"), pair) for path in paths if path is not None]
+            destination = tidy(destination.lstrip("/"))
+            found += [self.put(path, kind, destination, pair) for path in paths if path is not None]
         return found
+
+    def elements(self, node: ast.expr, depth: int = 0) -> list[ast.expr]:
+        """The items of a list that is written out, in one piece or in parts; a problem where it is computed."""
+        self.looked += 1
+        if isinstance(node, (ast.List, ast.Tuple)):
+            return list(node.elts)
+        parts = _summands(node) if isinstance(node, ast.BinOp) else self.nodes.get(dotted(node), [])
+        if parts in ([], [node]) or depth > MAX_NESTED or self.looked > MAX_ITEMS:
+            if self.package.ros != 1:
+                self.problem(node, "data_files")
+            return []
+        return [item for part in parts for item in self.elements(part, depth + 1)]
 
     def put(self, path: str, kind: str, destination: str, node: ast.expr) -> Installed:
         where = Location(self.path, node.lineno, node.col_offset + 1)
@@ -185,10 +247,12 @@ class _Reader:
             return [*self.files(node.left, what, depth + 1), *self.files(node.right, what, depth + 1)]
         if isinstance(node, ast.Call) and dotted(node.func) in ("glob", "glob.glob", "glob.iglob") and node.args:
             pattern = self.value(node.args[0])
-            inner = self.inner(pattern) if isinstance(pattern, str) else None
+            deep = any(k.arg == "recursive" and _is(k.value, True) for k in node.keywords)
+            deep = deep and isinstance(pattern, str) and "/**/" in pattern
+            inner = self.inner(pattern.replace("/**/", "/") if deep else pattern) if isinstance(pattern, str) else None
             self.globs += 1
             if inner is not None and self.globs <= MAX_GLOBS:
-                found = self.tree.glob(inner, recurse=False, directories=False)
+                found = self.tree.glob(inner, recurse=deep, directories=False)
                 return [posixpath.relpath(path, self.package.path) for path in found]
         value = self.value(node)
         if isinstance(value, str):
@@ -212,25 +276,42 @@ class _Reader:
         if isinstance(value, dict):
             value = value.get("console_scripts", [])
         if isinstance(value, str):
-            value = _of_ini(value)
+            value = scripts_of_text(value)
         if not isinstance(value, list):
             self.problem(node, "entry_points")
             return ()
-        found = []
         lines = _lines(scripts)
-        for number, item in enumerate(value):
+        there = (node.lineno, node.col_offset + 1)
+        places = [lines[number] if number < len(lines) else there for number in range(len(value))]
+        return self.points(zip(value, places, strict=True), self.path, roots)
+
+    def points(
+        self, items: Iterable[tuple[Any, tuple[int, int]]], path: str, roots: tuple[tuple[str, str], ...]
+    ) -> tuple[EntryPoint, ...]:
+        """The entry points that lines of *path* at such places are."""
+        found = []
+        for item, (line, column) in items:
             match = _ENTRY.match(item) if isinstance(item, str) and len(item) < 500 else None
             if match is not None:
-                line, column = lines[number] if number < len(lines) else (node.lineno, node.col_offset + 1)
-                where = Location(self.path, line, column)
-                path = self.module(match[2], roots)
                 name, module, function = match.groups()
-                package = self.package.name
                 entry = EntryPoint(
-                    name=name, module=module, function=function, path=path, package=package, location=where
+                    name=name,
+                    module=module,
+                    function=function,
+                    path=self.module(module, roots),
+                    package=self.package.name,
+                    location=Location(path, line, column),
                 )
                 found.append(entry)
         return tuple(found)
+
+    def configured(self, roots: tuple[tuple[str, str], ...]) -> tuple[EntryPoint, ...]:
+        """The console scripts of the setup.cfg beside setup.py, which count where setup() is given none."""
+        path = f"{self.path.removesuffix('setup.py')}setup.cfg"
+        if "entry_points" in self.given or not self.tree.is_file(path):
+            return ()
+        lines = console_scripts(self.tree.workspace.text(path))
+        return self.points(((text, (line, column)) for text, line, column in lines), path, roots)
 
     def module(self, name: str, roots: tuple[tuple[str, str], ...]) -> str:
         """The file of a module, by the longest root that fits; "" if it is not there."""
@@ -245,23 +326,19 @@ class _Reader:
         return ""
 
 
-def _is(node: ast.expr | None, text: str) -> bool:
-    return isinstance(node, ast.Constant) and node.value == text
+def _is(node: ast.expr | None, value: str | bool) -> bool:
+    return isinstance(node, ast.Constant) and node.value == value
+
+
+def _summands(node: ast.expr) -> list[ast.expr]:
+    """``a``, ``b`` and ``c`` of ``a + b + c``."""
+    found = []
+    while isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        found.append(node.right)
+        node = node.left
+    return [node, *reversed(found)]
 
 
 def _lines(node: ast.expr | None) -> list[tuple[int, int]]:
     items = node.elts if isinstance(node, (ast.List, ast.Tuple)) else []
     return [(item.lineno, item.col_offset + 1) for item in items]
-
-
-def _of_ini(text: str) -> list[str]:
-    """The console scripts of entry points given as text."""
-    section = ""
-    found = []
-    for line in text.splitlines():
-        bare = line.strip()
-        if bare.startswith("["):
-            section = bare.strip("[] ")
-        elif bare and section in ("", "console_scripts"):
-            found.append(bare)
-    return found

@@ -48,6 +48,10 @@ class Tree:
             script = self._scripts[path] = parse_cmake(self.workspace.text(path))
         return script
 
+    def has_package(self, name: str) -> bool:
+        """Whether a package of that name is in the workspace."""
+        return name in self._packages
+
     def extras(self, name: str) -> tuple[tuple[str, str], ...] | None:
         """The CMake files that a package runs in those who find it, each with a directory; None if it is not here.
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import jsonschema
 import pytest
+from interface_samples import SYSTEM
 
 from haros_ci.model.architecture import (
     KINDS,
@@ -147,6 +148,7 @@ def test_a_node() -> None:
         "package": "base",
         "type": "BaseNodelet",
         "class": "base::BaseNodelet",
+        "ros": 1,
         "container": "/manager",
         "process": "/manager",
         "args": "load base/BaseNodelet manager",
@@ -381,3 +383,27 @@ def test_the_schema_refuses(path: str, value: object) -> None:
 def test_the_schema_is_one_and_takes_new_keys() -> None:
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
     jsonschema.Draft202012Validator(SCHEMA).validate(broken("configurations.0.nodes.0.parameters", []))
+
+
+def test_a_ros_2_system_is_as_the_schema_has_it() -> None:
+    document = written(SYSTEM)
+    lane = document["configurations"][1]["nodes"][0]
+    assert (lane["ros"], [item["name"] for item in lane["parameters"]]) == (
+        2,
+        ["/planning/lane:limits", "/planning/lane:map.frame", "/planning/lane:rate", "/planning/lane:width"],
+    )
+
+
+@pytest.mark.parametrize(
+    ("kind", "key", "value"),
+    [
+        ("parameters", "read_only", "yes"),
+        ("parameters", "range", [1.0]),
+        ("parameters", "range", ["a", None, None]),
+        ("publishers", "qos", {"depth": 1}),
+    ],
+)
+def test_the_schema_refuses_ros_2(kind: str, key: str, value: object) -> None:
+    document = copy.deepcopy(written(SYSTEM))
+    document["configurations"][1]["nodes"][0][kind][0][key] = value
+    assert list(jsonschema.Draft202012Validator(SCHEMA).iter_errors(document))

@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from interface_samples import LANE, SYSTEM
+from interface_samples import RATE as DECLARED
 from test_model_json import BASE, HOSTILE, ODOM, PUBLISH_TF, RATE, ROBOT, SAMPLE, VAGUE
 
 from haros_ci.model.architecture import Architecture
@@ -84,6 +86,26 @@ def rows(architecture: Architecture, path: Path, query: str) -> list[tuple[Any, 
 )
 def test_rows(tmp_path: Path, query: str, expected: list[tuple[Any, ...]]) -> None:
     assert rows(SAMPLE, tmp_path / "m.sqlite", query) == expected
+
+
+def test_ros_2(tmp_path: Path) -> None:
+    path = tmp_path / "m.sqlite"
+    assert rows(SYSTEM, path, "SELECT name, ros FROM nodes ORDER BY name") == [
+        ("/base", 1),
+        ("/planning/lane", 2),
+        ("/rviz", 2),
+    ]
+    of = "FROM qos JOIN endpoints ON id = endpoint WHERE name IN ('/planning/path', '/vehicle/status') ORDER BY depth"
+    assert rows(SYSTEM, path, f"SELECT history, depth, reliability, durability, deadline, lease {of}") == [
+        ("keep_last", 1, "reliable", "transient_local", 0.5, None),
+        (None, "?", "?", None, None, None),
+    ]
+    limited = replace(DECLARED, range=(1.0, 30.0, None))
+    found = Architecture(configurations=(replace(ROBOT, nodes=(replace(LANE, endpoints=(limited,)),)),))
+    query = "SELECT kind, name, value, effective, read_only, minimum, maximum, step FROM endpoints"
+    assert rows(found, path, query) == [
+        ("parameters", "/planning/lane:rate", "10.0", "20.0", 1, 1.0, 30.0, None)
+    ]
 
 
 def test_the_bytes_are_the_same_for_any_order_and_way() -> None:

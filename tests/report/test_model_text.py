@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from interface_samples import BARE, LANE, SYSTEM
 from test_model_json import BASE, CPP, HOSTILE, ODOM, ROBOT, SAMPLE, VAGUE, VIEW
 
 from haros_ci.model.architecture import Architecture, Unknown
@@ -75,9 +76,7 @@ def test_an_unknown_without_a_reason_and_known_ones_with() -> None:
 def test_no_endpoints_no_rate_and_no_configurations() -> None:
     text = model_text.render(Architecture(configurations=(replace(ROBOT, launch=(), arguments=(), nodes=()),)))
     assert text == "configuration robot: 0 nodes, 0 topics, 0 services, 0 actions, 1 parameter set\n"
-    assert model_text.render(Architecture()) == (
-        "No configurations: no ROS 1 launch file and no ROS 1 node was found; ROS 2 is not modelled yet.\n"
-    )
+    assert model_text.render(Architecture()) == "No configurations: no launch file and no node was found.\n"
 
 
 def test_hostile_names_make_no_lines_commands_or_colors() -> None:
@@ -97,3 +96,24 @@ def test_parameters_that_an_unreadable_file_may_set_are_no_number() -> None:
     empty = replace(ROBOT, launch=(), arguments=(), nodes=(), parameters=(*ROBOT.parameters, may))
     text = model_text.render(Architecture(configurations=(empty,)))
     assert text.endswith("0 actions, 1 parameter set, and more\n")
+
+
+def test_ros_2_has_parameters_and_a_rate_of_unknown_qos() -> None:
+    text = model_text.render(replace(SYSTEM, configurations=SYSTEM.configurations[:1]))
+    assert text.splitlines()[2:] == [
+        "  node /planning/lane lane/lane_node (lifecycle): 4 publishers, 4 subscribers, 1 server, 1 client, "
+        "1 action server, 4 parameters",
+        "  node /rviz rviz2/rviz2: 1 subscriber",
+        "  unknown names: 1 of 16 (6.2%); unknown types: 1 of 16 (6.2%); unknown QoS: 2 of 9 (22.2%)",
+        "    2 QoS: no reason given (src/lane/src/lane_node.cpp:12:3, src/lane/src/lane_node.cpp:14:3)",
+        "    1 name: what read--file returns is not known (src/lane/src/lane_node.cpp:13:9)",
+        "    1 type: a macro makes it (src/lane/src/lane_node.cpp:14:3)",
+    ]
+
+
+def test_a_declaration_without_a_type_is_unknown_only_if_it_says_so() -> None:
+    def types(end: object) -> int:
+        return model_text.gaps(replace(ROBOT, nodes=(replace(LANE, endpoints=(end,)),))).types
+
+    assert types(replace(BARE, type=None)) == 0
+    assert types(replace(BARE, type=None, unknowns=(Unknown("type", "x"),))) == 1

@@ -40,7 +40,7 @@ def test_ament_auto_package_installs_what_it_made() -> None:
         ),
         (
             "foreach(d launch config)\ninstall(DIRECTORY ${d}/ DESTINATION share/${PROJECT_NAME}/${d})\nendforeach()",
-            [("launch", "directory", "share//launch", ""), ("config", "directory", "share//config", "")],
+            [("launch", "directory", "share/launch", ""), ("config", "directory", "share/config", "")],
         ),
         ("install(FILES /etc/x ${CMAKE_CURRENT_BINARY_DIR}/y DESTINATION z)", []),
         ("find_package(X)\ninstall(FILES ${X_FILES} DESTINATION z)", []),

@@ -17,21 +17,33 @@ from haros_ci.model.workspace import Problem
 _HERE = Path(__file__).parent
 
 
-@lru_cache(maxsize=256)
-def load_known(package: str) -> Mapping[str, KnownNode] | None:
-    """The known node types of *package* by executable or nodelet look-up name; None if there is no file on it."""
+@lru_cache(maxsize=512)
+def load_known(package: str, ros: int = 1) -> Mapping[str, KnownNode] | None:
+    """The known node types of *package* by executable or look-up name; None if there is no file on it.
+
+    Of ROS 2 a node type that is a component, too, is there by its class as well.
+    """
     if not re.fullmatch(PACKAGE, package):
         return None
-    path = _HERE / f"{package}.yaml"
+    path = _directory(ros) / f"{package}.yaml"
     if not path.is_file():
         return None
-    nodes, _ = read_package(parse(path.read_text(encoding="utf-8")), package, path.name)
-    return MappingProxyType(nodes)
+    nodes, _ = read_package(parse(path.read_text(encoding="utf-8")), package, path.name, ros=ros)
+    return MappingProxyType(by_every_name(nodes))
 
 
-def known_packages() -> tuple[str, ...]:
-    """The packages that there is a file on, sorted."""
-    return tuple(sorted(path.stem for path in _HERE.glob("*.yaml")))
+def known_packages(ros: int = 1) -> tuple[str, ...]:
+    """The packages that there is a file on for ROS 1 or 2, sorted."""
+    return tuple(sorted(path.stem for path in _directory(ros).glob("*.yaml")))
+
+
+def by_every_name(nodes: Mapping[str, KnownNode]) -> dict[str, KnownNode]:
+    """*nodes*, those that are components by their class, too."""
+    return {**{node.component: node for node in nodes.values() if node.component}, **nodes}
+
+
+def _directory(ros: int) -> Path:
+    return _HERE / "ros2" if ros == 2 else _HERE
 
 
 def load_user(data: Mapping[Any, Any], where: str) -> tuple[Mapping[str, Mapping[str, KnownNode]], tuple[Problem, ...]]:
@@ -50,7 +62,7 @@ def load_user(data: Mapping[Any, Any], where: str) -> tuple[Mapping[str, Mapping
         read, said = read_package(nodes, package, where, f"known_nodes.{package}.")
         problems += said
         if read:
-            found[package] = MappingProxyType(read)
+            found[package] = MappingProxyType(by_every_name(read))
     return MappingProxyType(found), tuple(problems)
 
 

@@ -5,23 +5,38 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import Any, TypeVar
 
 from haros_ci.link.known import text
-from haros_ci.link.known.entry import KnownEndpoint, KnownNode
+from haros_ci.link.known.entry import KnownEndpoint, KnownNode, Policies
+from haros_ci.link.known.quality import policies
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.workspace import Problem
 
 PACKAGE = r"[A-Za-z][A-Za-z0-9_-]{0,99}"
 DISTRIBUTIONS = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
-PARAMETERS = ("getters", "setters")
+ROS2_DISTRIBUTIONS = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "rolling")
+PARAMETERS = ("getters", "setters", "parameters")
 PARAMETER_TYPES = ("bool", "int", "double", "str", "yaml")
-NODE_KEYS = ("source", "nodelet", "distributions", *KINDS)
+ROS2_PARAMETER_TYPES = ("bool", "int", "double", "str", "bytes", "bool[]", "int[]", "double[]", "str[]")
+ROS2_KEYS = ("component", "lifecycle", "plugin", "node_name", "parameters")
+NODE_KEYS = ("source", "nodelet", "distributions", "ros", *ROS2_KEYS[:-1], *KINDS)
 COMMON_KEYS = ("name", "type", "each", "if", "unless", "implicit", "distributions")
-_TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*")
+_TYPE = re.compile(r"[A-Za-z]\w*/(?:(msg|srv|action)/)?[A-Za-z]\w*")
 _NAME = re.compile(r"[~/]?[A-Za-z0-9_?/]*")
+_DOTTED = re.compile(r"~?[A-Za-z0-9_?./-]*")
+_CLASS = re.compile(r"[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*")
+#: The middle word of a ROS 2 type, by the kind of endpoint.
+SUBFOLDERS = {
+    "publishers": "msg",
+    "subscribers": "msg",
+    "servers": "srv",
+    "clients": "srv",
+    "action_servers": "action",
+    "action_clients": "action",
+}
 _MOST = 1000
 T = TypeVar("T")
 
@@ -30,6 +45,7 @@ T = TypeVar("T")
 class _Reading:
     where: str
     problems: list[Problem]
+    ros: int | None = None
 
     def say(self, at: str, message: str) -> None:
         if len(self.problems) < _MOST:
@@ -58,12 +74,15 @@ class _Reading:
             return None
 
 
-def read_package(data: object, package: str, where: str, at: str = "") -> tuple[dict[str, KnownNode], list[Problem]]:
+def read_package(
+    data: object, package: str, where: str, at: str = "", ros: int | None = None
+) -> tuple[dict[str, KnownNode], list[Problem]]:
     """The known nodes of *package* that *data* (node type -> entry) describes, sorted; then what is wrong with it.
 
-    *where* is the file, *at* the place in it. What has not the form of docs/known-nodes.md is left out.
+    *where* is the file, *at* the place in it, *ros* the version of nodes that do not tell theirs (None: both). What has
+    not the form of docs/known-nodes.md is left out.
     """
-    reading = _Reading(where, [])
+    reading = _Reading(where, [], ros)
     nodes: dict[str, KnownNode] = {}
     if not isinstance(data, Mapping):
         reading.say(at.rstrip(".") or where, "it must be a map of node types")
@@ -82,7 +101,7 @@ def shown(value: object) -> str:
 
 
 def _node(entry: object, name: object, package: str, at: str, reading: _Reading) -> KnownNode | None:
-    if not isinstance(name, str) or not re.fullmatch(r"[\w./+-]{1,200}", name):
+    if not isinstance(name, str) or not re.fullmatch(r"[\w./+:-]{1,200}", name):
         reading.say(at, "this is no node type: write the executable, or the look-up name of a nodelet")
         return None
     if not isinstance(entry, Mapping):
@@ -96,6 +115,25 @@ def _node(entry: object, name: object, package: str, at: str, reading: _Reading)
     if nodelet and "/" not in name:
         reading.say(at, f"a nodelet goes by its look-up name, such as {package}/{name}")
         return None
+    ros = entry.get("ros", reading.ros)
+    if ros not in (1, 2, None) or isinstance(ros, bool):
+        reading.say(at, "ros must be 1 or 2; without it the entry is for both")
+        return None
+    reading = replace(reading, ros=ros)
+    for key in ROS2_KEYS if ros == 1 else ():
+        if key in entry:
+            reading.say(f"{at}.{key}", "it is of ROS 2 only")
+    flags = {
+        key: _or_test(entry.get(key, False), bool, f"{at}.{key}", reading) is True for key in ("lifecycle", "plugin")
+    }
+    component = entry.get("component", name if "::" in name else "")
+    if not isinstance(component, str) or (component and not _CLASS.fullmatch(component)):
+        reading.say(f"{at}.component", "it is the class of the component, such as usb_cam::UsbCamNode")
+        component = ""
+    node_name = entry.get("node_name", "")
+    if not isinstance(node_name, str) or not re.fullmatch(r"\w*", node_name):
+        reading.say(f"{at}.node_name", "it is the name that the program gives its node")
+        node_name = ""
     source = entry.get("source", "")
     if not isinstance(source, str):
         reading.say(at, "source must be the address of a page")
@@ -121,6 +159,10 @@ def _node(entry: object, name: object, package: str, at: str, reading: _Reading)
         package=package,
         type=name,
         nodelet=nodelet,
+        ros=ros,
+        component=component,
+        node_name=node_name,
+        **flags,
         source=source,
         distributions=distributions,
         endpoints=tuple(endpoints),
@@ -132,13 +174,14 @@ def _endpoint(item: object, kind: str, at: str, reading: _Reading) -> KnownEndpo
         reading.say(at, f"it must be a map with a name and a type, not {type(item).__name__}")
         return None
     before = len(reading.problems)
-    reading.keys(item, _keys_of(kind), at)
+    reading.keys(item, _keys_of(kind, reading.ros), at)
     name = reading.parsed(text.template, item.get("name"), f"{at}.name")
-    if name is not None and not all(_NAME.fullmatch(part) for part in name if isinstance(part, str)):
+    form = _DOTTED if kind == "parameters" else _NAME
+    if name is not None and not all(form.fullmatch(part) for part in name if isinstance(part, str)):
         reading.say(f"{at}.name", f"{str(item['name'])[:80]!r} is no ROS name")
     if name == ():
         reading.say(f"{at}.name", "it is empty")
-    type_name, type_reason = _type(item.get("type"), kind, f"{at}.type", reading)
+    type_name, type_reason, type_text = _type(item.get("type"), kind, f"{at}.type", reading)
     value, value_reason = _value(item.get("default"))
     listed = reading.parsed(text.each, item["each"], f"{at}.each") if "each" in item else None
     if listed is None and name is not None and any(not isinstance(p, str) and p.kind == "item" for p in name):
@@ -148,8 +191,13 @@ def _endpoint(item: object, kind: str, at: str, reading: _Reading) -> KnownEndpo
         name=name or (),
         type=type_name,
         type_reason=type_reason,
+        type_text=type_text,
         queue_size=_or_test(item.get("queue_size"), int, f"{at}.queue_size", reading),
         latched=_or_test(item.get("latched"), bool, f"{at}.latched", reading),
+        qos=_qos(item, f"{at}.qos", reading),
+        read_only=_or_test(item.get("read_only"), bool, f"{at}.read_only", reading) is True
+        if kind == "parameters"
+        else None,
         value=value,
         value_reason=value_reason,
         implicit=_or_test(item.get("implicit", False), bool, f"{at}.implicit", reading) is True,
@@ -161,23 +209,42 @@ def _endpoint(item: object, kind: str, at: str, reading: _Reading) -> KnownEndpo
     return made if len(reading.problems) == before else None
 
 
-def _keys_of(kind: str) -> tuple[str, ...]:
+def _keys_of(kind: str, ros: int | None) -> tuple[str, ...]:
     if kind in PARAMETERS:
-        return (*COMMON_KEYS, "default")
-    own = {"publishers": ("queue_size", "latched"), "subscribers": ("queue_size",)}
-    return (*COMMON_KEYS, *own.get(kind, ()))
+        return (*COMMON_KEYS, "default", *(("read_only",) if kind == "parameters" else ()))
+    own = {"publishers": ("queue_size", "latched"), "subscribers": ("queue_size",)} if ros != 2 else {}
+    topic = kind in ("publishers", "subscribers")
+    quality = ("qos",) if (topic and ros != 1) or (kind in ("servers", "clients") and ros == 2) else ()
+    return (*COMMON_KEYS, *own.get(kind, ()), *quality)
 
 
-def _type(value: object, kind: str, at: str, reading: _Reading) -> tuple[str | None, str]:
-    if kind in PARAMETERS and value in PARAMETER_TYPES:
-        return str(value), ""
+def _type(value: object, kind: str, at: str, reading: _Reading) -> tuple[str | None, str, text.Template | None]:
+    words = ROS2_PARAMETER_TYPES if kind == "parameters" else PARAMETER_TYPES
+    if kind in PARAMETERS and value in words:
+        return str(value), "", None
     if isinstance(value, str) and value.startswith("{unknown:"):
-        return None, _reason(reading.parsed(text.template, value, at))
-    if kind not in PARAMETERS and isinstance(value, str) and _TYPE.fullmatch(value):
-        return value, ""
-    form = f"one of {', '.join(PARAMETER_TYPES)}" if kind in PARAMETERS else "package/Name"
+        return None, _reason(reading.parsed(text.template, value, at)), None
+    if kind not in PARAMETERS and isinstance(value, str) and "{" in value:
+        return None, "", reading.parsed(text.template, value, at)
+    if kind not in PARAMETERS and isinstance(value, str) and (found := _TYPE.fullmatch(value)):
+        wanted = {1: (None,), 2: (SUBFOLDERS[kind],), None: (None, SUBFOLDERS[kind])}
+        if found[1] in wanted[reading.ros]:
+            return value, "", None
+    form = f"one of {', '.join(words)}" if kind in PARAMETERS else "package/Name"
+    if kind not in PARAMETERS and reading.ros == 2:
+        form = f"package/{SUBFOLDERS[kind]}/Name"
     reading.say(at, f"{shown(value)!r} is no type; write {form}, or {{unknown:the reason}}")
-    return None, ""
+    return None, "", None
+
+
+def _qos(item: Mapping[Any, Any], at: str, reading: _Reading) -> Policies | None:
+    if "qos" not in item:
+        return None
+    try:
+        return policies(item["qos"])
+    except ValueError as error:
+        reading.say(at, f"it cannot be read: {error}")
+        return None
 
 
 def _value(value: object) -> tuple[Any, str]:
@@ -209,7 +276,8 @@ def _distributions(entry: Mapping[Any, Any], at: str, reading: _Reading) -> tupl
     value = entry.get("distributions")
     if value is None:
         return ()
-    if not isinstance(value, list) or not value or any(item not in DISTRIBUTIONS for item in value):
-        reading.say(f"{at}.distributions", f"it must be a list of some of: {', '.join(DISTRIBUTIONS)}")
+    known = {1: DISTRIBUTIONS, 2: ROS2_DISTRIBUTIONS, None: DISTRIBUTIONS}[reading.ros]
+    if not isinstance(value, list) or not value or any(item not in known for item in value):
+        reading.say(f"{at}.distributions", f"it must be a list of some of: {', '.join(known)}")
         return None
     return tuple(value)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 #: What a hole can ask for, with the form of what stands after the colon; see docs/known-nodes.md.
 HOLES = {
-    "param": r"[~/]?[A-Za-z][A-Za-z0-9_/]*",
+    "param": r"[~/]?(?:[A-Za-z]|\{item\})(?:[A-Za-z0-9_/.]|\{item\})*",
     "search": r"[A-Za-z][A-Za-z0-9_/]*",
     "arg": r"\d{1,3}",
     "option": r"-[A-Za-z0-9_-]+",
@@ -17,8 +17,9 @@ HOLES = {
     "unknown": r"[^{}|]+",
     "item": r"(?:[A-Za-z][A-Za-z0-9_]*)?",
 }
-_SUBJECT = re.compile(r"(?:(arg|option):)?([~/]?[A-Za-z0-9_/-]+)(?:\|([^|=]*?))?(?: == (.+))?")
-_LIST = re.compile(r"args:(\d{1,3})|([~/]?[A-Za-z][A-Za-z0-9_/]*)(#?)")
+_SUBJECT = re.compile(r"(?:(arg|option|item):)?([~/]?(?:[A-Za-z0-9_/.-]|\{item\})+)(?:\|([^|=]*?))?(?: == (.+))?")
+_LIST = re.compile(r"args:(\d{1,3})(?: as (.+))?|(file:)?([~/]?[A-Za-z][A-Za-z0-9_/.]*?)(#|\.\*)?")
+_FIELD = re.compile(r"\{([a-z_]+)\}")
 _DEEPEST = 4
 _LONGEST = 1000
 
@@ -38,7 +39,7 @@ Template = tuple[str | Hole, ...]
 
 @dataclass(frozen=True, slots=True)
 class Test:
-    """``about|default == wanted``, of a parameter (*kind* param), an arg or an option; without *wanted*: is it on?
+    """``about|default == wanted``, of a parameter (*kind* param), an arg, an option or an item; without *wanted*: is it on?
 
     Of the *kind* unknown nothing can be told, *about* being the reason.
     """
@@ -51,10 +52,15 @@ class Test:
 
 @dataclass(frozen=True, slots=True)
 class Each:
-    """``args:1``, ``~list`` or ``~name#`` (``~name0``, ``~name1``, ... up to the first that is not set)."""
+    """``args:1``, ``~list`` or ``~name#`` (``~name0``, ``~name1``, ... up to the first that is not set).
+
+    ``~group.*`` are the names of what is set below a prefix, ``file:~path`` the list in a YAML file. ``args:0 as
+    {topic}@{type}`` are those arguments that have the *shape*, as maps of its fields.
+    """
 
     kind: str
     about: str
+    shape: str = ""
 
 
 def template(text: str, depth: int = 0) -> Template:
@@ -95,13 +101,33 @@ def test(text: str) -> Test:
 
 
 def each(text: str) -> Each:
-    """A list: ``~parameter``, ``~parameter#`` or ``args:1``."""
+    """A list: ``~parameter``, ``~parameter#``, ``~group.*``, ``file:~parameter``, ``args:1`` or ``args:0 as {a}@{b}``."""
     found = _LIST.fullmatch(text.strip())
-    if found is None:
+    if found is None or (found[3] and found[5]):
         raise ValueError("a list is written as ~parameter, ~parameter# or args:1")
     if found[1]:
-        return Each("args", found[1])
-    return Each("numbered" if found[3] else "param", found[2])
+        if found[2] and not _is_shape(found[2]):
+            raise ValueError("the shape of an argument is written as {topic}@{type}")
+        return Each("args", found[1], found[2] or "")
+    kinds = {None: "file" if found[3] else "param", "#": "numbered", ".*": "children"}
+    return Each(kinds[found[5]], found[4])
+
+
+def _is_shape(text: str) -> bool:
+    names = _FIELD.findall(text)
+    between = _FIELD.split(text)[2:-1:2]
+    return 0 < len(names) == len(set(names)) and all(between) and len(text) <= _LONGEST
+
+
+def fields(shape: str, word: str) -> dict[str, str] | None:
+    """The fields of *word*, None if it has not the *shape*: no field has a character that stands between fields."""
+    literals = _FIELD.split(shape)[::2]
+    apart = re.escape("".join(literals + list("@[]")))
+    pattern = "".join(
+        re.escape(part) if n % 2 == 0 else f"(?P<{part}>[^{apart}]+)" for n, part in enumerate(_FIELD.split(shape))
+    )
+    found = re.fullmatch(pattern, word)
+    return found.groupdict() if found else None
 
 
 def literal(text: str) -> object:

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What each node type of the workspace offers and uses, in the node's own words: as it gives names, not remapped."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from haros_ci.model.architecture import KINDS, Architecture, Endpoint, Node
+from haros_ci.report.model_json import is_known
+
+#: The kinds of ends that are part of an interface; a ROS 1 node's getters stand for its parameters.
+INTERFACE = ("publishers", "subscribers", "servers", "clients", "action_servers", "action_clients", "parameters")
+
+#: Names that the client libraries' own objects (tf2, diagnostic_updater, clocks, logging) write with a slash in front.
+ABSOLUTE = frozenset(
+    (
+        "/clock",
+        "/diagnostics",
+        "/diagnostics_agg",
+        "/parameter_events",
+        "/robot_description",
+        "/rosout",
+        "/tf",
+        "/tf_static",
+    )
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One line of an interface: *kind* is one of ``INTERFACE``; *ends* are its endpoints in all configurations."""
+
+    kind: str
+    name: str
+    type: str | None
+    ends: tuple[Endpoint, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Interface:
+    """A node type: *names* are the last parts of its nodes' names, the most frequent known one first.
+
+    *entries* are sorted by kind, name and type; a name or type that is not known in full has ``?`` or is None.
+    """
+
+    package: str
+    type: str
+    ros: int
+    names: tuple[str, ...]
+    entries: tuple[Entry, ...]
+    nodes: tuple[Node, ...]
+
+
+def interfaces(architecture: Architecture) -> tuple[Interface, ...]:
+    """The node types of the workspace's packages by package and type, each over all its nodes; implicit ends left out.
+
+    A name below the node's own name is private (``~/x``), one below its namespace relative (``x``), any other absolute
+    (design.ros2.org, topic and service names; ROS wiki, Names). In the root namespace ``x`` and ``/x`` are one name: it
+    is absolute if a node of the same type elsewhere has it so or it is one of ``ABSOLUTE``, else relative.
+    """
+    ours = {package.name for package in architecture.packages}
+    found: dict[tuple[str, str], list[Node]] = {}
+    for configuration in sorted(architecture.configurations, key=lambda item: item.name):
+        for node in sorted(configuration.nodes, key=lambda item: item.name):
+            if node.package in ours and is_known(node.type):
+                found.setdefault((node.package, node.type), []).append(node)
+    return tuple(_interface(package, type, nodes) for (package, type), nodes in sorted(found.items()))
+
+
+def own_name(node: str, name: str) -> str:
+    """*name*, resolved, as the node *node* (its full name) says it; in the root namespace relative."""
+    for below in (f"{node}/", f"{node}:"):
+        if name.startswith(below):
+            return f"~/{name[len(below) :]}"
+    namespace = node.rpartition("/")[0]
+    return name[len(namespace) + 1 :] if name.startswith(f"{namespace}/") else name
+
+
+def _interface(package: str, type: str, nodes: list[Node]) -> Interface:
+    counts = Counter(node.name.rpartition("/")[2] for node in nodes)
+    names = sorted(counts, key=lambda name: (not is_known(name) or not name, -counts[name], name))
+    ends = [(node, end) for node in nodes for end in node.endpoints if not end.implicit]
+    absolute = {name for node, end in ends if (name := own_name(node.name, end.original_name)).startswith("/")}
+    absolute |= ABSOLUTE
+    grouped: dict[tuple[str, str, str | None], list[Endpoint]] = {}
+    for node, end in ends:
+        kind = "parameters" if node.ros == 1 and end.kind == "getters" else end.kind
+        if kind in INTERFACE:
+            name = _spelt(node, end, kind, absolute)
+            grouped.setdefault((kind, name, end.type), []).append(end)
+    typed = {(kind, name) for kind, name, type in grouped if type is not None}
+    entries = [
+        Entry(kind, name, type, tuple(group))
+        for (kind, name, type), group in grouped.items()
+        if type is not None or kind != "parameters" or (kind, name) not in typed
+    ]
+    entries.sort(key=lambda entry: (KINDS.index(entry.kind), entry.name, entry.type or ""))
+    return Interface(package, type, nodes[0].ros, tuple(names), tuple(entries), tuple(nodes))
+
+
+def _spelt(node: Node, end: Endpoint, kind: str, absolute: Iterable[str]) -> str:
+    name = own_name(node.name, end.original_name)
+    if kind == "parameters" and node.ros != 1:
+        return name.removeprefix("~/")  # a ROS 2 parameter always belongs to its node
+    return f"/{name}" if node.name.count("/") == 1 and f"/{name}" in absolute else name
+
+
+def qos_text(entry: Entry, ros: int) -> str:
+    """The queue (ROS 1) or quality of service (ROS 2) of a topic's end in words; what differs is parted by ``or``."""
+    return " or ".join(sorted({", ".join(_qos(end, ros)) for end in entry.ends}))
+
+
+def _qos(end: Endpoint, ros: int) -> Iterator[str]:
+    if ros == 1:
+        yield str(end.queue_size) if end.queue_size is not None else "?"
+        if end.latched:
+            yield "latched"
+        return
+    qos = end.qos
+    if qos is None:
+        yield "?"
+        return
+    if qos.history == "keep_all":
+        yield "keep_all"
+    elif qos.depth is not None:
+        yield f"depth {qos.depth}"
+    elif qos.history == "?":
+        yield "history ?"
+    for policy, value in (("reliability", qos.reliability), ("durability", qos.durability)):
+        if value is not None:
+            yield f"{policy} ?" if value == "?" else value
+    for policy, seconds in (("deadline", qos.deadline), ("lifespan", qos.lifespan), ("lease", qos.lease)):
+        if seconds is not None:
+            yield f"{policy} {seconds}" + ("" if seconds == "?" else " s")
+    if qos.liveliness is not None and qos.liveliness != "automatic":
+        yield "liveliness ?" if qos.liveliness == "?" else qos.liveliness

@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The documented rows of one package against its interfaces: what is missing, of another type, or with another default.
+
+Nothing is said where an unknown of the model could explain a row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from haros_ci.model.architecture import Architecture, Endpoint, Node
+from haros_ci.model.location import Location
+from haros_ci.report.model_json import Places, is_known
+from haros_ci.report.node_interface import Entry, Interface, own_name
+from haros_ci.report.readme_names import fits, may_be, same_tail, spelt
+from haros_ci.report.readme_tables import Row
+from haros_ci.report.readme_values import default_differs, is_value, type_differs
+
+RULES = {kind: f"readme-{kind}" for kind in ("missing", "type", "default", "undocumented")}
+NOUNS = {
+    "publishers": "publisher",
+    "subscribers": "subscriber",
+    "servers": "service",
+    "clients": "service client",
+    "action_servers": "action server",
+    "action_clients": "action client",
+    "parameters": "parameter",
+}
+#: Kinds in which a row that speaks of a kind may be found, too: "Services" above a table may mean clients.
+_ALSO = {"servers": ("clients",)}
+_PARAMETER_KINDS = ("parameters", "getters", "setters")
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """One disagreement at a line of a README; *level* is warning, or note for what is only not documented."""
+
+    path: str
+    line: int
+    level: str
+    rule: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """An endpoint with all the names that a document may give it; *forms* are those known in full, to be compared."""
+
+    kind: str
+    names: frozenset[str]
+    forms: tuple[str, ...]
+    end: Endpoint
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What the model knows of one package.
+
+    *ends* are the endpoints of its nodes and those made in its files, *interfaces* its node types. *complete* says that
+    all that its nodes have was seen. *outside* are the names of parameters and arguments that launch files set.
+    """
+
+    ends: tuple[_End, ...]
+    interfaces: tuple[Interface, ...]
+    complete: bool
+    outside: frozenset[str]
+
+
+def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, Known]:
+    """What *architecture*, whose interfaces are *every*, knows of each package that it knows of at all."""
+    home = _homes(architecture)
+    ends: dict[str, dict[tuple[object, ...], _End]] = {}
+    unseen: set[str] = set()
+    own: dict[str, list[Interface]] = {}
+    outside: set[str] = set()
+    for configuration in architecture.configurations:
+        outside.update(name for name, _ in configuration.arguments)
+        outside.update(item.name.rpartition(":")[2] for item in configuration.parameters)
+        for node in configuration.nodes:
+            if not node.endpoints or any(why.field in ("endpoints", "package", "type") for why in node.unknowns):
+                unseen.add(node.package)
+            for end in node.endpoints:
+                kind = "parameters" if end.kind in _PARAMETER_KINDS else end.kind
+                names = _names(node, end)
+                key = (kind, names, end.type, repr(end.value), repr(end.effective), end.location, end.unknowns)
+                for package in {node.package, home(end.location)} - {None}:
+                    of_package = ends.setdefault(str(package), {})
+                    if key not in of_package:
+                        forms = {spelt(name, kind == "parameters") for name in names if is_known(name)}
+                        of_package[key] = _End(kind, names, tuple(sorted(forms)), end)
+    for item in every:
+        own.setdefault(item.package, []).append(item)
+    return {
+        package: Known(
+            tuple(found.values()),
+            tuple(own.get(package, ())),
+            package in own and package not in unseen,
+            frozenset(outside),
+        )
+        for package, found in ends.items()
+    }
+
+
+def _homes(architecture: Architecture) -> Callable[[Location | None], str | None]:
+    """The package that a location is in; asked once for each file."""
+    place = Places(architecture.packages)
+    split = cache(lambda path: place.split(path)[0])
+    return lambda location: None if location is None else split(location.path)
+
+
+def compare(path: str, documented: Sequence[Row], facts: Known) -> Iterator[Difference]:
+    """The differences between *documented*, the rows of the README at *path*, and *facts*.
+
+    A table of parameters none of which is in the code is taken to be about something else. An absolute name may be what
+    a launch file outside the workspace makes of one that no row has.
+    """
+    matches = [_found(row, facts) for row in documented]
+    about_code = {row.table for row, (found, _) in zip(documented, matches, strict=True) if found}
+    taken = {id(item) for found, _ in matches for item in found}
+    left = [item for item in facts.ends if id(item) not in taken and not item.end.implicit]
+    told: set[tuple[int, str]] = set()
+    for row, (found, exact) in zip(documented, matches, strict=True):
+        if found:
+            said = list(_details(row, found, exact=exact))
+        else:
+            said = list(_missing(row, facts, left)) if row.table in about_code or row.kinds != ("parameters",) else []
+        for level, rule, message in said:
+            if (row.line, message) not in told:
+                told.add((row.line, message))
+                yield Difference(path, row.line, level, RULES[rule], message)
+    yield from _undocumented(path, documented, facts)
+
+
+def _names(node: Node, end: Endpoint) -> frozenset[str]:
+    names: set[str] = set()
+    for name in (end.name, end.original_name):
+        own = own_name(node.name, name)
+        if end.kind in _PARAMETER_KINDS:
+            names |= {own, own.removeprefix("~/")}
+            continue
+        names |= {name, own, own_name(node.name.rpartition("/")[0] + "/?", name)}
+        if not own.startswith("~"):
+            names.add(name.removeprefix("/"))
+    return frozenset(names)
+
+
+def _found(row: Row, facts: Known) -> tuple[list[_End], bool]:
+    """The endpoints that a row means, and whether its name is theirs in full rather than only at the end."""
+    kinds = _kinds(row)
+    candidates = [item for item in facts.ends if item.kind in kinds]
+    ways: tuple[Callable[[str, str], bool], ...] = (lambda a, b: a == b, fits, same_tail)
+    for way in ways:
+        found = [item for item in candidates if _named(row, item, way)]
+        if found:
+            return found, way is not same_tail
+    return [], False
+
+
+def _kinds(row: Row) -> set[str]:
+    return {*row.kinds, *(also for kind in row.kinds for also in _ALSO.get(kind, ()))}
+
+
+def _missing(row: Row, facts: Known, left: Sequence[_End]) -> Iterator[tuple[str, str, str]]:
+    """Level, rule and message for a row that means nothing in the code, unless something unknown could be it."""
+    name, kinds = row.names[0], _kinds(row)
+    if not facts.complete or any(_may_explain(row, item) for item in facts.ends if item.kind in kinds):
+        return
+    if row.kinds == ("parameters",) and any(_tail_of(name, other) for other in facts.outside):
+        return
+    remapped = (item for item in left if item.kind in kinds and _type_fits(row, item))
+    if any(given.startswith("/") for given in row.names) and any(remapped):
+        return
+    what = " or ".join(NOUNS[kind] for kind in row.kinds)
+    other = [item for item in facts.ends if item.kind not in kinds and _named(row, item, fits)]
+    hint = f"; it is a {NOUNS[other[0].kind]} there{_at(other[0].end.location)}" if other else ""
+    yield "warning", "missing", f"{what} {name} is documented, but is not in the code{hint}"
+
+
+def _details(row: Row, found: Sequence[_End], *, exact: bool) -> Iterator[tuple[str, str, str]]:
+    """Another type or default of a row that was found; of several candidates one that agrees is enough."""
+    if not exact and len({(item.end.type, _text(item.end.value)) for item in found}) > 1:
+        return
+    what = f"{NOUNS[found[0].kind]} {row.names[0]}"
+    at = _at(found[0].end.location)
+    if row.type is not None and (exact or found[0].kind == "parameters"):
+        fitting = [item for item in found if type_differs(row.type, item.kind, item.end.type) is not True]
+        if not fitting:
+            types = " and ".join(sorted({item.end.type or "?" for item in found}))
+            yield "warning", "type", f"{what} has type {row.type} in the document, but {types} in the code{at}"
+            return
+        found = fitting
+    if row.default is None or found[0].kind != "parameters" or any(_vague(item.end) for item in found):
+        return
+    coded = [item.end.value for item in found if item.end.value is not None]
+    effective = [item.end.effective for item in found if item.end.effective is not None]
+    values = [*coded, *effective]
+    if (
+        not values
+        or not is_value(row.default)
+        or any(default_differs(row.default, value) is not True for value in values)
+    ):
+        return
+    if coded:
+        texts = " and ".join(sorted({_text(value) for value in coded}))
+        message = f"{what} has default {row.default} in the document, but {texts} in the code{at}"
+        yield "warning", "default", message
+    else:
+        texts = " and ".join(sorted({_text(value) for value in effective}))
+        message = f"{what} has default {row.default} in the document; the code has none, launch files set {texts}{at}"
+        yield "note", "default", message
+
+
+def _undocumented(path: str, documented: Sequence[Row], facts: Known) -> Iterator[Difference]:
+    """What the package's own nodes have beside what a README with a table of that kind says."""
+    for kind in NOUNS:
+        of_kind = [row for row in documented if kind in row.kinds or any(kind in _ALSO.get(k, ()) for k in row.kinds)]
+        table = min((row.table for row in of_kind if kind in row.kinds), default=None)
+        if table is None:
+            continue
+        by_name: dict[str, list[_End]] = {}
+        for end in facts.ends:
+            for name in end.names if end.kind == kind else ():
+                by_name.setdefault(name, []).append(end)
+        for item in facts.interfaces:
+            for entry in item.entries:
+                ends = by_name.get(entry.name, [])
+                if entry.kind == kind and is_known(entry.name) and not _is_documented(entry, of_kind, ends):
+                    type = f" ({entry.type})" if entry.type else ""
+                    what = f"{NOUNS[kind]} {entry.name}{type} of {item.type}"
+                    message = f"{what} is in the code, but not documented{_at(entry.ends[0].location)}"
+                    yield Difference(path, table, "note", RULES["undocumented"], message)
+
+
+def _is_documented(entry: Entry, documented: Sequence[Row], ends: Sequence[_End]) -> bool:
+    return any(_named(row, item, way) for way in (fits, same_tail) for row in documented for item in ends)
+
+
+def _named(row: Row, item: _End, same: Callable[[str, str], bool]) -> bool:
+    dotted = item.kind == "parameters"
+    return any(same(spelt(name, dotted), other) for name in row.names for other in item.forms)
+
+
+def _may_explain(row: Row, item: _End) -> bool:
+    """Whether *item*, whose name is not known in full, can be what the row means."""
+    return _type_fits(row, item) and any(
+        "?" in other and may_be(other, name) for other in item.names for name in row.names
+    )
+
+
+def _type_fits(row: Row, item: _End) -> bool:
+    return row.type is None or type_differs(row.type, item.kind, item.end.type) is not True
+
+
+def _tail_of(name: str, other: str) -> bool:
+    return same_tail(spelt(name, True), spelt(other, True))
+
+
+def _vague(end: Endpoint) -> bool:
+    return any(why.field in ("value", "default", "effective") for why in end.unknowns) and end.value is None
+
+
+def _text(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value) or '""'
+
+
+def _at(location: Location | None) -> str:
+    return f" ({location})" if location is not None else ""

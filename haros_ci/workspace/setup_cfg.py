@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""setup.cfg as setuptools reads it ("Configuring setuptools using setup.cfg files"), as far as it names programs."""
+
+from __future__ import annotations
+
+import re
+
+MAX_LINES = 10_000
+
+_SECTION = re.compile(r"\[([^\]]+)\]")
+_KEY = re.compile(r"([\w.\- ]+?)\s*[=:]\s*(.*)\Z", re.DOTALL)
+
+
+def console_scripts(text: str) -> list[tuple[str, int, int]]:
+    """The lines ``name = module:function`` of console scripts, each with its line and column."""
+    return _values(text, "options.entry_points", "console_scripts")
+
+
+def package_directories(text: str) -> dict[str, str]:
+    """``package_dir`` of the options: the directory of each package, "" for all others."""
+    found = {}
+    for line, _, _ in _values(text, "options", "package_dir"):
+        for pair in line.split(","):
+            name, equals, directory = pair.partition("=")
+            if equals:
+                found[name.strip()] = directory.strip()
+    return found
+
+
+def scripts_of_text(text: str) -> list[str]:
+    """The console scripts of entry points given as text."""
+    section = ""
+    found = []
+    for line in text.splitlines():
+        bare = line.strip()
+        if bare.startswith("["):
+            section = bare.strip("[] ")
+        elif bare and section in ("", "console_scripts"):
+            found.append(bare)
+    return found
+
+
+def _values(text: str, section: str, key: str) -> list[tuple[str, int, int]]:
+    """The lines of one value. Continuation lines are indented; ``#`` and ``;`` begin comments (configparser)."""
+    found: list[tuple[str, int, int]] = []
+    here = current = ""
+    for number, line in enumerate(text.splitlines()[:MAX_LINES], start=1):
+        bare = line.strip()
+        if not bare or bare[0] in "#;":
+            continue
+        if not line[0].isspace():
+            header = _SECTION.match(line)
+            if header is not None:
+                here, current = header[1].strip(), ""
+                continue
+            match = _KEY.match(line) if len(line) < 1_000 else None
+            current = match[1].strip() if match is not None else ""
+            bare = match[2].strip() if match is not None else ""
+        if here == section and current == key and bare:
+            found.append((bare, number, line.find(bare) + 1))
+    return found

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Node types as NoDL: names in the node's own words, the grammar of its schema, and nothing that is not known."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
+
+import pytest
+from interface_samples import BASE, CPP, LANE, ODOM, PACKAGES, PATH, SYSTEM, VAGUE, end
+from test_model_json import HOSTILE
+
+from haros_ci.model.architecture import Architecture, Configuration, Node, Unknown
+from haros_ci.report import model_nodl
+from haros_ci.report.node_interface import own_name
+
+WHY = "what read- -file returns is not known"  # XML has no two hyphens in a comment
+#: Element: its attributes, all required, with the values that they may have (v1.xsd of nodl_python).
+SERVER = ("server", "client", "both")
+GRAMMAR = {
+    "action": {"name": None, "type": None, "role": SERVER},
+    "parameter": {"name": None, "type": None},
+    "service": {"name": None, "type": None, "role": SERVER},
+    "topic": {"name": None, "type": None, "role": ("publisher", "subscription", "both")},
+}
+
+
+def valid(text: str) -> ElementTree.Element:
+    """The document, if it is as the schema has it."""
+    root = ElementTree.fromstring(text)
+    assert root.tag == "interface" and root.attrib == {"version": "1"} and len(root) > 0
+    for node in root:
+        assert node.tag == "node" and set(node.attrib) == {"name", "executable"} and len(node) > 0
+        for item in node:
+            assert set(item.attrib) == set(GRAMMAR[item.tag]) and len(item) == 0
+            for key, allowed in GRAMMAR[item.tag].items():
+                assert item.attrib[key] and (allowed is None or item.attrib[key] in allowed)
+    return root
+
+
+def of(*nodes: Node) -> Architecture:
+    return Architecture(
+        configurations=tuple(Configuration(name=str(n), nodes=(x,)) for n, x in enumerate(nodes)), packages=PACKAGES
+    )
+
+
+def test_a_document() -> None:
+    text = model_nodl.render(SYSTEM)
+    valid(text)
+    assert (
+        text
+        == f"""<?xml version="1.0" encoding="UTF-8"?>
+<interface version="1">
+  <!-- package base -->
+  <node name="base" executable="base_node">
+    <parameter name="robot" type="string" />
+    <parameter name="~/rate" type="int" />
+    <topic name="odom" type="nav_msgs/msg/Odometry" role="publisher" />
+    <topic name="~/cmd" type="geometry_msgs/msg/Twist" role="subscription" />
+    <service name="stop" type="std_srvs/srv/Empty" role="server" />
+  </node>
+  <!-- package lane -->
+  <node name="lane" executable="lane_node">
+    <action name="~/go" type="nav2_msgs/action/Wait" role="server" />
+    <parameter name="limits" type="double[]" />
+    <parameter name="map.frame" type="string" />
+    <parameter name="rate" type="double" />
+    <parameter name="width" type="double" />
+    <topic name="/tf" type="tf2_msgs/msg/TFMessage" role="publisher" />
+    <topic name="/vehicle/status" type="lane_msgs/msg/Status" role="subscription" />
+    <topic name="echo" type="std_msgs/msg/Empty" role="both" />
+    <topic name="odom" type="nav_msgs/msg/Odometry" role="subscription" />
+    <topic name="~/output/path" type="nav_msgs/msg/Path" role="publisher" />
+    <service name="ask" type="std_srvs/srv/SetBool" role="client" />
+    <service name="~/reset" type="std_srvs/srv/Trigger" role="server" />
+    <!-- left out: topic name=~/debug/? type=std_msgs/msg/String role=publisher: {WHY} ({CPP}:13:9) -->
+    <!-- left out: topic name=hint type=? role=subscription: a macro makes it ({CPP}:14:3) -->
+  </node>
+</interface>
+"""
+    )
+
+
+def test_one_package_only() -> None:
+    root = valid(model_nodl.render(SYSTEM, "base"))
+    assert [node.get("name") for node in root] == ["base"]
+
+
+@pytest.mark.parametrize(
+    ("node", "name", "expected"),
+    [
+        ("/ns/lane", "/ns/lane/x", "~/x"),
+        ("/ns/lane", "/ns/x", "x"),
+        ("/ns/lane", "/ns/lanes", "lanes"),
+        ("/ns/lane", "/nsx/x", "/nsx/x"),
+        ("/ns/lane", "/x", "/x"),
+        ("/lane", "/x", "x"),
+        ("/lane", "/lane/x/y", "~/x/y"),
+        ("/lane", "/lane:a.b", "~/a.b"),
+        ("/?/lane", "/?/lane/x", "~/x"),
+        ("/?/lane", "/?/x", "x"),
+        ("/?/lane", "/x", "/x"),
+        ("/lane", "?", "?"),
+    ],
+)
+def test_own_names(node: str, name: str, expected: str) -> None:
+    assert own_name(node, name) == expected
+
+
+def test_another_namespace_tells_absolute_from_relative() -> None:
+    here = replace(
+        LANE, name="/lane", endpoints=(end("publishers", "/map", "a/msg/B"), end("publishers", "/x", "a/msg/B"))
+    )
+    there = replace(
+        LANE, name="/ns/lane", endpoints=(end("publishers", "/map", "a/msg/B"), end("publishers", "/ns/x", "a/msg/B"))
+    )
+    root = valid(model_nodl.render(of(here, there)))
+    assert [item.get("name") for item in root[0]] == ["/map", "x"]
+    (alone,) = valid(model_nodl.render(of(here)))
+    assert [item.get("name") for item in alone] == ["map", "x"]
+
+
+def test_several_names_of_one_type() -> None:
+    text = model_nodl.render(
+        of(LANE, replace(LANE, name="/b/lane"), replace(LANE, name="/b/left"), replace(LANE, name="/?"))
+    )
+    root = valid(text)
+    assert [node.get("name") for node in root] == ["lane"]
+    assert "<!-- also runs as left, ? -->" in text
+
+
+@pytest.mark.parametrize(
+    ("node", "comments"),
+    [
+        (replace(LANE, endpoints=()), ["left out: lane_node: no entry is known"]),
+        (replace(LANE, name="/?"), ["left out: lane_node: the node's name is not known"]),
+        (
+            replace(LANE, endpoints=(replace(VAGUE, unknowns=()),), unknowns=(Unknown("endpoints", "no source"),)),
+            [
+                "left out: lane_node: no entry is known",
+                "left out: topic name=~/debug/? type=std_msgs/msg/String role=publisher",
+                "there may be more: no source",
+            ],
+        ),
+    ],
+)
+def test_what_no_node_can_be_written_of_is_a_comment(node: Node, comments: list[str]) -> None:
+    text = model_nodl.render(of(node))
+    assert "<node" not in text
+    assert [line.strip() for line in text.splitlines() if "<!--" in line][1 : len(comments) + 1] == [
+        f"<!-- {comment} -->" for comment in comments
+    ]
+
+
+def test_nothing_at_all() -> None:
+    text = (
+        '<?xml version="1.0" encoding="UTF-8"?>\n<interface version="1">\n  <!-- no node was found -->\n</interface>\n'
+    )
+    assert model_nodl.render(Architecture()) == text
+
+
+def test_components_stand_with_their_class_and_nodes_of_other_packages_do_not_stand_at_all() -> None:
+    part = replace(LANE, kind="component", type="lane::LaneNode")
+    outside = replace(BASE, package="joy")
+    root = valid(model_nodl.render(of(part, outside)))
+    assert [node.get("executable") for node in root] == ["lane::LaneNode"]
+
+
+@pytest.mark.parametrize("name", [HOSTILE, "/a--->b", "/\ufffe\x00", '"/><node name="x', "&lt;!-- -- --&gt;--", "/x-"])
+def test_hostile_names_are_text(name: str) -> None:
+    ends = (
+        replace(PATH, original_name=name, type=name),
+        replace(ODOM, original_name=f"{name}?", unknowns=(Unknown("name", name),)),
+    )
+    root = valid(model_nodl.render(of(replace(LANE, name=f"/ns/{name}x", type=f"{name}x", endpoints=ends), LANE)))
+    assert len(root) == 2 or len(root) == 1
+
+
+def test_order_does_not_depend_on_the_order_of_input() -> None:
+    turned = replace(SYSTEM, configurations=SYSTEM.configurations[::-1], packages=PACKAGES[::-1])
+    turned = replace(
+        turned,
+        configurations=tuple(
+            replace(item, nodes=tuple(replace(n, endpoints=n.endpoints[::-1]) for n in item.nodes[::-1]))
+            for item in turned.configurations
+        ),
+    )
+    assert model_nodl.render(turned) == model_nodl.render(SYSTEM)
