@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -13,6 +13,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.extract.apis.tables import rows
 from haros_ci.extract.cpp.exact import ExactCall, Place, pick
+from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.extract.program_json import from_json, to_json
 from haros_ci.forks import shared
 from haros_ci.link import hints
@@ -141,7 +142,23 @@ def programs(
         problems += [Problem(file.path, message, line) for line, message in program.problems]
         module = module_name(file.path, roots) if file.language == "python" else ""
         sources.append(Source(file.path, file.package, program, module))
-    return tuple(sources)
+    return (*sources, *parameter_libraries(workspace, built, problems))
+
+
+def parameter_libraries(
+    workspace: Workspace, built: Mapping[str, Build], problems: list[Problem]
+) -> Iterator[Source]:
+    """The code that generate_parameter_library makes of YAML, as programs."""
+    seen = set()
+    for build in built.values():
+        for library in build.parameter_libraries:
+            if library.path in seen:
+                continue
+            seen.add(library.path)
+            program = read_parameter_library(library.path, workspace.text(library.path), library.language)
+            problems += [Problem(library.path, message, line) for line, message in program.problems]
+            module = f"{library.package}.{library.name}" if library.language == "python" else ""
+            yield Source(library.path, library.package, program, module)
 
 
 def _place(file: SourceFile) -> tuple[str, str, str]:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import callbacks, conversions, handles, library_objects, ros2_nodes, selectors
+from haros_ci.link import callbacks, conversions, handles, library_objects, ros2_nodes, ros2_selectors, selectors
 from haros_ci.link.emit import emit
 from haros_ci.link.names import clean
 from haros_ci.link.run import Frame, Run
@@ -176,6 +176,8 @@ def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
         return parameter_type(kind) == "int"
     if wanted == "double":
         return name in ("double", "float")
+    if isinstance(value, Library) and value.name.rpartition(".")[0] == wanted:
+        return True
     if isinstance(value, Object):
         return value.name == wanted or wanted in library_objects.owners(run, value)
     return name == wanted
@@ -193,6 +195,8 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
             target = made if made is not None else applied.receiver
             if isinstance(target, Object):
                 ros2_nodes.construct(applied, entry, target)
+                if applied.receiver is None:
+                    applied = replace(applied, receiver=target)
             continue
         if entry.kind == "handle":
             target = made if made is not None else applied.receiver
@@ -241,10 +245,13 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
 def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] | None]:
     if entry.each is None:
         return [None]
-    inside = re.fullmatch(r"(config|keys)\((.+)\)", entry.each)
+    inside = re.fullmatch(r"(config|keys|items)\((.+)\)", entry.each)
     if inside is None:
         return []
-    value = selectors.select_value(applied, inside[2])
+    every = (selectors.select_value(applied, part) for part in inside[2].split("|"))
+    value = next((each for each in every if each is not None), None)
+    if inside[1] == "items":
+        return ros2_selectors.items(applied, value)
     if inside[1] == "keys":
         if isinstance(value, Mapped) and isinstance(value.content.value, dict):
             return [{"name": Known(str(k)), "default": c.value} for k, c in value.content.value.items()]

@@ -88,6 +88,8 @@ def method_call(
     """``receiver.name(args)``."""
     if isinstance(receiver, Library) and receiver.name == "super":
         return super_call(run, frame, name, args, location)
+    if name.startswith("spin") and isinstance(receiver, Object) and receiver.name.endswith("Executor"):
+        follow.interlude(run, frame)
     modelled = library.method(run, frame, receiver, cell, name, args, location)
     if modelled is not None:
         return modelled

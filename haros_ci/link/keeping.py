@@ -16,6 +16,10 @@ from haros_ci.model.api import Row
 from haros_ci.model.program import Program
 
 
+#: Parameter libraries, whose facts are not kept.
+YAML = (".yaml", ".yml")
+
+
 @dataclass(frozen=True, slots=True)
 class Keeper:
     """Where results are kept between runs.
@@ -43,6 +47,7 @@ def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
         sorted(types.configs.items()),
         [(version, each.rules()) for version, each in sorted(types.relevance.items())],
         [(source.path, source.module, source.package) for _, source in sorted(types.programs.sources.items())],
+        [source.program for _, source in sorted(types.programs.sources.items()) if source.path.endswith(YAML)],
     )
 
 

@@ -122,7 +122,7 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
         return command_lines.parser(args)
     if name in ("rospkg.RosPack", "rospkg.rospack.RosPack"):
         return Object("rospkg.RosPack")
-    if name in ("roslib.packages.get_pkg_dir", "ament_index_python.packages.get_package_share_directory"):
+    if name == "roslib.packages.get_pkg_dir":
         return Known(f"$(find {first.value})") if isinstance(first, Known) else None
     if name == "functools.partial" and first is not None:
         return partials.partial(first, args[1:])

@@ -113,7 +113,7 @@ def yaml_reader(files: Files) -> Any:
     def read(path: str) -> Value | None:
         text = path[1:] if path.startswith("\n") else None
         if text is None:
-            place = files.place(literal(path))
+            place = files.place(literal(path.replace("$(find-pkg-share ", "$(find ")))
             if place.path is None or not files.has(posixpath.normpath(place.path)):
                 return None
             text = files.workspace.text(place.path)

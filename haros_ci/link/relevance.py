@@ -24,7 +24,7 @@ from haros_ci.link.mentions import (
     targets,
     type_names,
 )
-from haros_ci.model.api import Row
+from haros_ci.model.api import Entry, Row
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.program import Class, Function, Parameter
 
@@ -246,4 +246,9 @@ def _spellings(name: str) -> Iterable[str]:
 
 
 def _makes(row: Row) -> bool:
-    return bool(row.entry or row.unseen) or any(entry.kind in KINDS for entry in row.makes)
+    return bool(row.entry or row.unseen) or any(entry.kind in KINDS or _is_node(entry) for entry in row.makes)
+
+
+def _is_node(entry: Entry) -> bool:
+    """Whether an object becomes a node of a ROS 2 process."""
+    return entry.kind == "node" and "anonymous" not in entry.values

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import conversions, forwarding, ros2_nodes
+from haros_ci.link import conversions, forwarding, ros2_nodes, ros2_selectors
 from haros_ci.link.names import pattern
 from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
 from haros_ci.link.types import ros2_data_type, ros2_parameter_type
-from haros_ci.link.values import NONE, Known, Object, Opaque, Pointer, Value, data_of, opaque_of
+from haros_ci.link.values import NONE, Known, Library, Object, Opaque, Pointer, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS, Qos
 from haros_ci.model.location import Location
@@ -34,6 +34,8 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     node, why_not = ros2_nodes.of_entry(applied, entry)
     given = value_of(applied, entry.values["name"]) if "name" in entry.values else None
     text, why, where = pattern(given if given is not None else Opaque("it is not given", applied.location))
+    if entry.kind in PARAMETERS and entry.each is not None:
+        text = text.removeprefix(".")
     if why is None and not text and entry.kind not in PARAMETERS:
         return None  # no name, no topic: a filter's subscriber that is to be told later
     if entry.kind in PARAMETERS:
@@ -95,6 +97,11 @@ def _parameter(
     found = value_of(applied, entry.values["value"]) if "value" in entry.values else None
     default, data = found if not isinstance(found, TypeValue) else None, None
     default = _unwrapped(default)
+    word = ros2_selectors.type_word(default)
+    if word is not None:  # a type in place of a default value
+        default, kind_told = None, word
+    else:
+        kind_told = None
     if default is not None and default != NONE:
         known, data = data_of(default)
         if not known:
@@ -103,9 +110,13 @@ def _parameter(
             unknowns.append(("value", said, (reason and reason.location) or applied.location))
             data = None
     kind = value_of(applied, entry.values["type"]) if "type" in entry.values else None
-    declared: str | None = None
-    if isinstance(kind, TypeValue):
+    declared = kind_told
+    if declared is not None:
+        pass
+    elif isinstance(kind, TypeValue):
         declared = ros2_parameter_type(kind.type)
+    elif isinstance(kind, Library):
+        declared = ros2_selectors.type_word(kind)
     elif isinstance(kind, Known):
         declared = ros2_parameter_type((str(kind.value), (), "")) or str(kind.value)
     if declared is None and default is not None:
@@ -190,7 +201,12 @@ def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
     own: Any = applied.run.server.value
     if node is None or why is not None or isinstance(own, Opaque):
         return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
-    return Known(own.get(f"{node.whole.name}:{text}", NONE) != NONE)
+    if own.get(f"{node.whole.name}:{text}", NONE) != NONE:
+        return Known(True)
+    if node.whole.options.get("automatically_declare_parameters_from_overrides"):
+        found = given(applied, node, text)
+        return Known(found is not None) if not isinstance(found, Opaque) else found
+    return Known(False)
 
 
 def _remember(applied: Applied, full: str, value: Value) -> None:

@@ -23,7 +23,12 @@ UNMISTAKABLE = frozenset(
     "create_generic_subscription create_wall_timer declare_parameter declare_parameters".split()
 )
 #: Options of a node that say what it makes by itself.
-SWITCHES = ("start_parameter_services", "enable_rosout", "start_parameter_event_publisher")
+SWITCHES = (
+    "start_parameter_services",
+    "enable_rosout",
+    "start_parameter_event_publisher",
+    "automatically_declare_parameters_from_overrides",
+)
 #: Fields of an object that hold its node, or the object that has it.
 HOLDING = ("node", "node_")
 UNKNOWN_NODE = "which node it belongs to is not known"

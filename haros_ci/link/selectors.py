@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import conversions, handles, members, methods, name_selectors
+from haros_ci.link import conversions, handles, members, methods, name_selectors, ros2_selectors
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_type, parameter_type
 from haros_ci.link.values import (
@@ -145,6 +145,11 @@ def select_value(applied: Applied, selector: str) -> Any:
     if selector == "parameter":
         return applied.parameter
     context = run.context
+    if context.process is not None:
+        if selector.startswith("node."):
+            return ros2_selectors.node_name(applied, selector[5:])
+        if selector == "keywords":
+            return ros2_selectors.keywords(applied)
     if selector in ("node.name", "node.namespace", "process.name", "process.namespace"):
         return Known(getattr(context, selector.replace("node.", "").replace(".", "_")))
     function, bracket, inside = selector.partition("(")
@@ -161,6 +166,9 @@ def select_value(applied: Applied, selector: str) -> Any:
     if function == "search":
         return name_selectors.search(applied, inside)
     where, _, index = inside.partition(",")
+    if function == "resolve" and context.process is not None:
+        named = next((f for f in (select_value(applied, part) for part in where.split("|")) if f is not None), None)
+        return ros2_selectors.resolved(applied, named) if named is not None else None
     if function == "resolve":
         return name_selectors.resolved(applied, where, index)
     if function == "remap":

@@ -18,16 +18,50 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
         ("roscpp", "nodelet", "transports", "filters", "tf", "actions", "reconfigure", "diagnostics", "tools"),
     ),
     ("python", 1, ("rospy",)),
+    (
+        "cpp",
+        2,
+        (
+            "ros2_node",
+            "ros2_endpoints",
+            "ros2_parameters",
+            "ros2_qos",
+            "ros2_filters",
+            "ros2_tf",
+            "ros2_transports",
+            "ros2_tools",
+            "ros2_nav2",
+            "ros2_autoware",
+        ),
+    ),
+    ("python", 2, ("ros2_rclpy", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "ros2_rclpy_qos")),
 )
 
 
-#: Calls that advertise an image, and what the plug-ins publish below its topic (wiki.ros.org/image_transport_plugins).
-IMAGES = frozenset(("image_transport::ImageTransport::advertise", "image_transport::ImageTransport::advertiseCamera"))
-TRANSPORTS = (
+#: Calls that advertise an image or a cloud: which argument is its topic, and what the plug-ins publish below it
+#: (image_transport_plugins, point_cloud_transport_plugins).
+IMAGES_1 = (
     ("compressed", "sensor_msgs/CompressedImage"),
     ("compressedDepth", "sensor_msgs/CompressedImage"),
     ("theora", "theora_image_transport/Packet"),
 )
+IMAGES_2 = (
+    ("compressed", "sensor_msgs/msg/CompressedImage"),
+    ("compressedDepth", "sensor_msgs/msg/CompressedImage"),
+    ("theora", "theora_image_transport/msg/Packet"),
+    ("zstd", "sensor_msgs/msg/CompressedImage"),
+)
+CLOUDS_2 = tuple((name, "point_cloud_interfaces/msg/CompressedPointCloud2") for name in ("draco", "zlib", "zstd"))
+TRANSPORTS: Mapping[tuple[int, str], tuple[int, tuple[tuple[str, str], ...]]] = {
+    (1, "image_transport::ImageTransport::advertise"): (0, IMAGES_1),
+    (1, "image_transport::ImageTransport::advertiseCamera"): (0, IMAGES_1),
+    (2, "image_transport::ImageTransport::advertise"): (0, IMAGES_2),
+    (2, "image_transport::ImageTransport::advertiseCamera"): (0, IMAGES_2),
+    (2, "image_transport::create_publisher"): (1, IMAGES_2),
+    (2, "image_transport::create_camera_publisher"): (1, IMAGES_2),
+    (2, "point_cloud_transport::PointCloudTransport::advertise"): (0, CLOUDS_2),
+    (2, "point_cloud_transport::create_publisher"): (1, CLOUDS_2),
+}
 UNSURE = "the plug-in of this transport may not be installed"
 
 
@@ -35,7 +69,7 @@ UNSURE = "the plug-in of this transport may not be installed"
 def rows(language: str, ros: int) -> tuple[Row, ...]:
     """The rows for ``cpp`` or ``python`` under ROS 1 or 2, in the order of the tables; () where there are none."""
     return tuple(
-        load_row(_with_transports(row))
+        load_row(_with_transports(row, ros))
         for table_language, version, modules in TABLES
         if (table_language, version) == (language, ros)
         for module in modules
@@ -43,10 +77,13 @@ def rows(language: str, ros: int) -> tuple[Row, ...]:
     )
 
 
-def _with_transports(row: Mapping[str, Any]) -> Mapping[str, Any]:
-    """*row* with the topics of the image's transports, beside the image that it makes first."""
-    if row.get("call") not in IMAGES:
+def _with_transports(row: Mapping[str, Any], ros: int) -> Mapping[str, Any]:
+    """*row* with the topics of the transports, beside the image or cloud that it makes first."""
+    topic, transports = TRANSPORTS.get((ros, str(row.get("call"))), (0, ()))
+    if not transports:
         return row
     below = {"implicit": True, "unsure": UNSURE}
-    topics = ({**row["makes"][0], **below, "name": f"{{resolve(0)}}/{name}", "type": kind} for name, kind in TRANSPORTS)
+    topics = (
+        {**row["makes"][0], **below, "name": f"{{resolve({topic})}}/{name}", "type": kind} for name, kind in transports
+    )
     return {**row, "makes": [*row["makes"], *topics]}

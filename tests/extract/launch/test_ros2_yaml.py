@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ROS 2 launch files in YAML: the same actions as in XML, with typed values."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
+from haros_ci.model.launch_actions import Substitution
+
+PATH = "bot/launch/a.launch.yaml"
+
+
+def test_elements_in_order_with_their_places() -> None:
+    description = read_ros2_yaml(
+        """
+launch:
+- arg:
+    name: a
+    default: "1"
+- group:
+  - push_ros_namespace: {namespace: x}
+  - node:
+      pkg: p
+      exec: e
+      name: n$(var a)
+      if: true
+      param:
+      - {name: i, value: 1}
+      - name: t
+        value: "1"
+      - from: f.yaml
+      remap:
+      - {from: a, to: b}
+""",
+        PATH,
+    )
+    assert description.problems == ()
+    arg, group = description.actions
+    assert (arg.kind, arg.get("default"), arg.location.line) == ("arg", ("1",), 3)
+    push, node = group.children
+    assert (push.kind, push.get("namespace")) == ("push-namespace", ("x",))
+    assert node.location.line == 8
+    name = node.get("name")
+    assert name is not None
+    assert name[0] == "n"
+    assert isinstance(name[1], Substitution)
+    assert [test.text for test in node.tests] == ["true"]
+    assert [source.values for source in node.parameters] == [((("i",), 1),), ((("t",), "1"),), ()]
+    assert [(source, target) for source, target, _ in node.remaps] == [(("a",), ("b",))]
+
+
+def test_a_group_with_attributes_has_its_elements_below_children() -> None:
+    text = "launch:\n- group:\n    scoped: false\n    children:\n    - let: {name: a, value: b}\n"
+    group = read_ros2_yaml(text, PATH).actions[0]
+    assert group.get("scoped") == ("false",)
+    assert [child.kind for child in group.children] == ["let"]
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "message"),
+    [
+        ("", 1, "not a launch file: it needs the one key 'launch', with a list"),
+        ("a: 1\nb: 2", 1, "not a launch file: it needs the one key 'launch', with a list"),
+        ("launch: [}", 1, "not valid YAML: did not find expected node content; correct it"),
+        (
+            "launch:\n- a: 1\n  b: 2",
+            2,
+            "an element of a list is a map of one key, the kind of element; part what is here",
+        ),
+        ("launch:\n- nodes: {}", 2, "launch knows no <nodes> here; remove it or correct its name"),
+        ("launch:\n- node: x", 2, "'node' needs a map of its attributes"),
+    ],
+)
+def test_what_is_refused_is_reported(text: str, line: int, message: str) -> None:
+    assert (line, message) in read_ros2_yaml(text, PATH).problems
+
+
+def test_deep_and_circular_files_are_refused() -> None:
+    assert read_ros2_yaml("launch: " + "[" * 500, PATH).actions == ()
+    assert read_ros2_yaml("launch: &a\n- group: *a\n", PATH).actions == ()

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ROS 2 C++: parameters that are declared, read and set, and clients of other nodes' parameters."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from ros2_cpp_kit import PUB, component, explicit, last, only, policies
+
+
+def parameter(body: str) -> tuple[Any, ...]:
+    """Name, type and default of the only parameter that the body declares."""
+    (end,) = explicit(component(body), "parameters")
+    return end.name, end.type, end.value
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    (
+        ('declare_parameter("a", 1)', ("/n:a", "int", 1)),
+        ('declare_parameter("a", 1.5)', ("/n:a", "double", 1.5)),
+        ('declare_parameter("a", true)', ("/n:a", "bool", True)),
+        ('declare_parameter("a", "x")', ("/n:a", "str", "x")),
+        ('declare_parameter("a", std::string("x"))', ("/n:a", "str", "x")),
+        ('declare_parameter<double>("a", 1)', ("/n:a", "double", 1.0)),
+        ('declare_parameter<std::string>("a")', ("/n:a", "str", None)),
+        ('declare_parameter<bool>("a", rcl_interfaces::msg::ParameterDescriptor())', ("/n:a", "bool", None)),
+        ('declare_parameter("a", rclcpp::ParameterValue(3))', ("/n:a", "int", 3)),
+        ('declare_parameter("a", rclcpp::ParameterValue{"x"}).get<std::string>()', ("/n:a", "str", "x")),
+        ('this->declare_parameter<int>("a.b", 1)', ("/n:a.b", "int", 1)),
+        ('get_node_parameters_interface()->declare_parameter("a", rclcpp::ParameterValue(3))', ("/n:a", "int", 3)),
+        ('autoware_utils::get_or_declare_parameter<double>(*this, "a")', ("/n:a", "double", None)),
+        ('nav2::declare_or_get_parameter(shared_from_this(), "a", 2.0)', ("/n:a", "double", 2.0)),
+        (
+            'nav2_util::declare_parameter_if_not_declared(this, "a", rclcpp::ParameterValue(2.0))',
+            ("/n:a", "double", 2.0),
+        ),
+    ),
+)
+def test_declared_parameters(call: str, expected: tuple[Any, ...]) -> None:
+    assert parameter(f"auto v = {call};") == expected
+
+
+@pytest.mark.parametrize(
+    "read",
+    (
+        'auto v = declare_parameter<std::string>("t", "topic");',
+        'declare_parameter("t", "topic"); auto v = get_parameter("t").as_string();',
+        'declare_parameter("t", "topic"); auto v = get_parameter("t").get_value<std::string>();',
+        'declare_parameter("t", "topic"); auto v = get_parameter("t").get_parameter_value().get<std::string>();',
+        'declare_parameter("t", "topic"); std::string v; get_parameter("t", v);',
+        'declare_parameter("t", "topic"); std::string v; get_parameter_or<std::string>("t", v, "other");',
+        'std::string v; get_parameter_or<std::string>("t", v, "topic");',
+        'auto v = get_parameter_or<std::string>("t", "topic");',
+        'auto v = declare_parameter("t", rclcpp::ParameterValue("topic")).get<std::string>();',
+        (
+            'declare_parameter("t", "x"); set_parameter(rclcpp::Parameter("t", "topic"));'
+            'auto v = get_parameter("t").as_string();'
+        ),
+        'if (!has_parameter("t")) { declare_parameter("t", "topic"); } auto v = get_parameter("t").as_string();',
+    ),
+)
+def test_names_from_parameters(read: str) -> None:
+    end = only(component(f"{read} p_ = {PUB}(v, 1);"))
+    assert (end.name, end.unknowns) == ("/topic", ())
+
+
+@pytest.mark.parametrize(
+    "read",
+    (
+        'auto v = declare_parameter<std::string>("t");',
+        'auto v = declare_parameter<std::string>("t", name_from_file());',
+        'declare_parameter<std::string>("t"); auto v = get_parameter("t").as_string();',
+    ),
+)
+def test_names_that_parameters_do_not_tell(read: str) -> None:
+    end = only(component(f"{read} p_ = {PUB}(v, 1);"))
+    assert end.name == "/?"
+    assert [unknown.field for unknown in end.unknowns] == ["name"]
+
+
+@pytest.mark.parametrize(
+    ("made", "remote"),
+    (
+        ('std::make_shared<rclcpp::AsyncParametersClient>(this, "/other")', "/other"),
+        ('std::make_shared<rclcpp::SyncParametersClient>(this, "other")', "/other"),
+        ("std::make_shared<rclcpp::AsyncParametersClient>(this)", "/n"),
+        (
+            (
+                "std::make_shared<rclcpp::AsyncParametersClient>(get_node_base_interface(),"
+                ' get_node_topics_interface(), get_node_graph_interface(), get_node_services_interface(), "/other")'
+            ),
+            "/other",
+        ),
+    ),
+)
+def test_clients_of_parameters(made: str, remote: str) -> None:
+    found = explicit(component(f"c_ = {made};"), "clients")
+    assert [end.name for end in found] == [
+        f"{remote}/{service}"
+        for service in [
+            "describe_parameters",
+            "get_parameter_types",
+            "get_parameters",
+            "list_parameters",
+            "set_parameters",
+            "set_parameters_atomically",
+        ]
+    ]
+    assert {policies(end) for end in found} == {last(1000)}
