@@ -159,6 +159,8 @@ def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
     value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
     kind = conversions.value_type(value) or argument.type
     name = pointee(kind)[0] if kind is not None else ""
+    if wanted == "rclcpp::ParameterType" and isinstance(value, Library):
+        return value.name.rpartition("::")[2].startswith("PARAMETER_")
     if wanted == "string":
         return (
             isinstance(value, Text)

@@ -99,7 +99,10 @@ def method_call(
             with forwarding.through(run, method.function, args, location):
                 return activation.invoke(run, frame, method, args, targs)
         field = receiver.fields.get(name)
-        if field is not None:
+        is_method = receiver.definition is None and any(
+            f"{owner}{frame.source.separator}{name}" in run.rows for owner in library_objects.owners(run, receiver)
+        )
+        if field is not None and not is_method:
             return apply(run, frame, field.value, args, targs, location, ("name", name))
         if "::" in name and receiver.definition is not None:
             return _of_base(run, frame, receiver, name, args, targs, location)

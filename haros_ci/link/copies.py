@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from haros_ci.link import assignments, call_arguments, construct, expressions, methods
+from haros_ci.link import assignments, call_arguments, construct, expressions, methods, qos_profiles
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
@@ -58,7 +58,7 @@ def _copy(run: Run, value: Value, kind: Type, depth: int, left: list[int]) -> Va
             pairs = {key: _twin(run, cell, cell.type or inner, depth, left) for key, cell in pairs.items()}
         return Mapped(Cell(pairs))
     if value.definition is None:
-        if value.name != PAIR:
+        if value.name != PAIR and value.name not in qos_profiles.CLASSES:
             return value
         return replace(value, fields={n: _twin(run, cell, cell.type, depth, left) for n, cell in value.fields.items()})
     owner = run.class_of(kind[0], value.definition[0])

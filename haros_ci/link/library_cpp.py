@@ -228,6 +228,8 @@ def _data(
     data = receiver.value
     if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
         return receiver
+    if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
+        return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
     if isinstance(data, str):
         if name in ("size", "length"):
             return Known(len(data))
@@ -304,7 +306,9 @@ def _data(
 
 
 LOADER = "pluginlib::ClassLoader"
-LOADERS = frozenset(("createInstance", "createUnmanagedInstance", "createUniqueInstance", "createClassInstance"))
+LOADERS = frozenset(
+    "createInstance createSharedInstance createUnmanagedInstance createUniqueInstance createClassInstance".split()
+)
 
 
 def _object(

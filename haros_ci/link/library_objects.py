@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link import api_rows, call_arguments, callbacks, library, methods
+from haros_ci.link import api_rows, call_arguments, callbacks, copies, library, methods
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_type
 from haros_ci.link.values import (
@@ -45,7 +45,7 @@ def library_object(
     if not kind[0] or "()" in kind[0]:
         return args[0].value if args else run.opaque("it is not known", frame)
     if len(args) == 1 and isinstance(args[0].value, Object) and args[0].value.name == kind[0]:
-        return args[0].value  # a copy
+        return copies.copied(run, args[0].value, kind)
     if len(args) == 1 and isinstance(args[0].value, Callable) and kind[0] not in run.rows:
         return args[0].value  # boost::function and its kin
     this = Object(kind[0], kind[1], location=location)

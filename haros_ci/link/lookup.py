@@ -16,6 +16,7 @@ from haros_ci.link import (
     members,
     methods,
     python_modules,
+    qos,
 )
 from haros_ci.link import macros as macros_
 from haros_ci.link.common_messages import COMMON
@@ -114,6 +115,9 @@ def name(run: Run, frame: Frame, expression: Expression) -> Value:
     value: Any = run.found[key]
     if isinstance(value, Macro):
         return _expanded(run, frame, value, name)
+    if isinstance(value, Library) and run.context.process is not None:
+        profile = qos.preset(value.name)
+        return profile if profile is not None else value
     if frame.this is not None and "::" not in name:
         inherited = _inherited(run, frame, frame.this, name, value)
         value = inherited if inherited is not None else value

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link import handles, ros2_emit, ros2_nodes, selectors
+from haros_ci.link import handles, ros2_emit, ros2_nodes, ros2_process, selectors
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import Perhaps
 from haros_ci.link.values import FALSE, TRUE, Choice, Known, Object, Opaque, Text, Value, join
@@ -34,7 +34,7 @@ def _full(applied: selectors.Applied, value: Any, flag: str) -> Value:
         for number, piece in enumerate(full.split("?")):
             pieces += ([unknown] if number else []) + ([piece] if piece else [])
         return Text(tuple(pieces)) if "?" in full else unknown
-    name = applied.run.context.remap(full)
+    name = _remap(applied, full)
     given = selectors.given(applied.args, flag) if flag else None
     if given is None or name == full or given.value == TRUE:
         return Known(name)
@@ -47,7 +47,7 @@ def remapped(applied: selectors.Applied, selector: str) -> Value:
     if value is None:
         return applied.run.opaque("a name that is not known", applied.frame)
     full, unknown = _absolute(applied, _name(value))
-    name = applied.run.context.remap(full) if unknown is None else full
+    name = _remap(applied, full) if unknown is None else full
     return Known(name) if name != full else value
 
 
@@ -64,7 +64,7 @@ def parent(applied: selectors.Applied, selector: str) -> Value:
     """The namespace of a name as it is resolved and remapped, with its last slash."""
     full, why = _absolute(applied, _name(_first(applied, selector)))
     if why is None:
-        return Known(f"{applied.run.context.remap(full).rpartition('/')[0]}/")
+        return Known(f"{_remap(applied, full).rpartition('/')[0]}/")
     head = f"{full.rpartition('/')[0]}/"
     return Text((head.partition("?")[0] or "/", why))
 
@@ -117,6 +117,14 @@ def _absolute(applied: selectors.Applied, name: Name) -> tuple[str, Opaque | Non
     """The full name before it is remapped, as the receiver resolves it, and why it is not wholly known."""
     context = applied.run.context
     text, why, where = name
+    if context.process is not None:
+        node = _node(applied)
+        if node is None and not text.startswith("/"):
+            return "/?", Opaque(ros2_nodes.UNKNOWN_NODE, applied.location)
+        full = node.expand(text) if node is not None else text
+        if why is not None:
+            return full, Opaque(why, where)
+        return full, Opaque(*node.why) if node is not None and node.why is not None and "?" in full else None
     receiver = applied.receiver
     space: Value = Known(context.namespace)
     if isinstance(receiver, Object) and (receiver.namespace is not None or receiver.name == "ros::NodeHandle"):
@@ -128,6 +136,20 @@ def _absolute(applied: selectors.Applied, name: Name) -> tuple[str, Opaque | Non
     if space_why is not None and text[:1] not in ("/", "~"):
         return full, Opaque(space_why, space_where)
     return full, None
+
+
+def _node(applied: selectors.Applied) -> ros2_process.RosNode | None:
+    """The ROS 2 node that the row's first entry, else the receiver, belongs to."""
+    entry = next(iter(applied.row.makes), None)
+    if entry is not None:
+        return ros2_nodes.of_entry(applied, entry)[0]
+    return ros2_nodes.of_value(applied.run, applied.receiver)
+
+
+def _remap(applied: selectors.Applied, full: str) -> str:
+    """What the full name is remapped to, by the ROS 2 node's rules where there is one."""
+    node = _node(applied) if applied.run.context.process is not None else None
+    return node.remap(full) if node is not None else applied.run.context.remap(full)
 
 
 def _first(applied: selectors.Applied, alternatives: str) -> Any:

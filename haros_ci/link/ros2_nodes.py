@@ -153,6 +153,9 @@ def _overrides(options: Any) -> dict[str, Value]:
     """The parameters in a node's options: ``parameter_overrides``, ``append_parameter_override``."""
     held = _field(options, "parameter_overrides")
     found: dict[str, Value] = {}
+    appended, value = _field(options, "appended_name"), _field(options, "appended_value")
+    if isinstance(appended, Known) and value is not None:
+        found[str(appended.value)] = value
     if isinstance(held, Sequence) and isinstance(held.content.value, tuple):
         for cell in held.content.value:
             name, value = _field(cell.value, "name"), _field(cell.value, "value")

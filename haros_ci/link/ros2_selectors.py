@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.link import ros2_nodes
-from haros_ci.link.names import pattern
 from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.values import Cell, Known, Library, Mapped, Object, Opaque, Pointer, Sequence, Text, Value
 
@@ -53,19 +52,6 @@ def known_text(text: str, node: RosNode) -> Value:
     why = Opaque(*(node.why or ("the name of the node is not known", node.location)))
     head, _, tail = text.partition("?")
     return Text(tuple(part for part in (head, why, tail) if part != ""))
-
-
-def resolved(applied: Applied, value: Value) -> Value:
-    """The full name that a name is resolved and remapped to on the receiver (rclcpp::Node::resolve_topic_name)."""
-    node = ros2_nodes.of_value(applied.run, applied.receiver)
-    text, why, where = pattern(value)
-    if node is None:
-        return applied.run.opaque("the name of a node that is not known", applied.frame, applied.location.line)
-    full = node.expand(text)
-    if why is None:
-        return known_text(node.remap(full), node)
-    head, _, tail = full.partition("?")
-    return Text(tuple(part for part in (head, Opaque(why, where), tail) if part != ""))
 
 
 def keywords(applied: Applied) -> Object:

@@ -166,9 +166,6 @@ def select_value(applied: Applied, selector: str) -> Any:
     if function == "search":
         return name_selectors.search(applied, inside)
     where, _, index = inside.partition(",")
-    if function == "resolve" and context.process is not None:
-        named = next((f for f in (select_value(applied, part) for part in where.split("|")) if f is not None), None)
-        return ros2_selectors.resolved(applied, named) if named is not None else None
     if function == "resolve":
         return name_selectors.resolved(applied, where, index)
     if function == "remap":

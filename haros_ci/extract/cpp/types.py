@@ -90,7 +90,8 @@ class Specifiers(NamedTuple):
 def path(unit: Unit, node: Node, depth: int) -> tuple[str, tuple[Any, ...]]:
     """A possibly qualified name without template arguments, and the template arguments of its last part.
 
-    For ``std::numeric_limits<T>::max`` they are those of the class: its methods say nothing without them.
+    For ``std::numeric_limits<T>::max`` and ``InterProcessPollingSubscriber<T>::create_subscription`` they are those of
+    the class: its methods say nothing without them.
     """
     text = unit.text[node.start_byte : node.end_byte]
     if "<" not in text:
@@ -107,7 +108,7 @@ def path(unit: Unit, node: Node, depth: int) -> tuple[str, tuple[Any, ...]]:
                 if child.kind_id in _PLAIN or child.kind_id in _TEMPLATE or child.kind_id in _DEPENDENT:
                     name, chosen = path(unit, child, depth + 1) if depth < DEEPEST else ("?", ())
                     parts.append(name)
-                    around = chosen if name.endswith("numeric_limits") else ()
+                    around = chosen if name.endswith(("numeric_limits", "PollingSubscriber")) else ()
                 elif not child.is_named and child.end_byte - child.start_byte == 2 and not parts:
                     parts.append("")
             node = children[-1]

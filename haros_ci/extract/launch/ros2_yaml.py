@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ROS 2 launch files in YAML as actions (launch_yaml): the same elements as in XML, with typed values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from haros_ci.extract.launch.ros2_actions import Builder
+from haros_ci.extract.launch.ros2_entity import Entity, YamlError, compose, scalar
+from haros_ci.model.launch_actions import Description
+from haros_ci.model.location import Location
+
+#: How deep elements may be nested, and how many there may be once aliases are followed.
+MAX_DEPTH = 40
+MAX_ENTITIES = 50_000
+
+
+def read_ros2_yaml(text: str, path: str) -> Description:
+    """The actions of the launch file *text* at *path*: a map whose one key is ``launch``; never raises.
+
+    An element that launch refuses is left out, with a problem; the rest is kept.
+    """
+    reader = _Reader(path)
+    try:
+        root = compose(text)
+        if root is None or root.id != "mapping" or len(root.value) != 1 or root.value[0][0].value != "launch":
+            line = 1 if root is None else root.start_mark.line + 1
+            return Description(problems=((line, "not a launch file: it needs the one key 'launch', with a list"),))
+        key, content = root.value[0]
+        top = reader.entity("launch", content, key, 0)
+    except YamlError as err:
+        return Description(problems=((err.line, str(err)),))
+    actions = reader.builder.actions(top.children)
+    return Description(actions=actions, problems=tuple(reader.builder.problems))
+
+
+@dataclass(slots=True)
+class _Reader:
+    path: str
+    builder: Builder = field(default_factory=Builder)
+    entities: int = 0
+
+    def entity(self, tag: str, node: Any, at: Any, depth: int) -> Entity:
+        """The element *tag* that *node* says, at the place of its key *at*."""
+        mark = at.start_mark
+        location = Location(self.path, mark.line + 1, mark.column + 1)
+        self.entities += 1
+        if depth > MAX_DEPTH or self.entities > MAX_ENTITIES:
+            message = "the elements are nested too deeply, or are too many; flatten or split the file"
+            raise YamlError(message, mark.line + 1)
+        attributes: list[tuple[str, Any]] = []
+        children: list[Entity] = []
+        if node.id == "sequence":
+            self.elements(children, node, depth)
+        elif node.id == "mapping":
+            for key, value in node.value:
+                name = str(key.value) if key.id == "scalar" else ""
+                if name == "children" and value.id == "sequence":
+                    self.elements(children, value, depth)
+                elif value.id == "scalar":
+                    attributes.append((name, scalar(value)))
+                elif value.id == "sequence" and value.value and all(item.id == "mapping" for item in value.value):
+                    children.extend(self.entity(name, item, item, depth + 1) for item in value.value)
+                elif value.id == "sequence" and all(item.id == "scalar" for item in value.value):
+                    attributes.append((name, [scalar(item) for item in value.value]))
+                else:
+                    self.problem(key, f"'{name}' of '{tag}' is neither a value nor a list; correct it")
+        elif scalar(node) is not None:
+            self.problem(node, f"'{tag}' needs a map of its attributes")
+        return Entity(tag, location, tuple(attributes), tuple(children), is_typed=True)
+
+    def elements(self, found: list[Entity], node: Any, depth: int) -> None:
+        for item in node.value:
+            if item.id != "mapping" or len(item.value) != 1 or item.value[0][0].id != "scalar":
+                self.problem(item, "an element of a list is a map of one key, the kind of element; part what is here")
+            else:
+                key, content = item.value[0]
+                found.append(self.entity(str(key.value), content, key, depth + 1))
+
+    def problem(self, node: Any, message: str) -> None:
+        self.builder.problems[(node.start_mark.line + 1, message)] = None

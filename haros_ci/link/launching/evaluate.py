@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ROS 2 launch descriptions performed as launch and launch_ros do: which nodes start, and with what."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, MutableMapping, Sequence
+from dataclasses import dataclass, field
+
+from haros_ci.link.launching.context import Context, Exhausted, Scope
+from haros_ci.link.launching.node import command, component, full_name, node
+from haros_ci.link.launching.places import Places
+from haros_ci.link.launching.settings import SETTERS, doubt, kept, name_of
+from haros_ci.link.launching.substitutions import truth_of
+from haros_ci.link.roslaunch_names import MARK, Text, literal, quoted, unknown
+from haros_ci.model.architecture import Condition
+from haros_ci.model.launch import LaunchedNode, LaunchedSystem
+from haros_ci.model.launch_actions import Action, Description
+from haros_ci.model.location import Location
+from haros_ci.model.workspace import Workspace
+
+#: How deep groups, includes and lists may be nested, together.
+MAX_DEPTH = 80
+#: How many actions may be put off until something happens.
+MAX_EVENTS = 1_000
+
+_Conditions = tuple[Condition, ...]
+#: What was launched before, by files, arguments and environment.
+Memo = MutableMapping[tuple[object, ...], LaunchedSystem]
+
+
+def launch_system(
+    paths: Sequence[str],
+    workspace: Workspace,
+    load: Callable[[str], Description | None],
+    arguments: Mapping[str, str],
+    environment: Mapping[str, str],
+    shares: Places,
+    memo: Memo | None = None,
+) -> LaunchedSystem:
+    """What the launch files at *paths*, root-relative, start together, in order.
+
+    *load* gives the description of a launch file in any dialect, None where there is none; *arguments* are set as on
+    the command line, *environment* is all that ``$(env)`` sees, *shares* finds files by the places they are installed
+    in. What launch refuses is left out with a problem; what stays undecided is kept with its condition. With a *memo*
+    what has been launched before is not launched again.
+    """
+    key = (tuple(paths), tuple(sorted(arguments.items())), tuple(sorted(environment.items())))
+    if memo is not None and key in memo:
+        return memo[key]
+    context = Context(shares, {name: literal(value) for name, value in sorted(environment.items())})
+    run = _Run(context, load)
+    given = {name: literal(value) for name, value in sorted(arguments.items())}
+    try:
+        for path in paths:
+            run.file(path, given)
+            run.events()
+    except Exhausted:
+        message = "the launch files start and include more than can be evaluated; what is left is unknown"
+        context.problem(Location(paths[0]) if paths else None, message)
+    for name in given:
+        if name not in run.declared and paths:
+            context.problem(Location(paths[0]), f"argument {quoted(name)} is set, but not declared; correct its name")
+    system = LaunchedSystem(
+        nodes=tuple(run.nodes),
+        arguments=tuple((name, text.shown) for name, text in run.arguments.items()),
+        files=tuple(sorted(context.files)),
+        includes=tuple(sorted(run.included)),
+        problems=tuple(context.problems),
+    )
+    if memo is not None:
+        memo[key] = system
+    return system
+
+
+@dataclass(slots=True)
+class _Run:
+    """One evaluation: the nodes found so far, and the actions put off until their events."""
+
+    context: Context
+    load: Callable[[str], Description | None]
+    nodes: list[LaunchedNode] = field(default_factory=list)
+    arguments: dict[str, Text] = field(default_factory=dict)
+    declared: set[str] = field(default_factory=set)
+    included: set[str] = field(default_factory=set)
+    waiting: list[tuple[Action, _Conditions, str]] = field(default_factory=list)
+    #: The includes that lead here: path and configurations when it was begun.
+    chain: list[tuple[str, tuple[tuple[str, Text], ...]]] = field(default_factory=list)
+    depth: int = 0
+
+    def file(self, path: str, given: Mapping[str, Text]) -> None:
+        """One file named by the user, in a context of its own."""
+        context = self.context
+        context.scope = Scope(dict(given), dict(context.initial))
+        description = self.description(path)
+        if description is None:
+            context.problem(Location(path), "no ROS 2 launch file of the workspace; correct its path")
+            self.declared.update(given)
+            return
+        self.inside(path, description.actions, ())
+
+    def inside(self, path: str, actions: tuple[Action, ...], conditions: _Conditions) -> None:
+        """Perform the actions of the file at *path*; where one of them asks, that is the launch file it is in."""
+        before = self.context.path
+        self.context.path = path
+        self.chain.append((path, tuple(sorted(self.context.scope.configurations.items(), key=lambda item: item[0]))))
+        self.actions(actions, conditions)
+        self.chain.pop()
+        self.context.path = before
+
+    def description(self, path: str) -> Description | None:
+        found = self.load(path)
+        if found is None:
+            return None
+        self.context.files.add(path)
+        for line, message in found.problems:
+            self.context.problem(Location(path, line), message)
+        return found
+
+    def events(self) -> None:
+        """What is done when something happens is done after all else, when every scope has been left."""
+        done = 0
+        while self.waiting and done < MAX_EVENTS:
+            action, conditions, path = self.waiting.pop(0)
+            self.context.path = path
+            done += 1
+            self.actions(action.children, conditions)
+
+    def actions(self, actions: tuple[Action, ...], conditions: _Conditions) -> None:
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            location = actions[0].location if actions else None
+            message = f"groups and includes are nested deeper than {MAX_DEPTH}; what is inside is left out"
+            self.context.problem(location, message)
+        else:
+            for action in actions:
+                self.context.spend(5)
+                self.action(action, conditions)
+        self.depth -= 1
+
+    def action(self, action: Action, conditions: _Conditions) -> None:
+        """Perform *action* if its tests hold; if that is not known, under a condition that they do."""
+        undecided = self.undecided(action)
+        if undecided is None:
+            return
+        handler = _HANDLERS.get(action.kind, _Run.setting if action.kind in SETTERS else None)
+        if handler is None:
+            if action.kind not in ("shutdown", "log", "set-use-sim-time"):
+                reason = action.reason or f"an action '{action.kind}'"
+                self.context.problem(action.location, f"what this does is not known: {reason}")
+            return
+        if not undecided:
+            handler(self, action, conditions)
+            return
+        before = self.context.scope.copy()
+        self.context.spend(len(before.configurations) // 4 + len(before.environment) // 4)
+        counts = (len(before.remaps or ()), len(before.parameters or ()))
+        handler(self, action, (*conditions, *undecided))
+        doubt(self.context, before, counts, undecided)
+
+    def undecided(self, action: Action) -> _Conditions | None:
+        """The tests of *action* that may hold, as conditions; None if one does not."""
+        found: list[Condition] = []
+        for test in action.tests:
+            holds = self.context.test(test)
+            if holds is False:
+                return None
+            if holds is None:
+                statement = "unless" if test.kind == "unless" else "if"
+                text = test.text or test.reason or "?"
+                found.append(Condition(statement, text, test.location or action.location))
+        return tuple(found)
+
+    def setting(self, action: Action, conditions: _Conditions) -> None:
+        SETTERS[action.kind](self.context, action)
+
+    def nested(self, action: Action, conditions: _Conditions) -> None:
+        self.actions(action.children, conditions)
+
+    def arg(self, action: Action, conditions: _Conditions) -> None:
+        name = name_of(self.context, action)
+        if name is None:
+            return
+        configurations = self.context.scope.configurations
+        self.declared.add(name)
+        if name not in configurations:
+            default = action.get("default")
+            if default is None:
+                configurations[name] = unknown(f"launch argument {quoted(name)} has no default and is not given")
+            else:
+                configurations[name] = self.context.text(default)
+        if len(self.chain) == 1:
+            self.arguments.setdefault(name, configurations[name])
+
+    def group(self, action: Action, conditions: _Conditions) -> None:
+        outer = self.context.scope
+        keep = kept(self.context, action)
+        if self.flag(action, "scoped"):
+            self.context.spend(len(outer.configurations) // 4 + len(outer.environment) // 4)
+            inner = outer.copy()
+            if not self.flag(action, "forwarding"):
+                inner = Scope({}, dict(self.context.initial))
+            inner.configurations.update(keep)
+            self.context.scope = inner
+            self.actions(action.children, conditions)
+            self.context.scope = outer
+        else:
+            outer.configurations.update(keep)
+            self.actions(action.children, conditions)
+
+    def flag(self, action: Action, name: str) -> bool:
+        """An attribute that is true unless it says otherwise."""
+        phrase = action.get(name)
+        return phrase is None or truth_of(self.context.text(phrase)) is not False
+
+    def include(self, action: Action, conditions: _Conditions) -> None:
+        context = self.context
+        context.spend(50 + len(context.scope.configurations) // 4)
+        phrase = action.get("file")
+        file = context.text(phrase) if phrase is not None else unknown("no file is named")
+        passed = [(context.text(name), value) for name, value in action.arguments]
+        if not file.known:
+            message = f"includes {quoted(file.raw)}: {file.reasons[0]}; what it starts is unknown"
+            context.problem(action.location, message)
+            return
+        place = context.places.find(file.raw)
+        if place.path is None:
+            context.problem(action.location, f"includes {quoted(file.raw)}: {place.reason}; what it starts is unknown")
+            return
+        if not context.places.files.has(place.path):
+            context.problem(action.location, f"includes {place.path}, which is not in the workspace; correct the path")
+            return
+        found = self.description(place.path)
+        if found is None:
+            context.problem(action.location, f"includes {place.path}, which is no ROS 2 launch file; correct the path")
+            return
+        self.included.add(place.path)
+        for name, value in passed:
+            if name.known:
+                context.scope.configurations[name.raw] = context.text(value)
+        link = (place.path, tuple(sorted(context.scope.configurations.items(), key=lambda item: item[0])))
+        if link in self.chain:
+            message = f"includes {place.path}, which includes this again, without end; break the cycle"
+            context.problem(action.location, message)
+            return
+        self.check_arguments(action, place.path, found, {name.raw for name, _ in passed})
+        self.inside(place.path, found.actions, conditions)
+
+    def check_arguments(self, action: Action, path: str, found: Description, passed: set[str]) -> None:
+        """Launch refuses an include without an argument that has no default, even where it is set around it."""
+        for child in found.actions:
+            name = child.get("name")
+            if child.kind != "arg" or child.tests or child.get("default") is not None or name is None:
+                continue
+            text = self.context.text(name)
+            if text.known and text.raw not in passed and MARK not in "".join(passed):
+                what = f"includes {path} without its argument {quoted(text.raw)}, which has no default; pass it"
+                self.context.problem(action.location, what)
+
+    def node(self, action: Action, conditions: _Conditions) -> None:
+        started = node(self.context, action, conditions)
+        self.nodes.append(started)
+        if action.kind == "container":
+            name = full_name(started)
+            reasons = tuple(u.reason for u in started.unknowns if u.field in ("name", "namespace"))
+            if started.name is None:
+                reasons = ("the program itself gives its name",)
+            self.components(action, conditions, Text(name, reasons) if reasons else literal(name))
+
+    def load_components(self, action: Action, conditions: _Conditions) -> None:
+        """The target is a node's name that launch's own node calls: relative to the root, not to a pushed namespace."""
+        phrase = action.get("target")
+        target = self.context.text(phrase) if phrase is not None else unknown("no container is named")
+        if not target.raw.startswith("/"):
+            target = Text("/" + target.raw, target.reasons)
+        self.components(action, conditions, target)
+
+    def components(self, action: Action, conditions: _Conditions, container: Text) -> None:
+        for child in action.children:
+            self.context.spend(5)
+            undecided = self.undecided(child)
+            if child.kind != "component":
+                self.action(child, conditions)
+            elif undecided is not None:
+                self.nodes.append(component(self.context, child, (*conditions, *undecided), container))
+
+    def executable(self, action: Action, conditions: _Conditions) -> None:
+        started = command(self.context, action, conditions)
+        if started is not None:
+            self.nodes.append(started)
+
+    def event(self, action: Action, conditions: _Conditions) -> None:
+        """Put the children off; by then every scope is left, as launch does it."""
+        if len(self.waiting) >= MAX_EVENTS:
+            self.context.problem(action.location, f"more than {MAX_EVENTS} events are waited for; this is left out")
+            return
+        condition = Condition("if", action.deferred or "something happens", action.location)
+        self.waiting.append((action, (*conditions, condition), self.context.path))
+
+    def opaque(self, action: Action, conditions: _Conditions) -> None:
+        """Call the function with the context; nothing that it does may end the evaluation."""
+        self.context.spend(100)
+        if action.function is None:
+            self.context.problem(action.location, f"what this does is not known: {action.reason or 'no function'}")
+            return
+        try:
+            made = action.function(self.context)
+        except Exhausted:
+            raise
+        except Exception as err:
+            self.context.problem(action.location, f"what this function returns is not known: {err}")
+            return
+        self.actions(tuple(made or ()), conditions)
+
+
+_HANDLERS: Mapping[str, Callable[[_Run, Action, _Conditions], None]] = {
+    "arg": _Run.arg,
+    "group": _Run.group,
+    "include": _Run.include,
+    "node": _Run.node,
+    "lifecycle-node": _Run.node,
+    "container": _Run.node,
+    "load": _Run.load_components,
+    "executable": _Run.executable,
+    "event": _Run.event,
+    "opaque": _Run.opaque,
+    "list": _Run.nested,
+}

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which ROS 2 launch files start a workspace."""
+
+from __future__ import annotations
+
+from launching_kit import loader, node, workspace
+
+from haros_ci.link.launching.entry import entry_files
+from haros_ci.link.launching.evaluate import Memo
+from haros_ci.link.launching.places import Places
+
+FULL = f"<launch>{node()}</launch>"
+
+
+def include(path: str, condition: str = "") -> str:
+    return f'<launch><arg name="t"/><include file="$(find-pkg-share bot)/{path}" {condition}/></launch>'
+
+
+def entries(files: dict[str, str], memo: Memo | None = None) -> tuple[str, ...]:
+    load = loader(files)
+    places = Places(workspace(files))
+    return entry_files(places.workspace, load, places, lambda path: not path.endswith(".launch"), memo)
+
+
+def test_files_that_no_other_includes() -> None:
+    files = {
+        "bot/launch/main.launch.xml": include("launch/part.launch.xml"),
+        "bot/launch/part.launch.xml": FULL,
+        "bot/launch/alone_launch.yaml": "launch:\n- node: {pkg: p, exec: e}\n",
+        "bot/launch/plain.xml": FULL,
+        "bot/launch/empty.xml": "<launch/>",
+        "bot/config/plain.xml": FULL,
+        "bot/launch/self.launch.xml": include("launch/self.launch.xml"),
+    }
+    memo: Memo = {}
+    assert entries(files, memo) == (
+        "bot/launch/alone_launch.yaml",
+        "bot/launch/main.launch.xml",
+        "bot/launch/plain.xml",
+        "bot/launch/self.launch.xml",
+    )
+    assert len(memo) == 5
+
+
+def test_conditions_of_includes() -> None:
+    files = {"bot/launch/a.launch.xml": FULL, "bot/launch/b.launch.xml": FULL, "bot/launch/c.launch.xml": FULL}
+    files["bot/launch/main.launch.xml"] = include("launch/a.launch.xml", 'if="false"')
+    files["bot/launch/more.launch.xml"] = include("launch/b.launch.xml", 'if="$(var t)"')
+    assert entries(files) == (
+        "bot/launch/a.launch.xml",
+        "bot/launch/c.launch.xml",
+        "bot/launch/main.launch.xml",
+        "bot/launch/more.launch.xml",
+    )
+
+
+def test_what_is_for_tests_or_ros_1_is_left_out() -> None:
+    files = {
+        "bot/test/a.launch.xml": FULL,
+        "bot/launch/old.launch": FULL,
+        "bot/launch/old.launch.xml": '<launch><node pkg="p" type="t" name="n"/></launch>',
+    }
+    assert entries(files) == ()

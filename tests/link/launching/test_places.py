@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files by the places they are installed in, and nothing outside of the workspace."""
+
+from __future__ import annotations
+
+import pytest
+from launching_kit import workspace
+
+from haros_ci.link.launching.places import Places
+from haros_ci.model.build import Build, Installed
+from haros_ci.model.location import Location
+
+FILES = {"bot/launch/a.xml": "<launch/>", "bot/src/cfg/b.yaml": "b", "bot/one.yaml": "o", "bot/config/c.yaml": "c"}
+HERE = Location("bot/CMakeLists.txt", 1)
+
+
+def places() -> Places:
+    installed = (
+        Installed(path="bot/src/cfg", kind="directory", package="bot", destination="share/bot/params", location=HERE),
+        Installed(
+            path="bot/one.yaml", kind="file", package="bot", destination="share/bot", name="1.yaml", location=HERE
+        ),
+    )
+    return Places(workspace(FILES), {"bot": Build(package="bot", installed=installed)})
+
+
+@pytest.mark.parametrize(
+    ("text", "path"),
+    [
+        ("$(find-pkg-share bot)/launch/a.xml", "bot/launch/a.xml"),
+        ("$(find-pkg-share bot)/launch/../launch//a.xml", "bot/launch/a.xml"),
+        ("$(find-pkg-share bot)/params/b.yaml", "bot/src/cfg/b.yaml"),
+        ("$(find-pkg-share bot)/1.yaml", "bot/one.yaml"),
+        ("$(find-pkg-prefix bot)/share/bot/params/b.yaml", "bot/src/cfg/b.yaml"),
+        ("$(workspace bot/launch)/../config/c.yaml", "bot/config/c.yaml"),
+        ("$(find-pkg-share bot)", "bot"),
+    ],
+)
+def test_found(text: str, path: str) -> None:
+    assert places().find(text).path == path
+
+
+@pytest.mark.parametrize(
+    ("text", "outside"),
+    [
+        ("$(find-pkg-share other)/a", True),
+        ("$(find-pkg-share bot)/../../etc/passwd", True),
+        ("$(workspace .)/../x", True),
+        ("/etc/passwd", True),
+        ("~/x", True),
+        ("file:///x", True),
+        ("$(find-pkg-prefix bot)/lib/bot/x", True),
+        ("launch/a.xml", False),
+        ("$(find-pkg-share bot)a.xml", False),
+        ("", False),
+    ],
+)
+def test_not_found(text: str, outside: bool) -> None:
+    place = places().find(text)
+    assert (place.path, place.outside) == (None, outside)
+    assert place.reason
+
+
+def test_read() -> None:
+    assert places().read("$(find-pkg-share bot)/params/b.yaml") == ("bot/src/cfg/b.yaml", "b", "")
+    path, text, reason = places().read("$(find-pkg-share bot)/no.yaml")
+    assert (path, text, reason) == (None, "", "'bot/no.yaml' is no text file of the workspace")
