@@ -20,11 +20,15 @@ from haros_ci.link import hints
 from haros_ci.link.index import Source
 from haros_ci.link.keeping import Keeper
 from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.link import KnownNodes, Wanted, link
+from haros_ci.link.launching.dialect import description_reader
+from haros_ci.link.launching.places import Places
+from haros_ci.link.link import Ros2Launch, Wanted, link
+from haros_ci.link.system import KnownNodes
 from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
+from haros_ci.model.launch_actions import Description
 from haros_ci.model.package import SourceFile
 from haros_ci.model.program import Program
 from haros_ci.model.workspace import Problem, Store, Workspace
@@ -67,6 +71,7 @@ def architecture(
         wanted=chosen_ones,
         environment=environment,
         known=known,
+        ros2=ros2_launch(workspace, built, environment or {}),
         share=partial(shared, processes=processes),
     )
     found = link_all(keeper=keeper(workspace, store))
@@ -191,6 +196,43 @@ def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
     return best.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
 
 
+def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: Mapping[str, str]) -> Ros2Launch:
+    """Launch files of ROS 2 in all dialects."""
+    places = Places(workspace, built)
+    modules = {
+        module_name(file.path, [(d, n) for build in built.values() for n, d in build.python_roots]): file.path
+        for file in workspace.files
+        if file.language == "python"
+    }
+
+    def read(text: str) -> str | None:
+        path, content, _ = places.read(text)
+        return content if path is not None else None
+
+    def module(dotted: str) -> tuple[str, str] | None:
+        path = modules.get(dotted)
+        return (path, workspace.text(path)) if path is not None else None
+
+    def read_python(path: str) -> Description | None:
+        from haros_ci.link.launch_python.interpret import interpret
+
+        text = workspace.text(path)
+        return interpret(path, text, read, environment, module) if text else None
+
+    def read_xml(launch: LaunchFile, path: str) -> Description:
+        from haros_ci.extract.launch.ros2_xml import read_ros2_xml
+
+        return read_ros2_xml(launch, path)
+
+    def read_yaml(text: str, path: str) -> Description:
+        from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
+
+        return read_ros2_yaml(text, path)
+
+    load = description_reader(workspace, read_python, launch_reader(workspace), read_xml, read_yaml)
+    return Ros2Launch(load, places)
+
+
 def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:
     """A function from a root-relative path to the launch file's tags, None if there is no such file."""
     from haros_ci.extract.launch.xml import read_launch
@@ -218,9 +260,9 @@ def known_types(declared: object, where: str, problems: list[Problem], here: fro
         own, said = load_user(declared, where)
         problems += said
 
-    def known(package: str, name: str) -> KnownNode | None:
-        for nodes in (own.get(package), None if package in here else load_known(package)):
-            if nodes is not None and name in nodes:
+    def known(package: str, name: str, ros: int) -> KnownNode | None:
+        for nodes in (own.get(package), None if package in here else load_known(package, ros)):
+            if nodes is not None and name in nodes and nodes[name].ros in (None, ros):
                 return nodes[name]
         return None
 

@@ -15,7 +15,6 @@ from haros_ci.link.system import Types
 from haros_ci.model.api import Row
 from haros_ci.model.program import Program
 
-
 #: Parameter libraries, whose facts are not kept.
 YAML = (".yaml", ".yml")
 

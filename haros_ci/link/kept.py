@@ -74,6 +74,7 @@ def small(trace: Trace) -> Consulted | None:
 
 
 def number_of(name: str) -> int:
+    """A number for the last part of a name."""
     return crc32(last(name).encode())
 
 

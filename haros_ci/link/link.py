@@ -9,32 +9,31 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
-from haros_ci.link import api_rows, keeping, ros2_entries, ros2_system, system
-from haros_ci.link.entries import Programs, executables, nodelets, plugins
-from haros_ci.link.follow import Entry
-from haros_ci.link.index import Source, build_index
+from haros_ci.link import keeping, ros2_system, system
+from haros_ci.link.index import Source
 from haros_ci.link.keeping import Keeper
 from haros_ci.link.kept import Followed
-from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.parameters import ParameterServer, yaml_reader
-from haros_ci.link.relevance import Relevance
+from haros_ci.link.launching.dialect import is_ros2_file
+from haros_ci.link.launching.entry import entry_files as ros2_entry_files
+from haros_ci.link.launching.evaluate import launch_system
+from haros_ci.link.launching.places import Places
+from haros_ci.link.node_types import path_name, types_of
+from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.roslaunch import evaluate
 from haros_ci.link.roslaunch_entry import entry_files
-from haros_ci.link.roslaunch_files import files_of
 from haros_ci.link.run import Exact
-from haros_ci.link.system import Job, Types
+from haros_ci.link.system import Job, KnownNodes, Types
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Architecture, Configuration, Node
+from haros_ci.model.architecture import Architecture, Configuration, Node, Parameter
 from haros_ci.model.build import Build
-from haros_ci.model.launch import Launched, LaunchFile
+from haros_ci.model.launch import LaunchFile
+from haros_ci.model.launch_actions import Description
 from haros_ci.model.workspace import Problem, Workspace
 
 #: A node with its endpoints, and what went wrong.
 Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
 #: Does jobs, each of a group that has work in common, and gives their results in order.
 Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
-#: What is known of a node type outside the workspace, by package and executable or nodelet's look-up name.
-KnownNodes = Callable[[str, str], KnownNode | None]
 
 
 def in_turn(jobs: Sequence[Callable[[], Any]], groups: Sequence[Hashable]) -> Sequence[Any]:
@@ -53,6 +52,62 @@ class Wanted:
     user_data: Any = None
 
 
+@dataclass(frozen=True, slots=True)
+class Ros2Launch:
+    """Launch files of ROS 2: *load* gives the description of one in any dialect, None if it is none; *places* finds files."""
+
+    load: Callable[[str], Description | None]
+    places: Places
+    memo: dict[tuple[object, ...], Any] = field(default_factory=dict)
+
+    def entries(self, workspace: Workspace, environment: Mapping[str, str]) -> tuple[str, ...]:
+        """The launch files that a workspace is started by."""
+        is_ros2 = is_ros2_file(workspace)
+        return ros2_entry_files(workspace, self.load, self.places, is_ros2, self.memo, environment)
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """What the launch files of a configuration start, as jobs; and what else they say."""
+
+    jobs: tuple[Job, ...]
+    parameters: tuple[Parameter, ...]
+    arguments: tuple[tuple[str, Any], ...]
+    problems: tuple[Problem, ...]
+
+
+def open_(
+    types: Types,
+    workspace: Workspace,
+    load: Callable[[str], LaunchFile | None],
+    ros2: Ros2Launch | None,
+    wanted: Wanted,
+    environment: Mapping[str, str],
+) -> Opened:
+    """Evaluate the launch files of a configuration, each in its own dialect."""
+    newer = tuple(path for path in wanted.launch if ros2 is not None and ros2.load(path) is not None)
+    older = tuple(path for path in wanted.launch if path not in newer)
+    jobs: list[Job] = []
+    parameters: tuple[Parameter, ...] = ()
+    arguments: list[tuple[str, Any]] = []
+    problems: list[Problem] = []
+    if older or not newer:
+        launched = evaluate(older, workspace, load, wanted.arguments, environment)
+        server = ParameterServer(launched.parameters)
+        jobs += [system.launched(types, each, server) for each in launched.nodes if not each.is_test]
+        parameters = launched.parameters
+        arguments += launched.arguments
+        problems += launched.problems
+    if newer and ros2 is not None:
+        found = launch_system(
+            newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo
+        )
+        jobs += [ros2_system.launched(types, each) for each in found.nodes]
+        arguments += found.arguments
+        problems += found.problems
+    return Opened(tuple(jobs), parameters, tuple(arguments), tuple(problems))
+
+
 def link(
     workspace: Workspace,
     sources: Iterable[Source],
@@ -66,6 +121,7 @@ def link(
     exact: Exact | None = None,
     share: Share = in_turn,
     keeper: Keeper | None = None,
+    ros2: Ros2Launch | None = None,
 ) -> Architecture:
     """The architecture of *workspace*.
 
@@ -73,27 +129,26 @@ def link(
     *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
     is one alone. *known* tells what is known of node types that are not of the workspace, *exact* what the exact
     tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes. *keeper* has what
-    earlier runs followed.
+    earlier runs followed, *ros2* reads launch files of ROS 2.
     """
-    types = types_of(workspace, sources, builds, rows, known or (lambda package, name: None), exact)
+    types = types_of(workspace, sources, builds, rows, known or (lambda package, name, ros: None), exact)
     problems: dict[Problem, None] = {}
     configurations: list[Configuration] = []
     if wanted is None:
-        chosen = tuple(Wanted(name=path_name(workspace, path), launch=(path,)) for path in entry_files(workspace, load))
+        paths = (*entry_files(workspace, load), *(ros2.entries(workspace, environment or {}) if ros2 is not None else ()))
+        chosen = tuple(Wanted(name=path_name(workspace, path), launch=(path,)) for path in sorted(paths))
     else:
         chosen = wanted
     jobs: list[Job] = []
     started: set[tuple[str, str]] = set()
-    opened: list[tuple[Wanted, Launched, int]] = []
+    opened: list[tuple[Wanted, Opened]] = []
     for item in chosen:
         seen = {**item.environment, **(environment or {})}
-        launched = evaluate(item.launch, workspace, load, item.arguments, seen)
-        problems.update(dict.fromkeys(launched.problems))
-        server = ParameterServer(launched.parameters)
-        nodes = [system.launched(types, each, server) for each in launched.nodes if not each.is_test]
-        started.update((job.node.package, job.node.type) for job in nodes)
-        opened.append((item, launched, len(nodes)))
-        jobs += nodes
+        each = open_(types, workspace, load, ros2, item, seen)
+        problems.update(dict.fromkeys(each.problems))
+        started.update((job.node.package, job.node.type) for job in each.jobs)
+        opened.append((item, each))
+        jobs += each.jobs
     if wanted is None:
         others = started & types.startable.keys() - types.executables.keys()
         behind_links = {types.startable[each][1] for each in others}
@@ -112,16 +167,22 @@ def link(
     if keeper is not None:
         keeping.hand_on(keeper, key, old, [each for _, fresh in done.values() for each in fresh])
     results = (done[number][0] for number in range(len(jobs)))
-    for item, launched, count in opened:
-        followed = list(islice(results, count))
+    for item, each in opened:
+        followed = list(islice(results, len(each.jobs)))
         problems.update(dict.fromkeys(problem for _, said in followed for problem in said))
+        given = [
+            (node, job.parameters)
+            for job, (nodes, _) in zip(each.jobs, followed, strict=True)
+            for node in nodes
+            if job.parameters is not None
+        ]
         configurations.append(
             Configuration(
                 name=item.name,
                 launch=tuple(path_name(workspace, path) for path in item.launch),
                 nodes=tuple(node for nodes, _ in followed for node in nodes),
-                parameters=launched.parameters,
-                arguments=tuple((name, str(value)) for name, value in launched.arguments),
+                parameters=(*each.parameters, *ros2_system.given_parameters(given)),
+                arguments=tuple((name, str(value)) for name, value in each.arguments),
                 user_data=item.user_data,
             )
         )
@@ -147,70 +208,6 @@ def _worked(types: Types, job: Job) -> tuple[Result, list[tuple[Any, Followed]]]
     return job.follow(), types.fresh[before:]
 
 
-def types_of(
-    workspace: Workspace,
-    sources: Iterable[Source],
-    builds: Mapping[str, Build],
-    rows: Mapping[tuple[str, int], Iterable[Row]],
-    known: KnownNodes,
-    exact: Exact | None = None,
-) -> Types:
-    """The node types of a workspace, ready to be followed."""
-    by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
-    cpp = build_index(s for s in by_path.values() if s.program.language != "python")
-    python = build_index(s for s in by_path.values() if s.program.language == "python")
-    python.interfaces = frozenset(each.name for build in builds.values() for each in build.interfaces)
-    cpp.defined = {build.package: build.defined for build in builds.values() if build.defined}
-    python.packages = frozenset(package.name for package in workspace.packages)
-    programs = Programs(cpp, python, by_path, builds)
-    tables: dict[tuple[str, int], dict[str, tuple[Row, ...]]] = {}
-    for version, items in rows.items():
-        table: dict[str, list[Row]] = {}
-        for row in items:
-            table.setdefault(row.call, []).append(row)
-        tables[version] = {name: tuple(found) for name, found in table.items()}
-    libraries = (row for version, items in rows.items() if version[0] == "cpp" for row in items)
-    cpp.library = frozenset(name for row in libraries for name in api_rows.names_of(row))
-    configs = {
-        f"{config.package}::{config.name}Config": config
-        for _, build in sorted(builds.items())
-        for config in build.configs
-    }
-    relevance = {
-        version: Relevance(python if version[0] == "python" else cpp, [row for found in table.values() for row in found])
-        for version, table in tables.items()
-    }
-    reader = yaml_reader(files_of(workspace))
-    versions = {package.name: package.ros for package in workspace.packages}
-    ordinary = of_version(executables(programs), versions, 1)
-    every = of_version({**linked(workspace, programs), **executables(programs, tests=True)}, versions, 1)
-    startable = {**every, **ordinary}
-    loadable = of_version(ros2_entries.components(programs), versions, 2)
-    return Types(
-        programs,
-        ordinary,
-        startable,
-        nodelets(programs),
-        tables,
-        plugins(programs),
-        relevance,
-        configs,
-        reader,
-        known,
-        exact=exact,
-        ros2_programs=of_version(ros2_entries.programs_of(programs, loadable), versions, 2),
-        components=loadable,
-        versions=versions,
-    )
-
-
-def of_version(
-    found: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]], versions: Mapping[str, int | None], ros: int
-) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
-    """Of node types those in packages of that ROS version; packages that do not tell are of ROS 1."""
-    return {key: entry for key, entry in found.items() if (versions.get(key[0]) == 2) == (ros == 2)}
-
-
 def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
     """The ROS 2 node types that nothing starts: executables, and components that no executable runs."""
     running = {id(types.components[each][0]) for each in started if each in types.components}
@@ -222,27 +219,3 @@ def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
     for package, name in sorted(types.components):
         if id(types.components[package, name][0]) not in running:
             yield ros2_system.alone(types, package, name, is_component=True)
-
-
-def linked(workspace: Workspace, programs: Programs) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
-    """The Python scripts that can be started by the names of symbolic links to them, as ``executables`` has them."""
-    scripts = {path for build in programs.builds.values() for path in build.scripts}
-    found = {}
-    for path, target in workspace.links:
-        package = path_name(workspace, path).partition("/")[0]
-        if target in scripts and target in programs.sources and package in programs.builds:
-            found[package, path.rpartition("/")[2]] = Entry(programs.sources[target]), frozenset((target,))
-    return found
-
-
-def path_name(workspace: Workspace, path: str) -> str:
-    """``package/path`` as HAROS project files name launch files; the path itself outside any package."""
-    best = None
-    for package in workspace.packages:
-        inside = package.path == "." or path.startswith(f"{package.path}/")
-        if inside and (best is None or len(package.path) > len(best.path)):
-            best = package
-    if best is None:
-        return path
-    rest = path if best.path == "." else path[len(best.path) + 1 :]
-    return f"{best.name}/{rest}"

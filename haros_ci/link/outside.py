@@ -10,14 +10,23 @@ from typing import TYPE_CHECKING
 from haros_ci.link.entries import Programs
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.known.instantiate import instantiate
+from haros_ci.link.names import clean
 from haros_ci.link.parameters import Perhaps
-from haros_ci.link.values import Value, data_of, opaque_of
+from haros_ci.link.ros2_implicit import implicit
+from haros_ci.link.ros2_process import RosNode
+from haros_ci.link.ros2_process import reason as reason_of
+from haros_ci.link.values import Known, Value, data_of, opaque_of
+from haros_ci.link.words import split as words_of
 from haros_ci.model.architecture import Node, Unknown
+from haros_ci.model.location import Location
 
 if TYPE_CHECKING:
     from haros_ci.link.ros2_process import Parameters, Rule
     from haros_ci.link.system import Types
     from haros_ci.model.launch import LaunchedNode
+
+#: Why the name of a ROS 2 node is not known.
+UNNAMED = "the program names itself, and its code is not in the workspace"
 
 
 def described(
@@ -87,9 +96,63 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
 
 
 def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple[Rule, ...], given: Parameters) -> Node:
-    """A ROS 2 *node* whose code is not in the workspace."""
-    reason = why(types.programs, node.package, node.type, None)
-    unknowns = [*node.unknowns, Unknown("endpoints", reason, node.location)]
-    if "?" in node.name and not any(each.field == "name" for each in unknowns):
-        unknowns.append(Unknown("name", "the program names itself, and its code is not in the workspace", node.location))
-    return replace(node, unknowns=tuple(unknowns))
+    """A ROS 2 *node* whose code is not in the workspace: with what is known of its type, if anything is."""
+    known = types.known(node.package, node.type, 2)
+    if known is None:
+        reason = why(types.programs, node.package, node.type, None)
+        unknowns = [*node.unknowns, Unknown("endpoints", reason, node.location)]
+        if "?" in node.name and not any(each.field == "name" for each in unknowns):
+            unknowns.append(Unknown("name", UNNAMED, node.location))
+        return replace(node, unknowns=tuple(unknowns))
+    last = started.name or known.node_name or "?"
+    space = started.namespace or "/"
+    full = clean(f"{space}/{last}")
+    kind = "lifecycle" if known.lifecycle else node.kind
+    itself = RosNode(full, space, space, kind, "", node.location or Location(""), rules=rules)
+
+    def data(name: str) -> object | None:
+        value = given.get(*name.split(":", 1), under=node.conditions)
+        if value is None:
+            return None
+        held, plain = data_of(value)
+        if held:
+            found: object = plain
+            return found
+        reason = opaque_of(value)
+        field = "presence" if isinstance(value, Perhaps) else "value"
+        return Unknown(field, reason.reason if reason else "it is not plain data", reason.location if reason else None)
+
+    def below(prefix: str) -> object:
+        if given.unread is not None:
+            return Unknown("presence", reason_of(given.unread), given.unread.location)
+        return tuple(name for name in given.of(full) if name.startswith(prefix))
+
+    def file(path: str) -> object | None:
+        value = types.read_yaml(path)
+        held, plain = data_of(value) if value is not None else (False, None)
+        return plain if held else None
+
+    ends = instantiate(
+        known,
+        name=full,
+        namespace=space,
+        arguments=started_words(started),
+        parameter=data,
+        remap=itself.remap,
+        ros=2,
+        below=below,
+        file=file,
+    )
+    sim = given.get(full, "use_sim_time")
+    added = implicit(full, kind, {}, sim.value if isinstance(sim, Known) else None, node.location, ())
+    there = {(end.kind, end.name) for end in ends}
+    extra = tuple(replace(end, source="known-node") for end in added if (end.kind, end.name) not in there)
+    unknowns = list(node.unknowns)
+    if "?" in full and not any(each.field == "name" for each in unknowns):
+        unknowns.append(Unknown("name", UNNAMED, node.location))
+    return replace(node, name=full, kind=kind, process=node.container or full, endpoints=(*ends, *extra), unknowns=tuple(unknowns))
+
+
+def started_words(started: LaunchedNode) -> tuple[str, ...]:
+    """The words of a launched node's arguments."""
+    return words_of(started.arguments).rest

@@ -10,7 +10,9 @@ from dataclasses import dataclass, replace
 from haros_ci.link import outside
 from haros_ci.link.ends import endpoints
 from haros_ci.link.follow import Entry
+from haros_ci.link.kept import Followed
 from haros_ci.link.names import clean
+from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.ros2_implicit import implicit
 from haros_ci.link.ros2_process import (
     Arguments,
@@ -23,9 +25,7 @@ from haros_ci.link.ros2_process import (
     rule_of,
 )
 from haros_ci.link.run import Context, Made
-from haros_ci.link.kept import Followed
-from haros_ci.link.system import PROGRAM, Job, Types, followed_in, incomplete
-from haros_ci.link.parameters import ParameterServer
+from haros_ci.link.system import PROGRAM, Job, Types, files_key, followed_in, incomplete
 from haros_ci.link.values import Known, Value
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.launch import LaunchedNode
@@ -33,7 +33,6 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 
 NOTHING = ParameterServer(())
-UNNAMED = "the program names itself, and its code is not in the workspace"
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,13 +67,15 @@ def launched(types: Types, node: LaunchedNode) -> Job:
         ros=2,
     )
     if found is None:
-        return Job(basic, None, lambda: (_not_followed(types, node, basic, started), ()))
+        outside_it = lambda: (_not_followed(types, node, basic, started), ())  # noqa: E731
+        return Job(basic, None, outside_it, parameters=started.parameters)
     entry, files = found
     return Job(
         basic,
         (id(entry), name),
         lambda: _followed(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
         _size(types, files),
+        started.parameters,
     )
 
 
@@ -89,7 +90,12 @@ def started_by(node: LaunchedNode) -> Started:
         naming.append(Rule("", "__ns", node.namespace))
     remaps = [rule for source, target, _ in node.remaps if (rule := rule_of(f"{source}:={target}")) is not None]
     rules = (*more.rules, *said.rules, *naming, *remaps)
-    given = (*node.parameters, *_arguments_parameters(node.location, more, said))
+    whole = clean(f"{node.namespace}/{node.name}") if node.name is not None and node.namespace is not None else None
+    rules_given = (
+        replace(rule, node=whole) if whole is not None and rule.node == "/**" and rule.origin is None else rule
+        for rule in node.parameters
+    )
+    given = (*rules_given, *_arguments_parameters(node.location, more, said))
     return Started(rules, Parameters(given), more.rest, node.kind == "component")
 
 
@@ -219,7 +225,7 @@ def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str],
 
 def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
     """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again."""
-    key = (2, entry.key, started.rules, started.words, started.is_component)
+    key = (2, entry.key, files_key(files), started.rules, started.words, started.is_component)
     earlier = types.followed.setdefault(key, [])
 
     def parameter(full: str) -> Value | None:

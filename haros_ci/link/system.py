@@ -13,13 +13,14 @@ from haros_ci.link.ends import ANONYMOUS, UNNAMED, by, endpoints
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
 from haros_ci.link.index import Source
+from haros_ci.link.kept import Followed, number_of, small
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
-from haros_ci.link.kept import Followed, small
 from haros_ci.link.relevance import Relevance
-from haros_ci.link.trace import Trace
+from haros_ci.link.ros2_process import Parameters
 from haros_ci.link.run import Context, Exact, Made, Renamed, Run
+from haros_ci.link.trace import Trace
 from haros_ci.link.values import Known, Value
 from haros_ci.link.words import scalar, split
 from haros_ci.model.api import Row
@@ -34,6 +35,8 @@ from haros_ci.model.workspace import Problem
 LOAD, STANDALONE, MANAGER = "load", "standalone", "manager"
 #: The kind of what is started alone and is no node: it gives itself no name, and makes nothing.
 PROGRAM = "program"
+#: What is known of a node type outside the workspace, by package, executable or look-up name, and ROS version.
+KnownNodes = Callable[[str, str, int], KnownNode | None]
 #: Nodelets that load nodelets that load nodelets.
 DEEPEST = 3
 
@@ -54,7 +57,7 @@ class Types:
     configs: Mapping[str, ConfigFile]
     read_yaml: Any
     #: What is known of node types outside the workspace, by package and type.
-    known: Callable[[str, str], KnownNode | None]
+    known: KnownNodes
     #: What following has given so far, with the parameters that it depended on.
     followed: dict[Any, list[Followed]] = field(default_factory=dict)
     exact: Exact | None = None
@@ -92,6 +95,8 @@ class Job:
     group: Hashable
     follow: Callable[[], tuple[tuple[Node, ...], tuple[Problem, ...]]]
     size: int = 0
+    #: What a ROS 2 process is given from outside.
+    parameters: Parameters | None = None
 
 
 def launched(types: Types, started: Started, server: ParameterServer) -> Job:
@@ -134,7 +139,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         return private.get(name) or server.get(name, started.conditions)
 
     if found is None:
-        known = types.known(node.package, outside.look_up(node))
+        known = types.known(node.package, outside.look_up(node), 1)
         given = (namespace, words.rest, parameter, remaps)
         return Job(node, None, lambda: ((outside.described(node, types.programs, known, *given),), ()))
     entry, files = found
@@ -250,7 +255,7 @@ def run_node(
 ) -> Followed:
     """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
     wiring = tuple(sorted(instance.remaps.items()))
-    key = (entry.key, instance.name, instance.namespace, instance.arguments, wiring, instance.process)
+    key = (entry.key, files_key(files), instance.name, instance.namespace, instance.arguments, wiring, instance.process)
     earlier = types.followed.setdefault(key, [])
     for done in earlier:
         if all(parameter(name) == value for name, value in done.asked.items()):
@@ -277,6 +282,11 @@ def run_node(
     )
     earlier.append(followed_in(types, entry, files, context, asked, key))
     return earlier[-1]
+
+
+def files_key(files: frozenset[str]) -> int:
+    """A number for the files that a node type is made of."""
+    return number_of("|".join(sorted(files)))
 
 
 def followed_in(

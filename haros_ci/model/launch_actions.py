@@ -13,7 +13,6 @@ from typing import Any, Protocol, Union
 
 from haros_ci.model.location import Location
 
-
 #: What ``find-pkg-share``, ``find-pkg-prefix`` and ``dirname`` give: text that stands for a directory, wherever it will be.
 #: ``$(find-pkg-share pkg)/config/x.yaml`` is a path as any other text; only reading a file asks where it is.
 SHARE = "$(find-pkg-share {})"

@@ -44,3 +44,10 @@ def description_reader(
         return known[path]
 
     return load
+
+
+def is_ros2_file(workspace: Workspace) -> Callable[[str], bool]:
+    """Whether a launch file may be one of ROS 2: one in a package that is not of ROS 1 alone."""
+    packages = {package.name: package.ros for package in workspace.packages}
+    owners = {file.path: packages.get(file.package or "") for file in workspace.files}
+    return lambda path: owners.get(path) != 1
