@@ -77,6 +77,9 @@ def invoke(
         function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
     inner_scope = definition.owner or definition.name.rpartition(function.source.separator)[0]
     templates: Mapping[str, Type] = function.templates
+    if function.this is not None and definition.owner:
+        of_base = methods.templates_of(run, function.this, definition.owner)
+        templates = {**templates, **of_base} if of_base else templates
     if definition.templates:
         explicit = {n: run.type_in(t, frame) for n, t in zip(definition.templates, targs, strict=False) if is_type(t)}
         templates = {**templates, **_deduced(definition, args), **explicit}

@@ -210,7 +210,8 @@ def _worked(types: Types, job: Job) -> tuple[Result, list[tuple[Any, Followed]]]
 
 def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
     """The ROS 2 node types that nothing starts: executables, and components that no executable runs."""
-    running = {id(types.components[each][0]) for each in started if each in types.components}
+    tables = (types.components, types.ros2_programs)
+    running = {id(table[each][0]) for table in tables for each in started if each in table}
     for package, name in sorted(types.ros2_programs):
         entry = types.ros2_programs[package, name][0]
         if (package, name) not in started and id(entry) not in running:

@@ -107,6 +107,25 @@ def method_of(run: Run, this: Object, name: str, given: Given = None) -> Callabl
     return Callable(found[0], found[1], this, templates=this.templates)
 
 
+def templates_of(run: Run, this: Object, owner: str) -> Mapping[str, Type] | None:
+    """What the template parameters of *owner*, a base class of the object *this*, stand for; None if it has none."""
+    if this.definition is None or this.definition[1].name == owner:
+        return None
+    if not any(each.templates for _, each in run.index.classes.get(owner, ())):
+        return None
+    waiting = [(*this.definition, this.templates)]
+    for source, definition, templates in waiting:
+        for base in run.bases(source, definition, templates):
+            found = run.class_of(base[0], source)
+            if found is None or len(waiting) > BASES:
+                continue
+            bound = dict(zip(found[1].templates, base[1], strict=False))
+            if found[1].name == owner:
+                return bound
+            waiting.append((*found, bound))
+    return None
+
+
 def overload(run: Run, candidates: list[Found], given: Given) -> Found:
     """The definition that takes the arguments *given*, with its body if it has one; of several bodies none for certain."""
     fitting = candidates

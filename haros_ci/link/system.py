@@ -13,7 +13,7 @@ from haros_ci.link.ends import ANONYMOUS, UNNAMED, by, endpoints
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
 from haros_ci.link.index import Source
-from haros_ci.link.kept import Followed, number_of, small
+from haros_ci.link.kept import Followed, digest_of, small
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import ParameterServer
@@ -284,9 +284,9 @@ def run_node(
     return earlier[-1]
 
 
-def files_key(files: frozenset[str]) -> int:
-    """A number for the files that a node type is made of."""
-    return number_of("|".join(sorted(files)))
+def files_key(files: frozenset[str]) -> str:
+    """A short name for the files that a node type is made of."""
+    return digest_of(sorted(files))[:16]
 
 
 def followed_in(
