@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from collections.abc import Sequence as Sequence_
 from dataclasses import dataclass, replace
+from typing import Any
 
 from haros_ci.link import activation, call_arguments, construct, inert, lookup, ros2_nodes
 from haros_ci.link.index import Source
@@ -90,11 +92,12 @@ def _call_back(run: Run, frame: Frame) -> None:
         if run.rehearsed < CHEAP:  # what one leaves behind may change what another does
             for number, root in enumerate(batch, start=done):
                 effects[number] = _rehearsed(run, frame, root, run.effects, number)
+        together = _together(effects)
         for number, root in sorted(enumerate(batch, start=done), key=lambda each: each[1].is_update):
             if not inert.may_make(run, root.function, ()):
                 continue
             mark, known, made = run.state.mark(), len(run.roots), len(run.made)
-            _disturb(run, effects, number)
+            _disturb(run, effects, number, together)
             _invoke(run, frame, root)
             _hand_on(run, known, run.state.undo(mark))
             if root.is_update:
@@ -145,15 +148,34 @@ def interlude(run: Run, frame: Frame) -> None:
     _disturb(run, run.effects, -1)
 
 
-def _disturb(run: Run, effects: Iterable[Writes], own: int) -> None:
-    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
-    for number, writes in enumerate(effects):
+def _disturb(run: Run, effects: Sequence_[Writes], own: int, all_of_them: Mapping[Cell, Any] | None = None) -> None:
+    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only.
+
+    *all_of_them* is what ``_together`` makes of *effects*.
+    """
+    mine = effects[own] if 0 <= own < len(effects) else {}
+    for cell, value in (_together(effects) if all_of_them is None else all_of_them).items():
+        if cell in mine and not isinstance(mine[cell], (Known, Text)):
+            for number, writes in enumerate(effects):
+                if number != own and cell in writes:
+                    _join(run, cell, writes[cell])
+        else:
+            _join(run, cell, value)
+
+
+def _join(run: Run, cell: Cell, value: Any) -> None:
+    after = joined(cell.value, value)
+    if after is not cell.value:
+        run.state.write(cell, after)
+
+
+def _together(effects: Iterable[Writes]) -> dict[Cell, Any]:
+    """What each cell holds after one or another of the callbacks."""
+    found: dict[Cell, Any] = {}
+    for writes in effects:
         for cell, value in writes.items():
-            if number == own and not isinstance(value, (Known, Text)):
-                continue
-            after = joined(cell.value, value)
-            if after is not cell.value:
-                run.state.write(cell, after)
+            found[cell] = joined(found[cell], value) if cell in found else value
+    return found
 
 
 def _invoke(run: Run, frame: Frame, root: Root) -> None:

@@ -84,11 +84,14 @@ class Index:
         trace = self.trace
         if trace is None:
             return self._near(table, name, source, files)
-        trace.names.add(name)
-        trace.paths.add(source.path)
-        found = self._near(table, name, source, files)
-        trace.paths.update(item[0].path for item in found)
-        return found
+        key = (id(table), name, source.path, files)
+        known = trace.near.get(key)
+        if known is None:
+            trace.names.add(name)
+            trace.paths.add(source.path)
+            known = trace.near[key] = self._near(table, name, source, files)
+            trace.paths.update(item[0].path for item in known)
+        return known
 
     def _near(
         self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
@@ -118,7 +121,7 @@ class Index:
         self.trace = trace
         for table in (self.classes, self.functions, self.variables, self.aliases, self.macros, self.by_tail):
             if isinstance(table, Traced):
-                table.trace = trace
+                table.follow(trace)
 
     def sees(self, source: Source, other: Source, files: frozenset[str]) -> bool:
         """Whether code of *source*, in an executable of *files*, can use what stands in *other*, as far as can be told."""

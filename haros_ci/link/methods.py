@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from haros_ci.link import expressions, lookup, members, overloads
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import resolve_type
 from haros_ci.link.values import Callable, ClassValue, Object, Value
 from haros_ci.model.program import Class, Field, Function, Type
 
@@ -32,8 +31,7 @@ def field_of(
     """The data member *name* of a class or its bases: where it is declared, and its resolved type."""
     for declared in definition.fields:
         if declared.name == name:
-            kind = resolve_type(run.index, declared.type, definition.name, source, run.files, templates)
-            return source, declared, kind
+            return source, declared, run.resolved(declared.type, definition.name, source, templates)
     if depth < BASES:
         for base in run.bases(source, definition, templates):
             owner = run.class_of(base[0], source)

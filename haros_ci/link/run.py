@@ -242,7 +242,7 @@ class Run:
     turns: int = 1
     #: Steps spent in functions that make nothing, by function.
     spent: dict[int, int] = field(default_factory=dict)
-    types: dict[Any, tuple[Type, Any]] = field(default_factory=dict)
+    types: dict[Any, tuple[Type, Any, Any]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only.
     found: dict[Any, Any] = field(init=False)
 
@@ -344,14 +344,16 @@ class Run:
         """*kind* as written in *frame*, resolved."""
         if not kind[0]:
             return NO_TYPE
-        if kind[1]:
-            return resolve_type(self.index, kind, frame.scope, frame.source, self.files, frame.templates)
-        templates = frame.templates
-        key = (kind[0], kind[2], frame.scope, frame.source.path, id(templates) if templates else 0)
-        found: tuple[Type, Any] | None = self.types.get(key)
+        return self.resolved(kind, frame.scope, frame.source, frame.templates)
+
+    def resolved(self, kind: Type, scope: str, source: Source, templates: Mapping[str, Type]) -> Type:
+        """*kind* as written in a scope of a file, resolved; each once."""
+        names = id(templates) if templates else 0
+        key: Any = (id(kind) if kind[1] else kind[0], kind[2], scope, source.path, names)
+        found: tuple[Type, Any, Any] | None = self.types.get(key)
         if found is None:
-            resolved = resolve_type(self.index, kind, frame.scope, frame.source, self.files, templates)
-            found = self.types[key] = (resolved, templates)  # which keeps the identity in the key from being used again
+            resolved = resolve_type(self.index, kind, scope, source, self.files, templates)
+            found = self.types[key] = (resolved, templates, kind)  # which keeps identities from being used again
         return found[0]
 
     def opaque(self, reason: str, frame: Frame, line: int | None = None, kind: Type | None = None) -> Opaque:
@@ -360,7 +362,7 @@ class Run:
     def bases(self, source: Source, definition: Class, templates: Mapping[str, Type]) -> list[Type]:
         """The resolved base types of a class of the workspace."""
         scope = definition.name.rpartition(source.separator)[0]
-        return [resolve_type(self.index, base, scope, source, self.files, templates) for base in definition.bases]
+        return [self.resolved(base, scope, source, templates) for base in definition.bases]
 
     def class_of(self, name: str, source: Source) -> tuple[Source, Class] | None:
         """The workspace's class of that qualified name, as seen from *source*."""

@@ -20,37 +20,46 @@ class Trace:
     paths: set[str] = field(default_factory=set)
     has_scanned: bool = False
     is_whole: bool = True
+    #: What ``Index.near`` has found, and the names that were looked up in each table.
+    near: dict[Any, list[Any]] = field(default_factory=dict, repr=False, compare=False)
+    seen: dict[int, set[str]] = field(default_factory=dict, repr=False, compare=False)
 
 
 class Traced(dict[str, list[tuple[Any, Any]]]):
     """A table of the index that tells its ``trace`` what is looked up in it."""
 
-    __slots__ = ("trace",)
+    __slots__ = ("seen", "trace")
 
     def __init__(self, table: Mapping[str, list[tuple[Any, Any]]]) -> None:
         super().__init__(table)
         self.trace: Trace | None = None
+        self.seen: set[str] = set()
+
+    def follow(self, trace: Trace | None) -> None:
+        """Tell *trace* from now on."""
+        self.trace = trace
+        self.seen = trace.seen.setdefault(id(self), set()) if trace is not None else set()
 
     def get(self, name: str, default: Any = None) -> Any:
-        found = super().get(name, default)
-        trace = self.trace
-        if trace is not None:
-            trace.names.add(name)
-            if found:
-                trace.paths.update(item[0].path for item in found)
-        return found
+        if self.trace is not None and name not in self.seen:
+            self._tell(name)
+        return super().get(name, default)
 
     def __getitem__(self, name: str) -> list[tuple[Any, Any]]:
-        found = super().__getitem__(name)
-        if self.trace is not None:
-            self.trace.names.add(name)
-            self.trace.paths.update(item[0].path for item in found)
-        return found
+        if self.trace is not None and name not in self.seen:
+            self._tell(name)
+        return super().__getitem__(name)
 
     def __contains__(self, name: object) -> bool:
-        if self.trace is not None and isinstance(name, str):
-            self.trace.names.add(name)
+        if self.trace is not None and isinstance(name, str) and name not in self.seen:
+            self._tell(name)
         return super().__contains__(name)
+
+    def _tell(self, name: str) -> None:
+        assert self.trace is not None
+        self.seen.add(name)
+        self.trace.names.add(name)
+        self.trace.paths.update(item[0].path for item in super().get(name, ()))
 
     def __iter__(self) -> Any:
         if self.trace is not None:
