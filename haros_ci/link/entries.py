@@ -75,6 +75,14 @@ def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozense
     return found
 
 
+def plugin_files(programs: Programs) -> list[tuple[str, frozenset[str]]]:
+    """For each class that a plug-in description names, the last part of its base's name, and the files of its library."""
+    return [
+        (plugin.base.replace(" ", "").rpartition("::")[2], files | {source.path})
+        for plugin, source, _, files in _described(programs)
+    ]
+
+
 def _described(programs: Programs) -> Iterator[tuple[PluginClass, Source, Class, frozenset[str]]]:
     """Each described class with its definition and the files of its library."""
     for _, build in sorted(programs.builds.items()):

@@ -73,6 +73,7 @@ class Index:
     open: dict[str, tuple[str, ...]] = field(default_factory=dict)
     headers: dict[str, Mapping[str, str]] = field(default_factory=dict)
     trace: Trace | None = None
+    by_package: dict[str | None, list[str]] = field(default_factory=dict)
     visible: dict[tuple[str, frozenset[str]], tuple[frozenset[str], frozenset[str | None]]] = field(
         default_factory=dict
     )
@@ -133,6 +134,51 @@ class Index:
             self.visible[key] = paths, frozenset(self.sources[path].package for path in paths)
         paths, packages = self.visible[key]
         return other.path in paths or (other.package in packages and not other.path.endswith(HEADERS))
+
+    def visible_from(self, files: frozenset[str], plugins: Iterable[tuple[str, frozenset[str]]]) -> frozenset[str]:
+        """The C++ files whose code an executable of *files* may run: what its own can use, and plug-ins if it loads any.
+
+        *plugins* are their bases' names and libraries' files; one counts if its base is visible. Code for tests counts only
+        where it is the executable's own or included.
+        """
+        found = set(files)
+        waiting = list(files)
+        is_loading = False
+        #: A package of which something is linked has nothing else that is used.
+        packages: set[str | None] = {self.sources[path].package for path in files if path in self.sources}
+        while waiting:
+            path = waiting.pop()
+            source = self.sources.get(path)
+            if source is None:
+                continue
+            reached = {path, *self.reach(path)}
+            is_loading = is_loading or any(self._loads(each) for each in reached)
+            found |= reached
+            new = {self.sources[each].package for each in reached if each in self.sources} - packages
+            packages |= new
+            for package in new:
+                more = {each for each in self._sources_of(package) if each not in found}
+                found |= more
+                waiting += sorted(more)
+            if not waiting and is_loading:
+                bases = {each.name.rpartition("::")[2] for p in found if p in self.sources for each in self.sources[p].program.classes}
+                more = {path for base, paths in plugins if base in bases for path in paths} - found
+                packages |= {self.sources[path].package for path in more if path in self.sources}
+                found |= more
+                waiting += sorted(more)
+        return frozenset(found)
+
+    def _sources_of(self, package: str | None) -> list[str]:
+        """The files of a package that are no headers, and not for tests."""
+        if not self.by_package:
+            for source in self.sources.values():
+                if not source.path.endswith(HEADERS) and not _is_test(source.path):
+                    self.by_package.setdefault(source.package, []).append(source.path)
+        return self.by_package.get(package, [])
+
+    def _loads(self, path: str) -> bool:
+        source = self.sources.get(path)
+        return source is not None and any("class_loader" in each for each in source.program.includes)
 
     def reach(self, path: str) -> frozenset[str]:
         """The workspace's files that a C++ file includes, and those that they include."""
@@ -220,6 +266,10 @@ class Index:
         if source.separator == ".":
             return True
         return any(where.path == source.path or where.path in self.reach(source.path) for where, _ in entities)
+
+
+def _is_test(path: str) -> bool:
+    return any(part in ("test", "tests") for part in path.split("/"))
 
 
 def build_index(sources: Iterable[Source]) -> Index:

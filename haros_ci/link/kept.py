@@ -120,8 +120,6 @@ def change_of(
             return change
         change.paths.add(path)
         _compare(change, path, old, new, relevance(path))
-        if change.is_all:
-            return change
     return change
 
 
@@ -141,9 +139,8 @@ def _compare(change: Change, path: str, before: Source, now: Source, relevance: 
         if [_head(each) for each in gone_ones] != [_head(each) for each in come_ones]:
             change.names.add(number_of(name))
             change.is_shape = True
-        if gone_ones != come_ones and _reaches_other(name, before, now, gone_ones, come_ones, relevance, change):
-            change.is_all = True
-            return
+        if gone_ones != come_ones and _does_other(before, now, gone_ones, come_ones, relevance):
+            change.names.add(number_of(name))
 
 
 def _entities(items: Iterable[Any]) -> dict[str, list[str]]:
@@ -175,23 +172,15 @@ def _head(function: Function) -> str:
     return f"{has_body} {_shown(bare)}"
 
 
-def _reaches_other(
-    name: str,
-    old: Source,
-    new: Source,
-    gone: list[Function],
-    come: list[Function],
-    relevance: Sequence[Relevance],
-    change: Change,
+def _does_other(
+    old: Source, new: Source, gone: list[Function], come: list[Function], relevance: Sequence[Relevance]
 ) -> bool:
-    """Whether what is called by the functions of one name differs so that more, or less, may be made by a call."""
+    """Whether the functions of one name call or assign to other names than before: who relies on it has it in its trace."""
     for each in relevance:
         before = frozenset(called for function in gone for called in each.calls_of(function, old))
         after = frozenset(called for function in come for called in each.calls_of(function, new))
         assigned = [frozenset(a for f in group for a in each.assigned_in(f)) for group in (gone, come)]
         if before != after or assigned[0] != assigned[1]:
-            change.names.add(number_of(name))
-        if any(map(each.called, before ^ after)) and not any(map(each.called, before & after)):
             return True
     return False
 

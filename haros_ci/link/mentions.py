@@ -18,6 +18,8 @@ READING = frozenset(
 CONTAINERS = (
     READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
 )
+#: Methods of all sorts of classes that are told apart by the number of their arguments.
+COUNTED = frozenset(("publish",))
 #: Stands for an assignment to an element among the names of a block.
 ELEMENT = "[]="
 #: Stands for the call of a variable: what it holds may make something.
@@ -43,6 +45,8 @@ def called_in(item: Any, found: set[str], mentioned: set[str], source: Source) -
                 found.add("::".join(callee[1].split("::")[-2:]))
             elif callee[0] == "field":
                 found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2].rpartition('::')[2]}")
+                if callee[2] in COUNTED:
+                    found.add(f"{callee[2]}/{len(node[2])}")
             elif callee[0] == "index" and source.separator == ".":
                 found.add(CALLED)
             elif callee[0] == "index" and callee[1][0] in ("name", "field"):

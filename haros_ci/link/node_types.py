@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from haros_ci.link import api_rows, ros2_entries
-from haros_ci.link.entries import Programs, executables, nodelets, plugins
+from haros_ci.link.entries import Programs, executables, nodelets, plugin_files, plugins
 from haros_ci.link.follow import Entry
 from haros_ci.link.index import Source, build_index
 from haros_ci.link.parameters import yaml_reader
@@ -65,6 +65,7 @@ def types_of(
         nodelets(programs),
         tables,
         plugins(programs),
+        plugin_files(programs),
         relevance,
         configs,
         reader,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from copy import copy
 from typing import Any
 
 from haros_ci.link.index import Index, Source
@@ -11,6 +12,7 @@ from haros_ci.link.mentions import (
     CALL,
     CALLED,
     COLLECTING,
+    COUNTED,
     CONTAINERS,
     ELEMENT,
     callable_variables,
@@ -33,19 +35,22 @@ GIVEN = "(given)"
 #: Words for methods of all sorts of classes.
 EVERYDAY = frozenset("start add call create configure init del search".split())
 
+#: Functions of classes that have the names of others in namespaces.
+MAKERS = frozenset(("make_shared", "make_unique"))
+
 
 class Relevance:
     """For each block of code, whether an API call may be reached from it. Names stand for all functions so called."""
 
     def __init__(self, index: Index, rows: Iterable[Row]) -> None:
         rows = tuple(rows)
-        self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row.call)) | {CALLED}
+        self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row)) | {CALLED}
         if any("<nodelet/loader.h>" in source.program.includes for source in index.sources.values()):
             self._api |= {".load"}
         opened = {space for source in index.sources.values() for _, space in source.program.scopes}
         for space, _, name in (row.call.rpartition("::") for row in rows if _makes(row)):
             self._api |= {name} if space in opened else set()
-        self._registering = frozenset(name for row in rows if row.calls for name in _spellings(row.call)) - self._api
+        self._registering = frozenset(name for row in rows if row.calls for name in _spellings(row)) - self._api
         self._index = index
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):
@@ -53,6 +58,9 @@ class Relevance:
                 self._by_name.setdefault(last(name), []).extend(found)
         self._blocks: dict[tuple[int, int], tuple[Any, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
+        #: The files whose functions and classes count; None for all.
+        self._visible: frozenset[str] | None = None
+        self._meant: dict[str, list[tuple[Source, Function | Class]]] = {}
         self._changes: dict[int, tuple[Function, frozenset[str], set[str]]] = {}
         self._variables: dict[int, tuple[Function, frozenset[str]]] = {}
         self._makes: dict[int, tuple[Function, bool]] = {}
@@ -74,6 +82,17 @@ class Relevance:
         self._functors = functors(index)
         self._functor_members = members_of(index, self._functors)
         self._held = self.holding | {f".{name}" for name in self.holding}
+
+    def within(self, visible: frozenset[str]) -> Relevance:
+        """The same for code that can only reach functions and classes of these files."""
+        view = copy(self)
+        view._known, view._changes, view._makes, view._meant = {}, {}, {}, {}
+        view._visible = visible
+        return view
+
+    def asked(self) -> Iterable[str]:
+        """The names of which it was asked so far whether they matter."""
+        return self._known.keys()
 
     def matters(self, block: Any, source: Source, function: Function | None = None) -> bool:
         """Whether *block* (of a function in *source*) may make something, whatever its arguments are."""
@@ -214,8 +233,17 @@ class Relevance:
     def _named(self, name: str) -> list[tuple[Source, Function | Class]]:
         """What a name may mean; a method of containers and pointers (``.clear``) means theirs."""
         if name.startswith("."):
-            return [] if name[1:] in CONTAINERS else self._by_name.get(name[1:], [])
-        return self._by_name.get(name, [])
+            if name[1:] in CONTAINERS:
+                return []
+            name = name[1:]
+        found = self._by_name.get(name, [])
+        visible = self._visible
+        if visible is None or not found:
+            return found
+        known = self._meant.get(name)
+        if known is None:
+            known = self._meant[name] = [item for item in found if item[0].path in visible]
+        return known
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
         if isinstance(item, Class):
@@ -230,15 +258,20 @@ class Relevance:
         return names | self.names(item.inits, source) if item.inits else names
 
 
-def _spellings(name: str) -> Iterable[str]:
+def _spellings(row: Row) -> Iterable[str]:
     """How a call of the row's function looks: a class by its name, a method after a dot, a function with its namespace.
 
     Words that any class may have as a method are left out: what they make is callbacks at most.
     """
+    name = row.call
     parts = name.replace(".", "::").split("::")
     last = parts[-1]
+    if last in COUNTED:
+        return tuple(f"{last}/{count}" for count in row.args)
     if last[:1].isupper() or len(parts) == 1:
         return (last, f".{last}")
+    if parts[-2][:1].isupper() and last in MAKERS:
+        return ("::".join(parts[-2:]),)
     if parts[-2][:1].isupper():
         return () if last in CONTAINERS or last in EVERYDAY else (last, f".{last}")
     # A function of a namespace or module: Python's are called on the module.

@@ -53,6 +53,8 @@ class Types:
     #: By language and ROS version: API rows by call, and what they make relevant.
     rows: Mapping[tuple[str, int], Mapping[str, tuple[Row, ...]]]
     plugins: Mapping[str, tuple[Source, Class]]
+    #: The last part of the base class's name of each plug-in, and the files of its library.
+    plugin_files: list[tuple[str, frozenset[str]]]
     relevance: Mapping[tuple[str, int], Relevance]
     configs: Mapping[str, ConfigFile]
     read_yaml: Any
@@ -64,6 +66,7 @@ class Types:
     #: What nodes of one language and set of files have consulted, and what was followed in this run.
     traces: dict[Any, Trace] = field(default_factory=dict)
     fresh: list[tuple[Any, Followed]] = field(default_factory=list)
+    views: dict[Any, Relevance] = field(default_factory=dict)
     #: ROS 2: executables and components, by package and executable or class.
     ros2_programs: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
     components: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
@@ -284,6 +287,17 @@ def run_node(
     return earlier[-1]
 
 
+def relevance_of(types: Types, entry: Entry, version: tuple[str, int], files: frozenset[str]) -> Relevance:
+    """What matters in the code that a node type of *files* can reach."""
+    if version != ("cpp", 2) or not files:
+        return types.relevance[version]
+    key = (version, files)
+    if key not in types.views:
+        visible = types.programs.cpp.visible_from(files | {entry.source.path}, types.plugin_files)
+        types.views[key] = types.relevance[version].within(visible)
+    return types.views[key]
+
+
 def files_key(files: frozenset[str]) -> str:
     """A short name for the files that a node type is made of."""
     return digest_of(sorted(files))[:16]
@@ -316,7 +330,8 @@ def _followed_in(
     trace.paths |= {entry.source.path, *files}
     language = "python" if entry.source.program.language == "python" else "cpp"
     version = (language, 1 if context.process is None else 2)
-    run = Run(index, types.rows[version], context, types.configs, types.relevance[version], files, types.exact)
+    relevance = relevance_of(types, entry, version, files)
+    run = Run(index, types.rows[version], context, types.configs, relevance, files, types.exact)
     problems: tuple[Problem, ...] = ()
     try:
         if not follow(run, entry):
@@ -329,6 +344,7 @@ def _followed_in(
         problems = (Problem(entry.source.path, said),)
     if context.loaded:
         trace.is_whole = False
+    trace.names.update(relevance.asked())
     made, nodes = tuple(run.made.values()), tuple(run.nodes)
     followed = Followed(made, problems, tuple(run.names), run.gaps, asked, nodes, small(trace))
     types.fresh.append((key, followed))

@@ -24,8 +24,9 @@ def entry_files(
     """The ROS 2 launch files in packages that no other one includes with its default arguments, sorted.
 
     They are called ``*.launch.xml``, ``*_launch.py`` and the like, or lie in a directory ``launch`` and describe
-    something; *is_ros2* says of a path whether it is for ROS 2. Those below ``test`` are descriptions of tests. Each
-    file is launched once, in *environment*; with a *memo* ``launch_system`` does not do it again.
+    something; *is_ros2* says of a path whether it is for ROS 2. Those below ``test``, those called ``test_…`` and those of
+    packages called ``…_tests`` are descriptions of tests. Each file is launched once, in *environment*; with a *memo*
+    ``launch_system`` does not do it again.
     """
     found: list[str] = []
     for file in workspace.files:
@@ -33,6 +34,8 @@ def entry_files(
             continue
         parts = file.path.split("/")
         if any(part in ("test", "tests") for part in parts[:-1]):
+            continue
+        if parts[-1].startswith("test_") or file.package.endswith(("_test", "_tests")):
             continue
         if file.path.endswith(_NAMES) or parts[-1] in ("launch.xml", "launch.yaml", "launch.py"):
             found.append(file.path)
