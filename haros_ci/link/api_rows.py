@@ -206,12 +206,12 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
                 target.namespace = handles.handle(applied, entry)
             continue
         for item in _items(applied, entry):
-            inner = replace(applied, item=item)
+            inner = applied if item is None else replace(applied, item=item)
             found = emit(inner, entry)
             if entry.kind in ("getters", "parameters") and item is None:
                 parameter, known = found, True
     target = made if made is not None else applied.receiver
-    with_parameter = replace(applied, parameter=parameter)
+    with_parameter = applied if parameter is None else replace(applied, parameter=parameter)
     if isinstance(target, Object):
         for name, template in row.fills:
             value = selectors.value_of(with_parameter, template)

@@ -205,16 +205,24 @@ def returned(run: Run, inner: Frame, function: Function, returns: Type, value: V
     if inner.source.program.language == "python" or not isinstance(returns[2], str):
         return value
     if "&" in returns[2]:
-        written, local = _written(function)
+        written, local = _returning(run, function)
         cells = [_referred(run, inner, expression, local) for expression in written]
         run.references = tuple(cell for cell in cells if cell is not None) if all(cells) else ()
         return value
     if not isinstance(value, (Object, Sequence, Mapped, Choice)) or function.returns[0] in function.templates:
         return value
-    written, local = _written(function)
+    written, local = _returning(run, function)
     if all(e[0] in ("call", "new", "list") or (e[0] == "name" and e[1] in local) for e in written):
         return value
     return copied(run, value, returns)
+
+
+def _returning(run: Run, function: Function) -> tuple[list[Expression], set[str]]:
+    key = ("written", id(function))
+    if key not in run.found:
+        run.found[key] = (_written(function), function)
+    found: tuple[list[Expression], set[str]] = run.found[key][0]
+    return found
 
 
 def _written(function: Function) -> tuple[list[Expression], set[str]]:

@@ -27,11 +27,17 @@ def summary_object(run: Run, owner: Any, kind: Type, receiver: Opaque) -> Object
 
 def owners(run: Run, value: Object) -> list[str]:
     """The class names under which rows may know an object's methods: its own, then its libraries' bases."""
-    found = [value.name] if value.definition is None else methods.library_bases(run, *value.definition)
+    key = ("owners", value.name, id(value.definition[1]) if value.definition is not None else 0, run.context.process is None)
+    if key in run.found:
+        known: list[str] = run.found[key]
+        return known
+    found = [value.name] if value.definition is None else list(methods.library_bases(run, *value.definition))
     for name in found:
         for row in run.rows.get(name, ()):
             if row.is_class:
                 found += [base for base in row.bases if base not in found]
+    if value.definition is None or value.definition[0].separator == "::":
+        run.found[key] = found
     return found
 
 

@@ -48,11 +48,16 @@ def class_method(
 ) -> Found | None:
     """The method *name* of a class or its bases; the arguments *given* choose between overloads."""
     separator = source.separator
-    candidates = run.index.near(run.index.functions, f"{definition.name}{separator}{name}", source, run.files)
     if separator == "::":
-        if not any(function.body is not None for _, function in candidates):
-            candidates = [*overloads.nearest(run, _loose(run, definition.name, name), source), *candidates]
+        key = ("methods", definition.name, name, source.path)
+        if key not in run.found:
+            candidates = run.index.near(run.index.functions, f"{definition.name}::{name}", source, run.files)
+            if not any(function.body is not None for _, function in candidates):
+                candidates = [*overloads.nearest(run, _loose(run, definition.name, name), source), *candidates]
+            run.found[key] = candidates
+        candidates = run.found[key]
     else:
+        candidates = run.index.near(run.index.functions, f"{definition.name}.{name}", source, run.files)
         candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
     if candidates:
         where, function = overload(run, candidates, given)
@@ -76,7 +81,13 @@ def python_class(run: Run, base: Type, source: Source) -> tuple[Source, Class] |
 
 def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -> list[str]:
     """The names of all base classes that are not of the workspace."""
+    key = ("bases", id(definition))
+    if key in run.found:
+        known: list[str] = run.found[key]
+        return known
     found: list[str] = []
+    if source.separator == "::" and depth == 0:
+        run.found[key] = found
     if depth < BASES:
         for base in run.bases(source, definition, {}):
             if source.program.language == "python":

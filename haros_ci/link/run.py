@@ -350,10 +350,11 @@ class Run:
         """*kind* as written in a scope of a file, resolved; each once."""
         names = id(templates) if templates else 0
         key: Any = (id(kind) if kind[1] else kind[0], kind[2], scope, source.path, names)
-        found: tuple[Type, Any, Any] | None = self.types.get(key)
+        known = self.types if templates else self.found
+        found: tuple[Type, Any, Any] | None = known.get(key)
         if found is None:
             resolved = resolve_type(self.index, kind, scope, source, self.files, templates)
-            found = self.types[key] = (resolved, templates, kind)  # which keeps identities from being used again
+            found = known[key] = (resolved, templates, kind)  # which keeps identities from being used again
         return found[0]
 
     def opaque(self, reason: str, frame: Frame, line: int | None = None, kind: Type | None = None) -> Opaque:
