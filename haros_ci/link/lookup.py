@@ -117,7 +117,8 @@ def name(run: Run, frame: Frame, expression: Expression) -> Value:
         return _expanded(run, frame, value, name)
     if isinstance(value, Library) and run.context.process is not None:
         profile = qos.preset(value.name)
-        return profile if profile is not None else value
+        if profile is not None:
+            return profile
     if frame.this is not None and "::" not in name:
         inherited = _inherited(run, frame, frame.this, name, value)
         value = inherited if inherited is not None else value
