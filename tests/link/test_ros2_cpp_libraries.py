@@ -202,3 +202,29 @@ public:
     assert [end.name for end in explicit(found, "clients")] == ["/c"]
     assert [(end.name, end.type) for end in explicit(found, "action_servers")] == [("/x", "p/action/Do")]
     assert ("/l:speed", 0.5) in [(end.name, end.value) for end in explicit(found, "parameters")]
+
+
+@pytest.mark.parametrize(
+    "started",
+    (
+        "t_ = std::thread(&N::run, this);",
+        "t_ = std::thread([this]() { run(); });",
+        "t_ = std::make_unique<std::thread>(std::bind(&N::run, this));",
+        "f_ = std::async(std::launch::async, [this]() { run(); });",
+        "f_ = std::async(&N::run, this);",
+    ),
+)
+def test_what_threads_run_is_followed(started: str) -> None:
+    found = component(
+        started, f'void run() {{ p_ = {PUB}("out", 1); }}\nstd::thread t_;\nstd::future<void> f_;'
+    )
+    assert [end.name for end in explicit(found)] == ["/out"]
+
+
+def test_a_function_that_is_run_once_more_keeps_what_parameters_are_known() -> None:
+    body = """
+        declare_parameter("topic", "out");
+        f_ = std::async(std::launch::async, [this]() { declare_parameter("other", 1); });
+        p_ = create_publisher<String>(get_parameter("topic").as_string(), 1);
+    """
+    assert [end.name for end in explicit(component(body, "std::future<void> f_;"))] == ["/out"]

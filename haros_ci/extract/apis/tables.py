@@ -15,7 +15,7 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
     (
         "cpp",
         1,
-        ("roscpp", "nodelet", "transports", "filters", "tf", "actions", "reconfigure", "diagnostics", "tools"),
+        ("roscpp", "nodelet", "transports", "filters", "tf", "actions", "reconfigure", "diagnostics", "tools", "threads"),
     ),
     ("python", 1, ("rospy",)),
     (
@@ -32,6 +32,7 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
             "ros2_tools",
             "ros2_nav2",
             "ros2_autoware",
+            "threads",
         ),
     ),
     ("python", 2, ("ros2_rclpy", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "ros2_rclpy_qos")),

@@ -5,12 +5,6 @@ from __future__ import annotations
 
 # fmt: off
 ROWS: tuple[dict[str, object], ...] = (
-    # Threads: what they run is called later (en.cppreference.com/w/cpp/thread, boost.org/doc/libs/release/doc/html/thread).
-    {"call": "boost::thread", "args": [1, 2, 3, 4, 5, 6], "calls": ["0"]},
-    {"call": "std::thread", "args": [1, 2, 3, 4, 5, 6], "calls": ["0"]},
-    {"call": "std::async", "args": [1, 2, 3, 4, 5, 6], "calls": ["0", "1"]},
-    {"call": "boost::thread_group::create_thread", "args": [1], "calls": ["0"]},
-
     # realtime_tools/realtime_publisher.h
     {"call": "realtime_tools::RealtimePublisher", "args": [3, 4],
      "makes": [{"kind": "publishers", "name": "{1}", "type": "{<0>}", "queue_size": "{2}", "latched": "{3?false}",
