@@ -51,7 +51,9 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
         owner = (entry.source, entry.definition)
         args = _component_arguments(run, entry)
         construct.instance(run, frame, owner, (), args, Location(entry.source.path, entry.definition.line))
-        first, run.roots[:] = list(run.roots), []
+        first: list[Root] = []
+        if run.context.process is None:  # what a nodelet's manager calls, before anything is called back
+            first, run.roots[:] = list(run.roots), []
         for root in first:
             activation.invoke(run, frame, root.function, _arguments(run, root, frame))
     elif entry.function is not None and entry.source.separator == ".":
