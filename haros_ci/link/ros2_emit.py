@@ -9,6 +9,7 @@ from haros_ci.link import conversions, forwarding, ros2_nodes, ros2_selectors
 from haros_ci.link.names import pattern
 from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
+from haros_ci.link.state import Held
 from haros_ci.link.types import ros2_data_type, ros2_parameter_type
 from haros_ci.link.values import NONE, Known, Library, Object, Opaque, Pointer, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
@@ -121,7 +122,7 @@ def _parameter(
         declared = ros2_parameter_type((str(kind.value), (), "")) or str(kind.value)
     if declared is None and default is not None:
         declared = ros2_data_type(data) if data is not None else ros2_parameter_type(conversions.value_type(default))
-    value, effective = _effective(applied, node, text if why is None else None, default)
+    value, effective = _effective(applied, node, text if why is None else None, default, entry.kind == "parameters")
     if declared is None and entry.kind == "parameters":
         declared = ros2_data_type(effective)
     if declared is None and ("type" in entry.values or "value" in entry.values):
@@ -163,13 +164,16 @@ def _unwrapped(value: Value | None) -> Value | None:
 
 
 def _effective(
-    applied: Applied, node: RosNode | None, name: str | None, default: Value | None
+    applied: Applied, node: RosNode | None, name: str | None, default: Value | None, is_declared: bool
 ) -> tuple[Value | None, Any]:
-    """The value that the parameter has, and as data: what is set or given from outside, else the default."""
+    """The value that the parameter has, and as data: what is set or given from outside, else the default.
+
+    Where it *is_declared* now, what other ways have declared does not count.
+    """
     run = applied.run
     if name is None or node is None:
         return Opaque("the parameter's name is not known", applied.location), None
-    found = parameter(applied, node, name)
+    found = parameter(applied, node, name, is_declared)
     value = found if found is not None else default
     if value is None:
         return None, None
@@ -177,14 +181,17 @@ def _effective(
     return value, data if known else None
 
 
-def parameter(applied: Applied, node: RosNode, name: str) -> Value | None:
-    """What *node* has for a parameter: what it has declared or set itself, else what it is given; None if nothing."""
+def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = False) -> Value | None:
+    """What *node* has for a parameter: what it has declared or set itself, else what it is given; None if nothing.
+
+    Where it *is_declared* now, only what it has for certain counts: of the rest this is the first declaration.
+    """
     own: Any = applied.run.server.value
     if isinstance(own, Opaque):
         return own
-    held = own.get(f"{node.whole.name}:{name}")
-    if held is not None:
-        return None if held == NONE else held
+    held: Held | None = own.get(f"{node.whole.name}:{name}")
+    if held is not None and (held.is_certain or not is_declared):
+        return None if held.value == NONE else held.value
     return given(applied, node, name)
 
 
@@ -201,8 +208,10 @@ def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
     own: Any = applied.run.server.value
     if node is None or why is not None or isinstance(own, Opaque):
         return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
-    if own.get(f"{node.whole.name}:{text}", NONE) != NONE:
-        return Known(True)
+    held: Held | None = own.get(f"{node.whole.name}:{text}")
+    if held is not None and held.value != NONE:
+        said = "whether the parameter is declared"
+        return Known(True) if held.is_certain else applied.run.opaque(said, applied.frame, applied.location.line)
     if node.whole.options.get("automatically_declare_parameters_from_overrides"):
         found = given(applied, node, text)
         return Known(found is not None) if not isinstance(found, Opaque) else found
@@ -216,7 +225,7 @@ def _remember(applied: Applied, full: str, value: Value) -> None:
         return
     if "?" in full.partition(":")[2]:
         return  # one more under a name that is not known; the others stay as they are
-    run.state.write(run.server, {**own, full: value})
+    run.state.write(run.server, {**own, full: Held(value)})
 
 
 def _descriptor(applied: Applied, entry: Entry) -> tuple[bool | None, Any]:

@@ -3,12 +3,21 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.link.values import Cell, Opaque, join
+from haros_ci.link.values import NONE, Cell, Opaque, Value, join
 
 #: What cells held (or hold), by cell.
 Writes = dict[Cell, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """The value of a parameter that a ROS 2 node has declared or set; not *is_certain* if it has on some paths only."""
+
+    value: Value
+    is_certain: bool = True
 
 
 class State:
@@ -61,8 +70,19 @@ def joined(one: Any, other: Any) -> Any:
             return one
         if not any(isinstance(value, Cell) for value in (*one.values(), *other.values())):
             missing = Opaque("it is set on some paths only")
-            return {k: join(one.get(k, missing), other.get(k, missing)) for k in {**one, **other}}
+            return {k: _entry(one.get(k, missing), other.get(k, missing)) for k in {**one, **other}}
         return Opaque("the map has other entries on other paths")
     if isinstance(one, (tuple, dict)) or isinstance(other, (tuple, dict)):
         return Opaque("its elements are not known on every path")
     return join(one, other)
+
+
+def _entry(one: Any, other: Any) -> Any:
+    """What is held under one key: of what a ROS 2 node declares, the value stays known where only one way has it."""
+    held = [each for each in (one, other) if isinstance(each, Held)]
+    if not held:
+        return join(one, other)
+    told = [each for each in held if each.value != NONE]
+    if len(told) < 2:
+        return Held(told[0].value, False) if told else held[0]
+    return Held(join(told[0].value, told[1].value), told[0].is_certain and told[1].is_certain)

@@ -109,3 +109,27 @@ def test_clients_of_parameters(made: str, remote: str) -> None:
         ]
     ]
     assert {policies(end) for end in found} == {last(1000)}
+
+
+LATER = """
+std::string topic() {
+  if (has_parameter("topic")) { return get_parameter("topic").as_string(); }
+  return declare_parameter("topic", std::string("out"));
+}
+void one() { p_ = create_publisher<String>(topic(), 1); }
+void two() { q_ = create_publisher<String>(topic() + "_2", 1); }
+rclcpp::Publisher<String>::SharedPtr q_;
+"""
+
+
+def test_callbacks_that_may_each_declare_a_parameter_first() -> None:
+    timers = "create_wall_timer(1s, [this]() { one(); }); create_wall_timer(1s, [this]() { two(); });"
+    assert [end.name for end in explicit(component(timers, LATER))] == ["/out", "/out_2"]
+
+
+def test_callbacks_that_declare_a_parameter_with_other_values() -> None:
+    timers = (
+        'create_wall_timer(1s, [this]() { declare_parameter("topic", "else"); });'
+        "create_wall_timer(1s, [this]() { one(); });"
+    )
+    assert [end.name for end in explicit(component(timers, LATER))] == ["/?"]
