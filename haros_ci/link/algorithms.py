@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Functions that rewrite a text as a whole: std::replace, std::transform (cppreference), Boost's string algorithms."""
+"""Functions that rewrite a text as a whole: std::replace, std::transform (cppreference), Boost's string algorithms;
+and std::find, std::find_if in lists that are known."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable as Function_
 from functools import partial
 from typing import TYPE_CHECKING
 
-from haros_ci.link.run import Run
+from haros_ci.link import activation, call_arguments
+from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     NONE,
     TEXT_LIMIT,
+    Callable,
     Cell,
     Character,
     Choice,
@@ -19,6 +22,7 @@ from haros_ci.link.values import (
     Object,
     Opaque,
     Pointer,
+    Sequence,
     Text,
     Value,
 )
@@ -28,10 +32,12 @@ if TYPE_CHECKING:
 
 BOOST = ("boost::", "boost::algorithm::")
 #: Single characters become single characters: what is known of a text stays so, whatever stands beside it.
-CASES: dict[str, Callable[[str], str]] = {
+CASES: dict[str, Function_[[str], str]] = {
     "tolower": lambda text: _ascii(text, str.lower),
     "toupper": lambda text: _ascii(text, str.upper),
 }
+#: Longer lists are not gone through.
+SOUGHT = 64
 SPACES = " \t\n\v\f\r"
 
 
@@ -53,6 +59,43 @@ def rewritten(run: Run, name: str, args: tuple[Argument, ...]) -> Value | None:
         return None
     run.state.write(args[0].cell, after)
     return NONE
+
+
+def found(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value | None:
+    """``std::find`` and ``std::find_if`` from a list's ``begin()`` to its ``end()``: a pointer to the element, or the end.
+
+    None if that depends on what is not known.
+    """
+    start, end = args[0].value, args[1].value if len(args) > 1 else None
+    if isinstance(start, Object) and start.name == "[end]":
+        return start
+    of = start.fields.get("[of]") if isinstance(start, Object) and start.name == "[iterator]" else None
+    every = of.value if of is not None else None
+    if not isinstance(every, Sequence) or end is not every.end or len(args) != 3:
+        return None
+    cells = every.content.value
+    if not isinstance(cells, tuple) or len(cells) > SOUGHT:
+        return None
+    for cell in cells:
+        fits = _fits(run, frame, args[2].value, cell)
+        if fits is None:
+            return None
+        if fits:
+            return Pointer(cell)
+    return every.end
+
+
+def _fits(run: Run, frame: Frame, wanted: Value, cell: Cell) -> bool | None:
+    """Whether the element in *cell* is what is *wanted*, a value or a predicate; None if that is not known."""
+    if not isinstance(wanted, Callable):
+        known = isinstance(wanted, Known) and isinstance(cell.value, Known)
+        return bool(wanted.value == cell.value.value) if known and isinstance(wanted, Known) else None
+    mark = run.state.mark()
+    given = call_arguments.Argument(cell.value, cell, cell.type)
+    verdict = activation.invoke(run, frame, wanted, (given,))
+    changes = run.state.undo(mark)
+    told = isinstance(verdict, Known) and isinstance(verdict.value, (bool, int)) and not changes
+    return bool(verdict.value) if told and isinstance(verdict, Known) else None
 
 
 def _ranged(run: Run, name: str, args: tuple[Argument, ...]) -> Value | None:
@@ -85,7 +128,7 @@ def _character(value: Value) -> str | None:
     return value.value if isinstance(value, Known) and isinstance(value.value, str) and len(value.value) == 1 else None
 
 
-def _boost(name: str, words: list[str]) -> Callable[[str], str] | None:
+def _boost(name: str, words: list[str]) -> Function_[[str], str] | None:
     if not words:
         return {
             "to_lower": CASES["tolower"],
@@ -105,11 +148,11 @@ def _replaced(old: str, new: str, text: str) -> str:
     return text.replace(old, new)
 
 
-def _ascii(text: str, change: Callable[[str], str]) -> str:
+def _ascii(text: str, change: Function_[[str], str]) -> str:
     return "".join(change(letter) if letter.isascii() else letter for letter in text)
 
 
-def _changed(value: Value, change: Callable[[str], str], is_by_letter: bool) -> Value | None:
+def _changed(value: Value, change: Function_[[str], str], is_by_letter: bool) -> Value | None:
     if isinstance(value, Known) and isinstance(value.value, str):
         after = change(value.value)
         return Known(after) if len(after) <= TEXT_LIMIT else Opaque("it is a long text")

@@ -146,7 +146,7 @@ def function(
     if name in ("YAML::Load", "YAML::LoadAll") and args:
         return library_yaml.yaml_stream(run, args[0].value)
     if name in ("std::find_if", "std::find") and args:
-        return args[0].value if isinstance(args[0].value, Object) and args[0].value.name == "[end]" else None
+        return algorithms.found(run, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
         run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
         return NONE
@@ -316,6 +316,8 @@ def _object(
 ) -> Value | None:
     if receiver.name == LOADER and name in LOADERS and args:
         return library_yaml.plugin(run, frame, receiver, args[0].value, location)
+    if receiver.name == "rclcpp::NodeOptions" and name == "arguments" and not args and name not in receiver.fields:
+        return Sequence(Cell(()), ("std::vector", (("std::string", (), ""),), ""))
     if receiver.name == "nodelet::Loader" and name == "load" and len(args) > 1:
         return loaders.nodelet(run, frame, args, location)
     if receiver.name == LOADER and name == "getName" and args:

@@ -37,3 +37,42 @@ def test_a_base_class_of_the_workspace_is_called_before_that_of_the_library(call
     (node,) = ros2_main("rclcpp::spin(std::make_shared<app::N>());", BASE % call).nodes
     (end,) = (end for end in ends(node, "publishers") if not end.implicit)
     assert (end.name, end.qos and end.qos.depth) == ("/own/out", 7)
+
+
+ARGUMENTS = """
+inline void put(std::vector<std::string> & words, const std::string & name, const std::string & word) {
+  auto found = std::find_if(words.begin(), words.end(),
+    [name](const std::string & each) { return each.find(name) != std::string::npos; });
+  if (found != words.end()) { *found = word; }
+  else { words.push_back("--ros-args"); words.push_back("-r"); words.push_back(word); }
+}
+class Child : public rclcpp::Node {
+public:
+  static rclcpp::NodeOptions options_of(const rclcpp::NodeOptions & parent) {
+    std::vector<std::string> words = parent.arguments();
+    put(words, "__ns", "__ns:=/below");
+    put(words, "__node", std::string("child:") + "__node:=child");
+    return rclcpp::NodeOptions().arguments(words);
+  }
+  Child(const std::string & name, const rclcpp::NodeOptions & parent) : rclcpp::Node(name, "", options_of(parent)) {}
+};
+"""
+
+
+@pytest.mark.parametrize(
+    "options",
+    (
+        "rclcpp::NodeOptions()",
+        'rclcpp::NodeOptions().arguments({"--ros-args", "-r", "__ns:=/else"})',
+        'rclcpp::NodeOptions().arguments({"--ros-args", "-r", "__node:=else", "-r", "__ns:=/else"})',
+    ),
+)
+def test_arguments_that_are_put_together_for_another_node(options: str) -> None:
+    (node,) = ros2_main(f'rclcpp::spin(std::make_shared<Child>("child", {options}));', ARGUMENTS).nodes
+    assert node.name == "/below/child"
+
+
+def test_arguments_that_are_not_known() -> None:
+    body = 'rclcpp::spin(std::make_shared<Child>("child", rclcpp::NodeOptions().arguments(words_from_file())));'
+    (node,) = ros2_main(body, ARGUMENTS).nodes
+    assert node.name == "/?"
