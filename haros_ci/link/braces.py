@@ -8,7 +8,7 @@ from typing import Any
 from haros_ci.link import call_arguments, construct, conversions, copies
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import INTEGERS, MAPS, SEQUENCES, STRINGS, is_smart_pointer
-from haros_ci.link.values import Cell, Known, Mapped, Object, Sequence, Value
+from haros_ci.link.values import Cell, Known, Mapped, Object, Sequence, Text, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Type
 
@@ -48,6 +48,14 @@ def braced(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
     ):
         return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
     return Sequence(Cell(tuple(Cell(fitted(run, frame, inner, value), inner) for value in values)), kind)
+
+
+def is_text(argument: call_arguments.Argument) -> bool:
+    """Whether an argument is a text, known or not."""
+    kind = argument.type or conversions.value_type(argument.value)
+    if isinstance(argument.value, (Text, Known)):
+        return isinstance(argument.value, Text) or isinstance(argument.value.value, str)
+    return not isinstance(argument.value, Object) and kind is not None and kind[0] in STRINGS and "*" not in kind[2]
 
 
 def _pairs(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:

@@ -125,6 +125,9 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
     if isinstance(first, Sequence):
         twin = copies.copied(run, first, kind)
         return Sequence(twin.content, kind) if isinstance(twin, Sequence) else twin
+    if kind[1] and kind[1][0][0] in STRINGS and all(braces.is_text(argument) for argument in arguments):
+        items = Sequence(Cell(tuple(Cell(argument.value) for argument in arguments)))  # no other constructor takes texts
+        return braces.from_list(run, frame, kind, items)
     if isinstance(first, Known) and isinstance(first.value, int) and 0 <= first.value <= 1000:
         fill = arguments[1].value if len(arguments) > 1 else None
         inner = kind[1][0] if kind[1] else NO_TYPE

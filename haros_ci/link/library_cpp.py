@@ -185,6 +185,9 @@ def method(
     location: Location,
 ) -> Value | None:
     """A modelled method by the kind of value it is called on."""
+    if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
+        if isinstance(receiver, (Known, Text, Sequence)) or (isinstance(receiver, Opaque) and _is_filled(cell)):
+            return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
     if isinstance(receiver, Known):
         return _data(run, frame, receiver, cell, name, args)
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
@@ -222,14 +225,17 @@ def method(
     return None
 
 
+def _is_filled(cell: Cell | None) -> bool:
+    """Whether a variable is a parameter's object: what it holds is the parameter's value."""
+    return cell is not None and cell.type is not None and cell.type[0] == "rclcpp::Parameter"
+
+
 def _data(
     run: Run, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[Argument, ...]
 ) -> Value | None:
     data = receiver.value
     if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
         return receiver
-    if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
-        return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
     if isinstance(data, str):
         if name in ("size", "length"):
             return Known(len(data))

@@ -11,7 +11,7 @@ from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
 from haros_ci.link.state import Held
 from haros_ci.link.types import ros2_data_type, ros2_parameter_type
-from haros_ci.link.values import NONE, Known, Library, Object, Opaque, Pointer, Value, data_of, opaque_of
+from haros_ci.link.values import NONE, Known, Library, Object, Opaque, Pointer, Sequence, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS, Qos
 from haros_ci.model.location import Location
@@ -178,6 +178,8 @@ def _effective(
     if value is None:
         return None, None
     known, data = data_of(value)
+    if known and isinstance(value, Sequence):
+        value = Known(data)  # of each reading it is a copy
     return value, data if known else None
 
 

@@ -133,3 +133,18 @@ def test_callbacks_that_declare_a_parameter_with_other_values() -> None:
         "create_wall_timer(1s, [this]() { one(); });"
     )
     assert [end.name for end in explicit(component(timers, LATER))] == ["/?"]
+
+
+@pytest.mark.parametrize(
+    ("declared", "read", "names"),
+    (
+        ('std::vector<std::string>{"a", "b"}', "for (auto & name : param.as_string_array())", ["/a", "/b"]),
+        ('std::vector<std::string>{"a"}', "for (auto & name : param.get_value<std::vector<std::string>>())", ["/a"]),
+        ('"x" + std::to_string(1)', "auto name = param.as_string();", ["/x1"]),
+        ("from_file()", "auto name = param.as_string();", ["/?"]),
+    ),
+)
+def test_a_parameter_that_is_read_into_an_object(declared: str, read: str, names: list[str]) -> None:
+    body = f'declare_parameter("p", {declared}); rclcpp::Parameter param("p", {declared}); get_parameter("p", param);'
+    found = component(f"{body} {read} {{ {PUB}(name, 1); }}".replace("; {", f"; {PUB}(name, 1); if (false) {{"))
+    assert sorted({end.name for end in explicit(found)}) == names

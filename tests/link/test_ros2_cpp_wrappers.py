@@ -76,3 +76,24 @@ def test_arguments_that_are_not_known() -> None:
     body = 'rclcpp::spin(std::make_shared<Child>("child", rclcpp::NodeOptions().arguments(words_from_file())));'
     (node,) = ros2_main(body, ARGUMENTS).nodes
     assert node.name == "/?"
+
+
+def test_a_list_that_is_given_its_length_and_then_its_elements() -> None:
+    text = """
+    class N : public rclcpp::Node {
+    public:
+      N() : rclcpp::Node("n"), ids_{"a", "b"} {
+        create_wall_timer(1s, [this]() { names_.clear(); });
+        create_wall_timer(1s, [this]() { start(); });
+      }
+      void start() {
+        names_.resize(ids_.size());
+        for (size_t i = 0; i < ids_.size(); ++i) { names_[i] = "of_" + ids_[i]; }
+        for (const auto & name : names_) { create_publisher<std_msgs::msg::String>(name, 1); }
+      }
+      std::vector<std::string> ids_;
+      std::vector<std::string> names_;
+    };
+    """
+    (node,) = ros2_main("rclcpp::spin(std::make_shared<N>());", text).nodes
+    assert [end.name for end in ends(node, "publishers") if not end.implicit] == ["/of_a", "/of_b"]
