@@ -8,7 +8,8 @@ The denominator is the call sites that the search finds in production C++ and Py
 tests and declarations of the API itself left out. A site's name (type, QoS) is unknown if no endpoint of any
 configuration that stands at it has a known one, or if none stands there. FILE is a YAML or JSON list of
 ``{path, line, reason}``: sites that are no endpoints. A wrapper whose own source is in ROOT is counted at the calls
-inside it; calls of it that the model does not list are shown as forwarded.
+inside it; calls of it that the model does not list are shown as forwarded. A wrapper that has the API's own name is
+counted where it is called: what stands inside it, or inside a class that it makes, is forwarded if it is absent.
 """
 
 from __future__ import annotations
@@ -111,6 +112,9 @@ class Site:
     api: Api = field(compare=False)
     scope: frozenset[str] = field(default=frozenset(), compare=False)
     declared: bool = False
+    #: The line that the body of a declared function ends in, and the classes that it makes.
+    body: int = field(default=0, compare=False)
+    makes: frozenset[str] = field(default=frozenset(), compare=False)
 
 
 _CPP = re.compile(
@@ -263,8 +267,38 @@ def sites(path: str, text: str, language: str) -> Iterator[Site]:
             before = _NAMESPACE.findall(code, 0, found.start())[-1:] if declared else spaces
             scope = frozenset([named.group(1)] if named else [name.split("::")[-1] for name in before])
             line = code.count("\n", 0, begin) + 1
-            yield Site(path, line, line + code.count("\n", begin, end - 1), api, scope, declared)
+            last = line + code.count("\n", begin, end - 1)
+            start, after = body(code, found.end()) if declared and api.form == "call" else (0, 0)
+            makes = frozenset(re.findall(r"make_(?:shared|unique)\s*<(?:\s*\w+\s*::)*\s*(\w+)", code[start:after]))
+            yield Site(path, line, last, api, scope, declared, code.count("\n", 0, after) + 1 if after else 0, makes)
             break
+
+
+def body(code: str, index: int) -> tuple[int, int]:
+    """Where the body of the function begins and ends whose parameters open after *index*; zeros if it has none."""
+    index = past_template(code, index)
+    after = closed(code, index) if code[index : index + 1] == "(" else None
+    opening = re.compile(r"[^;{}()=]*\{").match(code, after) if after is not None else None
+    end = closed(code, opening.end() - 1) if opening is not None else None
+    return (opening.end(), end) if opening is not None and end is not None else (0, 0)
+
+
+def classes(code: str, names: frozenset[str]) -> Iterator[tuple[int, int]]:
+    """The first and last lines of those of the classes *names* that *code* defines."""
+    for found in re.finditer(r"\b(?:class|struct)\s+(\w+)\s*(?:final\s*)?(?::[^;{}()]*)?\{", code):
+        end = closed(code, found.end() - 1) if found.group(1) in names else None
+        if end is not None:
+            yield code.count("\n", 0, found.start()) + 1, code.count("\n", 0, end) + 1
+
+
+def inside(root: Path, searched: Iterable[Site]) -> set[tuple[str, int]]:
+    """The lines inside wrappers that have an API's own name, and inside the classes that these make."""
+    found = {(site.path, line) for site in searched if site.body for line in range(site.line, site.body + 1)}
+    names = frozenset(name for site in searched if site.body for name in site.makes)
+    for path in sorted({site.path for site in searched if not site.declared}) if names else ():
+        code = blanked((root / path).read_text("utf-8", "replace"), "python" if path.endswith(".py") else "cpp")
+        found |= {(path, line) for first, last in classes(code, names) for line in range(first, last + 1)}
+    return found
 
 
 def span(code: str, start: int, after: int, api: Api) -> tuple[int, int, bool] | None:
@@ -385,6 +419,7 @@ def main() -> None:
     unused = {(entry["path"], entry["line"]): entry["reason"] for entry in declared}
     excused = dict(unused)
     found = endpoints(json.loads(options.model.read_text()))
+    forwarding = inside(options.root, searched)
     by_kind: dict[str, Counter[str]] = {kind: Counter() for kind in (*KINDS, "parameters")}
     by_api: dict[str, Counter[str]] = defaultdict(Counter)
     for site in (site for site in searched if not site.declared):
@@ -396,7 +431,7 @@ def main() -> None:
         counts: tuple[str, ...] = ("sites", *unknown)
         if "absent" in unknown and places:
             counts = ("declared",)
-        elif "absent" in unknown and forwards(site, own):
+        elif "absent" in unknown and (forwards(site, own) or (site.path, site.line) in forwarding):
             counts = ("forwarded",)
         by_kind[site.api.kind].update(counts)
         by_api[f"{site.api.kind}, {site.api.language}: {site.api.name}"].update(counts)
