@@ -170,6 +170,7 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
         found = TypeValue((found.name, (), ""))
     is_ros2 = applied.run.context.process is not None
     if isinstance(found, TypeValue):
+        found = TypeValue(_meant(applied.run, found.type))
         result = ros2_type(found.type) if is_ros2 else message_type(found.type)
         if result is not None and not is_ros2 and not _is_interface(applied, found.type, result):
             result = None
@@ -186,6 +187,13 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
         reason = found.reason if isinstance(found, Opaque) else "the call does not tell it"
         unknowns.append(("type", reason, applied.location))
     return result
+
+
+def _meant(run: Run, kind: Type) -> Type:
+    """*kind*, pointers looked through, or the type that it is another name of in a library (``alias`` of a row)."""
+    inner = pointee(kind)
+    alias = next((row.alias for row in run.rows.get(inner[0], ()) if row.alias), "")
+    return (alias, (), "") if alias else kind
 
 
 def _is_interface(applied: Applied, kind: Type, result: str) -> bool:

@@ -65,7 +65,7 @@ constructor or static factory, of the returned object) to templates. ``calls`` l
 called back later; those that are not there or are no functions are passed over. ``transparent: "{0}"`` returns the
 argument itself. ``unseen`` says in words what the call makes besides, which no row can tell: the node is then known
 not to have all its endpoints told. ``bases`` (with ``class`` in place of ``call``) gives a library class its bases;
-``entry`` the methods of it that a framework calls (onInit).
+``entry`` the methods of it that a framework calls (onInit), ``alias`` the type that it is another name of.
 """
 
 from __future__ import annotations
@@ -104,6 +104,7 @@ ROW_KEYS = (
     "transparent",
     "bases",
     "entry",
+    "alias",
     "unseen",
 )
 ENTRY_KEYS = (
@@ -174,6 +175,7 @@ class Row:
     bases: tuple[str, ...] = ()
     entry: tuple[str, ...] = ()
     is_class: bool = False
+    alias: str = ""
     unseen: str = ""
 
 
@@ -198,6 +200,7 @@ def load_row(data: Mapping[str, Any]) -> Row:
         bases=tuple(_text(b, "bases") for b in _sequence(data, "bases")),
         entry=tuple(_text(e, "entry") for e in _sequence(data, "entry")),
         is_class="class" in data,
+        alias=_text(data["alias"], "alias") if "alias" in data else "",
         unseen=_text(data["unseen"], "unseen") if "unseen" in data else "",
     )
 

@@ -56,7 +56,8 @@ def rows(kind: str, names: str, **options: Any) -> tuple[Api, ...]:
 
 
 _IMAGES = r"image_transport|point_cloud_transport"
-#: The first row that fits a call counts.
+#: The first row that fits a call counts. A PublishedTimePublisher is not searched for: it makes a topic for each publisher
+#: that ``publish_if_subscribed`` is given, and none when it is constructed.
 APIS = (
     *rows("action_clients", "create_client", qualifier="rclcpp_action"),
     *rows("action_servers", "create_server", qualifier="rclcpp_action"),
@@ -75,7 +76,8 @@ APIS = (
     *rows("publishers", "Updater", form="class", qualifier="diagnostic_updater"),
     *rows("servers", "InteractiveMarkerServer", form="class"),
     *rows("subscribers", "InterProcessPollingSubscriber", form="class", wrapper=True),
-    *rows("publishers", "PublishedTimePublisher DiagnosticsInterface", form="class", wrapper=True),
+    *rows("publishers", "DiagnosticsInterface", form="class", wrapper=True),
+    *rows("publishers", "publish_if_subscribed", form="member"),
     *rows("servers", "LoggerLevelConfigure", form="class", wrapper=True),
     *rows("publishers", "publish", form="template"),
     *rows("publishers", "init_pub", form="member", wrapper=True),

@@ -177,6 +177,23 @@ def test_wrappers_of_autoware() -> None:
     ]
 
 
+def test_aliases_of_messages_and_qualities_of_service_in_libraries() -> None:
+    members = (
+        "rclcpp::Publisher<autoware_utils::ProcessingTimeDetail>::SharedPtr detail_;"
+        'autoware_utils::InterProcessPollingSubscriber<String> s_{this, "s", autoware_utils::single_depth_sensor_qos()};'
+    )
+    body = (
+        'detail_ = create_publisher<autoware_utils::ProcessingTimeDetail>("detail", 1);'
+        'create_publisher<autoware_utils::ProcessingTime>("other", 1);'
+    )
+    found = component(body, members)
+    assert [(end.name, end.type) for end in explicit(found)] == [
+        ("/detail", "autoware_internal_debug_msgs/msg/ProcessingTimeTree"),
+        ("/other", None),
+    ]
+    assert policies(only(found, "subscribers")) == last(1, BEST)
+
+
 def test_wrappers_of_navigation() -> None:
     before = f"""
 class L : public nav2::LifecycleNode {{

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from haros_ci.extract.apis.ros2_qos import BEST_EFFORT
+
 #: Namespaces in which the same classes are, or have been.
 OLD = ("autoware_utils", "autoware::universe_utils", "autoware_universe_utils", "tier4_autoware_utils")
 POLLING = (*OLD, "autoware_utils_rclcpp")
@@ -51,6 +53,18 @@ ROWS: tuple[Mapping[str, object], ...] = (
        "makes": [{"kind": "subscribers", "name": "{1}", "type": "{<0>}", "qos": "{2?1}", "namespace": "{0}"}],
        **({"returns": f"{space}::InterProcessPollingSubscriber"} if maker else {})}
       for space in POLLING for maker in ("", "::create_subscription")),
+
+    *({"call": f"{space}::single_depth_sensor_qos", "args": [0], "fills": {**BEST_EFFORT, "depth": "1"},
+       "returns": "rclcpp::SensorDataQoS"} for space in POLLING),
+    *({"call": f"{space}::SingleDepthSensorQoS", "args": [0], "fills": {**BEST_EFFORT, "depth": "1"},
+       "returns": "rclcpp::SensorDataQoS"} for space in POLLING),
+
+    # autoware_utils_debug/time_keeper.hpp
+    *({"class": f"{space}::ProcessingTimeDetail", "alias": message}
+      for space, message in (
+          *((each, "autoware_internal_debug_msgs::msg::ProcessingTimeTree") for each in DEBUGGING[:1] + DEBUGGING[-1:]),
+          *((each, "tier4_debug_msgs::msg::ProcessingTimeTree") for each in DEBUGGING[1:-1]),
+      )),
 
     # autoware_utils_rclcpp/parameter.hpp
     *({"call": f"{space}::{name}", "args": [2],
