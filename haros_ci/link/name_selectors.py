@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import reduce
 from typing import Any
 
 from haros_ci.link import handles, ros2_emit, ros2_nodes, ros2_process, selectors
@@ -67,6 +68,34 @@ def parent(applied: selectors.Applied, selector: str) -> Value:
         return Known(f"{_remap(applied, full).rpartition('/')[0]}/")
     head = f"{full.rpartition('/')[0]}/"
     return Text((head.partition("?")[0] or "/", why))
+
+
+def above(applied: selectors.Applied, selector: str) -> Value | None:
+    """The text of a name up to its last slash, as an absolute name; nothing of it is resolved or remapped."""
+    value: Value | None = _first(applied, selector)
+    if isinstance(value, Choice):
+        found = [_above(option) for option in value.options]
+        return reduce(join, found)
+    return _above(value) if value is not None else None
+
+
+def _above(value: Value) -> Value:
+    text, why, where = pattern(value)
+    head = "/".join(part for part in text.split("/")[:-1] if part)
+    if why is None:
+        return Known(f"/{head}/" if head else "/")
+    return Text((f"/{head}/" if head and "?" not in head else "/", Opaque(why, where)))
+
+
+def expanded(applied: selectors.Applied, name: str, node: str, space: str) -> Value:
+    """A name as rclcpp/expand_topic_or_service_name.hpp expands it for a node's name and namespace, without remapping."""
+    found = [_first(applied, where) for where in (name, node, space)]
+    texts = [each.value if isinstance(each, Known) and isinstance(each.value, str) else None for each in found]
+    if isinstance(found[0], Text) and str(found[0].parts[0])[:1] == "/":
+        return found[0]
+    if texts[0] is None or "{" in texts[0] or (texts[0][:1] != "/" and (texts[1] is None or texts[2] is None)):
+        return applied.run.opaque("what a name is expanded to", applied.frame)
+    return Known(resolve(texts[0], texts[2] or "/", f"{texts[2]}/{texts[1]}"))
 
 
 def search(applied: selectors.Applied, selector: str) -> Value:

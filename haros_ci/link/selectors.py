@@ -172,6 +172,10 @@ def select_value(applied: Applied, selector: str) -> Any:
         return name_selectors.remapped(applied, inside)
     if function == "canonical":
         return name_selectors.canonical(applied, inside)
+    if function == "above":
+        return name_selectors.above(applied, inside)
+    if function == "expand":
+        return name_selectors.expanded(applied, *inside.split(","))
     if function == "typeof":
         return next((kind for kind in (_type_of(applied, part) for part in where.split("|")) if kind is not None), None)
     found = next((f for f in (given(applied.args, part) for part in where.split("|")) if f is not None), None)

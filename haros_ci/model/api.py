@@ -29,6 +29,8 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
                     resolve(0,1): argument 1 says whether it is remapped
     remap(0)        what a name is remapped to, else the name itself
     canonical(0)    a name without doubled and trailing slashes
+    above(0)        the text of a name up to its last slash, as an absolute name: ``/left/``
+    expand(0,1,2)   a name as it is expanded for a node's name and namespace
     search(0)       the full name of a parameter as searchParam finds it, from the entry's namespace upwards; unknown
                     where nothing sets it
     item.name       in an entry with ``each``: the item's name, type, default, group
@@ -133,7 +135,8 @@ UNTOLD = ("kind", "each", "implicit", "unsure")
 SELECTOR = re.compile(r"\{([^{}]*)\}")
 ALTERNATIVE = re.compile(
     r"\d+(\.\w+)*|<\d+>|this(<\d+>|(\.\w+)+)?|item\.(name|type|default|group)|parameter|[A-Za-z_]\w*(\.\w+)*"
-    r"|callback\([\w|]+(,\d+)?\)|(typeof|typename|parent|search|remap|canonical|declared)\([\w.|<>]+\)|resolve\([\w.|]+(,\d+)?\)|handle\(~?\)"
+    r"|callback\([\w|]+(,\d+)?\)|expand\(\d+,\d+,\d+\)"
+    r"|(typeof|typename|parent|search|remap|canonical|above|declared)\([\w.|<>]+\)|resolve\([\w.|]+(,\d+)?\)|handle\(~?\)"
 )
 
 

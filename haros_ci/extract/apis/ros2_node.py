@@ -135,6 +135,7 @@ ROWS: tuple[Mapping[str, object], ...] = (
     {"call": "rclcpp::Node::resolve_topic_name", "args": [1], "returns": "{resolve(0)}"},
     {"call": "rclcpp::Node::resolve_service_name", "args": [1], "returns": "{resolve(0)}"},
     {"call": "rclcpp::Node::resolve_topic_or_service_name", "args": [2], "returns": "{resolve(0)}"},
+    {"call": "rclcpp::expand_topic_or_service_name", "args": [3, 4], "returns": "{expand(0,1,2)}"},
     *({"call": f"rclcpp::Node::{name}", "args": [0], "transparent": "{this}"}
       for name in ("shared_from_this", "weak_from_this", "lock")),
     *({"call": f"rclcpp::Node::get_node_{name}_interface", "args": [0], "transparent": "{this}"}
