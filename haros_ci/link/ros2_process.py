@@ -158,14 +158,14 @@ def ros_arguments(words: Iterable[str]) -> Arguments:
 
 
 def from_arguments(found: Arguments, location: Location) -> tuple[ParameterRule, ...]:
-    """The parameters of ``-p [node:]name:=value``."""
+    """The parameters of ``-p [node:]name:=value``; *node* is a key as in a file (rcl ``_rcl_parse_param_rule``)."""
     made = []
     for node, name, text in found.parameters:
         value = scalar(text)
         unknown = "?" in text
         made.append(
             ParameterRule(
-                node=f"/**/{node}" if node else "/**",
+                node=node or "/**",
                 name=name,
                 type=None,
                 value=None if unknown else value,

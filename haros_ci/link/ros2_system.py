@@ -15,12 +15,10 @@ from haros_ci.link.names import clean
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.ros2_implicit import implicit
 from haros_ci.link.ros2_process import (
-    Arguments,
     Parameters,
     Process,
     RosNode,
     Rule,
-    from_arguments,
     ros_arguments,
     rule_of,
 )
@@ -90,18 +88,7 @@ def started_by(node: LaunchedNode) -> Started:
         naming.append(Rule("", "__ns", node.namespace))
     remaps = [rule for source, target, _ in node.remaps if (rule := rule_of(f"{source}:={target}")) is not None]
     rules = (*more.rules, *said.rules, *naming, *remaps)
-    whole = clean(f"{node.namespace}/{node.name}") if node.name is not None and node.namespace is not None else None
-    rules_given = (
-        replace(rule, node=whole) if whole is not None and rule.node == "/**" and rule.origin is None else rule
-        for rule in node.parameters
-    )
-    given = (*rules_given, *_arguments_parameters(node.location, more, said))
-    return Started(rules, Parameters(given), more.rest, node.kind == "component")
-
-
-def _arguments_parameters(location: Location, *found: Arguments) -> Iterable:
-    for each in found:
-        yield from from_arguments(each, location)
+    return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component")
 
 
 def _words(text: str, first: str = "") -> list[str]:

@@ -93,7 +93,8 @@ class ParameterSource:
     *kind* is ``file`` (*path*; with *substitutes* substitutions inside the YAML are performed, ``allow_substs``), ``values``
     (*values*: pairs of a dotted name phrase and a value) or ``?`` (*reason*). A value is a phrase (text to be read as YAML,
     unless *types* names its type: bool, int, float, str and ``…_array``), plain data (None, bool, int, float, str, list, as the
-    code has it), or a tuple of such. ``ParameterValue(x, value_type=str)`` gives its name in *types*.
+    code has it), or a tuple of such. ``ParameterValue(x, value_type=str)`` gives its name in *types*. Values that are an
+    *argument* (``Parameter(name, value)``) are given as ``-p name:=value``, for any node of the process.
     """
 
     kind: str
@@ -102,6 +103,7 @@ class ParameterSource:
     substitutes: bool = False
     values: tuple[tuple[Phrase, Any], ...] = ()
     types: tuple[tuple[str, str], ...] = ()
+    argument: bool = False
     reason: str = ""
 
 
@@ -115,9 +117,9 @@ class Action:
     include             ``file``; *arguments* are pairs of phrases
     node, lifecycle-node, container          ``package``, ``executable``, ``name``, ``namespace``, ``args``, ``ros_args``, ``exec_name``,
                         ``launch-prefix``, ``respawn``; *parameters*, *remaps*, *environment*; a container's *children* are
-                        its ``component`` actions
+                        its ``component`` actions; a ``handle`` tells it from others that are made in the same place
     component           of a container or load: ``package``, ``plugin``, ``name``, ``namespace``; *parameters*, *remaps*
-    load                load_composable_node: ``target`` (container's name), *children* are components
+    load                load_composable_node: ``target`` (container's name) or the container's ``handle``, *children* are components
     executable          ``cmd``
     push-namespace ``namespace``   set-remap (*remaps*)   set-parameter (*parameters*, kind values)
     set-parameters-from-file (*parameters*, kind file)   set-use-sim-time (``value``)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.link.launch_python.phrases import pair_of
@@ -68,7 +69,8 @@ def source(run: Run, value: Value, place: Location) -> ParameterSource:
                 substitutes=value.fields.get("allow_substs", False) is not False,
             )
         if last == "Parameter":
-            return of_values((entry(run, phrase(value.fields.get("name")), value, place),), value.location)
+            made = of_values((entry(run, phrase(value.fields.get("name")), value, place),), value.location)
+            return replace(made, argument=True)
         if "items" in value.fields and isinstance(value.fields["items"], dict):
             return source(run, value.fields["items"], place)
         return lost(f"{value.name} is no source of parameters that is known", place)

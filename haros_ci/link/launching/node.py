@@ -3,20 +3,24 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from dataclasses import replace
 
 from haros_ci.link.launching.context import NAMESPACE, Context
-from haros_ci.link.launching.parameter_files import Component
+from haros_ci.link.launching.parameter_files import Component, file_rules
 from haros_ci.link.launching.parameters import node_rules
 from haros_ci.link.launching.substitutions import truth_of
-from haros_ci.link.roslaunch_names import MARK, Text, literal
+from haros_ci.link.ros2_process import from_arguments, ros_arguments
+from haros_ci.link.roslaunch_names import MARK, Text, literal, unknown
 from haros_ci.model.architecture import Condition, Unknown
 from haros_ci.model.launch import LaunchedNode, ParameterRule
-from haros_ci.model.launch_actions import Action
+from haros_ci.model.launch_actions import Action, Substitution
 from haros_ci.model.location import Location
 
 _KINDS = {"node": "node", "lifecycle-node": "lifecycle", "container": "container", "component": "component"}
+#: The executable of a package, as ExecutableInPackage gives it.
+_IN_PACKAGE = re.compile(r"\$\(find-pkg-prefix ([^\s()]+)\)/lib/\1/([^/]+)")
 _Remaps = tuple[tuple[str, str, Location], ...]
 
 
@@ -41,8 +45,7 @@ def node(context: Context, action: Action, conditions: tuple[Condition, ...]) ->
     """The process of a node or container *action*."""
     made = _started(context, action, conditions, None)
     arguments, in_arguments = split_arguments(_text(context, action, "args").raw)
-    ros_arguments = _text(context, action, "ros_args").raw
-    given = " ".join(part for part in (in_arguments, ros_arguments) if part)
+    given = " ".join(part for part in (in_arguments, _text(context, action, "ros_args").raw) if part)
     unknowns = list(made.unknowns)
     for name, field in (("args", "arguments"), ("ros_args", "ros_arguments"), ("launch-prefix", "launch_prefix")):
         unknowns.extend(_text(context, action, name).unknown(field, action.location))
@@ -53,6 +56,7 @@ def node(context: Context, action: Action, conditions: tuple[Condition, ...]) ->
         made,
         arguments=_shown(arguments),
         ros_arguments=_shown(given),
+        parameters=(*argument_rules(context, given, action.location), *made.parameters),
         environment=_environment(context, environment),
         launch_prefix=_text(context, action, "launch-prefix").shown,
         respawn=truth_of(_text(context, action, "respawn")) is True,
@@ -72,24 +76,47 @@ def full_name(started: LaunchedNode) -> str:
 
 
 def command(context: Context, action: Action, conditions: tuple[Condition, ...]) -> LaunchedNode | None:
-    """The node that a process is, where its command is ``ros2 run package executable ...``; None for other programs."""
-    cmd = _text(context, action, "cmd")
+    """The node that a process is: ``ros2 run package executable ...``, or a package's executable by its path."""
+    phrase = action.get("cmd") or ()
+    if phrase and isinstance(phrase[0], Substitution) and phrase[0].kind == "find-exec" and phrase[0].arguments:
+        phrase = (*phrase[0].arguments[0], *phrase[1:])
+    cmd = context.text(phrase)
     words = _words(cmd.raw)
-    if words[:2] != ["ros2", "run"] or len(words) < 4 or any(word.startswith("-") for word in words[2:4]):
+    started = _program(words)
+    if started is None:
         return None
-    arguments, ros_arguments = split_arguments(_line(words[4:]))
+    package, type_, count = started
+    arguments, given = split_arguments(_line(words[count:]))
     environment = tuple((context.text(name), context.text(value)) for name, value in action.environment)
     return LaunchedNode(
         kind="node",
-        package=_shown(words[2]),
-        type=_shown(words[3]),
+        package=_shown(package),
+        type=_shown(type_),
         location=action.location,
         arguments=_shown(arguments),
-        ros_arguments=_shown(ros_arguments),
+        ros_arguments=_shown(given),
+        parameters=argument_rules(context, given, action.location),
         conditions=conditions,
         environment=_environment(context, environment),
         unknowns=cmd.unknown("arguments", action.location),
     )
+
+
+def _program(words: list[str]) -> tuple[str, str, int] | None:
+    """Package and executable that *words* start, and how many of them say so; None for a program of no package.
+
+    ``ros2 run`` finds what is in ``lib/<package>`` below the package's prefix; so does ExecutableInPackage.
+    """
+    start = 0
+    if words[:2] == ["ros2", "run"]:
+        start = 2
+        while len(words) > start and words[start].startswith("-"):
+            start += 2 if words[start] == "--prefix" else 1
+        return (words[start], words[start + 1], start + 2) if len(words) > start + 1 else None
+    if words[:1] in (["python3"], ["python"], ["/usr/bin/python3"]):
+        start = 1
+    match = _IN_PACKAGE.fullmatch(words[start]) if len(words) > start else None
+    return (match[1], match[2], start + 1) if match is not None else None
 
 
 def split_arguments(text: str) -> tuple[str, str]:
@@ -107,6 +134,20 @@ def split_arguments(text: str) -> tuple[str, str]:
         else:
             (ros if within else own).append(word)
     return _line(own), _line(ros)
+
+
+def argument_rules(context: Context, text: str, location: Location) -> tuple[ParameterRule, ...]:
+    """The parameters of ROS arguments, in order; on the command line they stand before those of the launch file."""
+    found: list[ParameterRule] = []
+    flag = ""
+    for word in _words(text):
+        if flag == "--params-file":
+            path = unknown("a part of the path is not known") if MARK in word else literal(word)
+            found.extend(file_rules(context, path, False, location))
+        elif flag in ("-p", "--param"):
+            found.extend(from_arguments(ros_arguments(("--ros-args", flag, _shown(word))), location))
+        flag = word if not flag and word in ("--params-file", "-p", "--param", "-r", "--remap") else ""
+    return tuple(found)
 
 
 def _words(text: str) -> list[str]:
@@ -169,7 +210,10 @@ def _started(
     if is_component:
         start = namespace.shown.rstrip("/") if namespace is not None else ""
         own = Component(f"{start}/{name.shown if name is not None else ''}")
-    parameters: tuple[ParameterRule, ...] = node_rules(context, action.parameters, own)
+    key = "/**"
+    if not is_component and name is not None and namespace is not None:
+        key = f"{namespace.shown.rstrip('/')}/{name.shown}"
+    parameters: tuple[ParameterRule, ...] = node_rules(context, action.parameters, own, key)
     return LaunchedNode(
         kind=_KINDS[action.kind],
         package=package.shown,

@@ -54,17 +54,46 @@ def file_rules(
         return (missing(str(err), location),)
     found: list[ParameterRule] = []
     for tree in trees:
-        for node, leaves in _sections(tree, component):
-            if any(MARK in part for part in node):
-                found.append(missing(f"in {file} it is not known which nodes a section is for", location))
-                continue
-            pattern = _pattern(node, component)
-            if pattern is None:
-                continue
+        sections, reason = _for_nodes(tree) if component is None else _for_component(tree, component)
+        if reason:
+            found.append(missing(f"in {file} {reason}", location))
+        for pattern, leaves in sections:
             for name, value in _leaves(leaves, ""):
                 context.spend(1)
                 found.append(_rule(pattern, name, value, location, file, component is not None))
     return tuple(found)
+
+
+def _for_nodes(tree: Tree) -> tuple[list[tuple[str, Tree]], str]:
+    """The sections under their keys as rcl joins them; ``n`` and ``/n`` are two, though both are for one node."""
+    found: list[tuple[str, Tree]] = []
+    reason = ""
+    for keys, leaves in _below(tree, ()):
+        joined = ""
+        for key in keys:
+            joined += key if not joined or joined.endswith("/") else f"/{key}"
+        if MARK in joined:
+            reason = "it is not known which nodes a section is for"
+        else:
+            found.append((joined, leaves))
+    return found, reason
+
+
+def _for_component(tree: Tree, component: Component) -> tuple[list[tuple[str, Tree]], str]:
+    """What launch sends to a component: ``/**``, with the component's own section over it, key by key at the top.
+
+    A file without sections is sent as a whole; of several sources the later counts, whatever its section was.
+    """
+    sections = {"/".join(key.lstrip("/") for key in keys): leaves for keys, leaves in _below(tree, ())}
+    if not sections:
+        return ([("/**", tree)] if isinstance(tree, Map) else []), ""
+    own = component.name.lstrip("/")
+    reason = "it is not known which section is for this component" if "?" in own and set(sections) - {"**"} else ""
+    if any(MARK in key for key in sections):
+        reason = "it is not known which nodes a section is for"
+    parts = [part for key in ("**", own) if isinstance(part := sections.get(key), Map)]
+    entries = {key: value for part in parts for key, value in part.entries.items()}
+    return ([("/**", Map(entries, parts[0].line))] if parts else []), reason
 
 
 def missing(reason: str, location: Location) -> ParameterRule:
@@ -144,14 +173,6 @@ def _performed(context: Context, trees: tuple[Tree, ...]) -> tuple[Tree, ...]:
     return tuple(done(tree) for tree in trees)
 
 
-def _sections(tree: Tree, component: Component | None) -> Iterator[tuple[tuple[str, ...], Tree]]:
-    """The keys above each ``ros__parameters`` with what is in it; a file without any is a component's as a whole."""
-    found = list(_below(tree, ()))
-    if not found and component is not None and isinstance(tree, Map):
-        found = [(("**",), tree)]
-    yield from found
-
-
 def _below(tree: Tree, keys: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Tree]]:
     if isinstance(tree, Map):
         for key, value in tree.entries.items():
@@ -159,17 +180,6 @@ def _below(tree: Tree, keys: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...],
                 yield keys, value
             else:
                 yield from _below(value, (*keys, key))
-
-
-def _pattern(keys: tuple[str, ...], component: Component | None) -> str | None:
-    """The pattern of full node names that *keys* stand for; None where launch sends a component nothing from there."""
-    if component is None:
-        joined = "/".join(keys)
-        return joined if joined.startswith("/") else "/" + joined
-    joined = "/".join(key.lstrip("/") for key in keys)
-    if joined == "**":
-        return "/**"
-    return component.name if "/" + joined == component.name or "?" in component.name else None
 
 
 def _leaves(tree: Tree, prefix: str) -> Iterator[tuple[str, Tree]]:

@@ -21,14 +21,17 @@ _LISTS = {f"{name}_array": f"{kind}[]" for name, kind in _TYPES.items()}
 
 
 def node_rules(
-    context: Context, sources: Iterable[ParameterSource], component: Component | None = None
+    context: Context, sources: Iterable[ParameterSource], component: Component | None = None, name: str = "/**"
 ) -> tuple[ParameterRule, ...]:
-    """What is set for all nodes, then the node's own *sources* (launch_ros ``Node``, ``LoadComposableNodes``)."""
+    """What is set for all nodes, then the node's own *sources* (launch_ros ``Node``, ``LoadComposableNodes``).
+
+    *name* is the key that a dictionary is written under: the full name where launch knows it, else ``/**``.
+    """
     found: list[ParameterRule] = []
     for parameter in context.scope.parameters or ():
         found.extend(_global_rules(context, parameter, component))
     for source in sources:
-        found.extend(source_rules(context, source, component))
+        found.extend(source_rules(context, source, component, name))
     return tuple(found)
 
 
@@ -57,14 +60,16 @@ def _argument(made: tuple[str | None, Any, str]) -> tuple[str | None, Any, str]:
     return tree_value(trees[0], False) if len(trees) == 1 and not isinstance(trees[0], Map) else made
 
 
-def source_rules(context: Context, source: ParameterSource, component: Component | None) -> Iterable[ParameterRule]:
-    """The rules of one source; those of plain values are for whatever node the process is."""
+def source_rules(
+    context: Context, source: ParameterSource, component: Component | None, node: str = "/**"
+) -> Iterable[ParameterRule]:
+    """The rules of one source; those of a dictionary are for *node*."""
     if source.kind == "file":
         return file_rules(context, context.text(source.path), source.substitutes, source.location, component)
     if source.kind != "values":
         return (missing(source.reason or "the parameters are not known", source.location),)
     return [
-        _rule(name, made, source.location, component is None)
+        _rule(name, made, source.location, component is None, "/**" if source.argument else node)
         for name, made in values_of(performed_values(context, source), source)
     ]
 
@@ -165,7 +170,9 @@ def _list_value(values: list[Any], kind: str | None) -> tuple[str | None, Any, s
     return (typed, None, reason) if reason else (typed, [value for _, value, _ in made], "")
 
 
-def _rule(name: Text, made: tuple[str | None, Any, str], location: Location, is_process: bool) -> ParameterRule:
+def _rule(
+    name: Text, made: tuple[str | None, Any, str], location: Location, is_process: bool, node: str = "/**"
+) -> ParameterRule:
     """A value for the node of the process; there it goes through a file that PyYAML writes and rcl reads."""
     kind, value, reason = made
     if is_process and not reason and isinstance(value, str):
@@ -178,4 +185,4 @@ def _rule(name: Text, made: tuple[str | None, Any, str], location: Location, is_
     if reason:
         unknowns += (Unknown("value", reason, location),)
         unknowns += (Unknown("type", reason, location),) if kind is None else ()
-    return ParameterRule(node="/**", name=name.shown, type=kind, value=value, location=location, unknowns=unknowns)
+    return ParameterRule(node=node, name=name.shown, type=kind, value=value, location=location, unknowns=unknowns)

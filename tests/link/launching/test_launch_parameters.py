@@ -113,17 +113,19 @@ def rules(yaml: str, substitutes: str = "", args: str = "") -> list[tuple[str, s
 @pytest.mark.parametrize(
     ("yaml", "expected"),
     [
-        ("n: {ros__parameters: {x: 1}}", [("/n", "x", 1)]),
+        ("n: {ros__parameters: {x: 1}}", [("n", "x", 1)]),
         ("/a/n: {ros__parameters: {x: 1}}", [("/a/n", "x", 1)]),
-        ("a: {b: {n: {ros__parameters: {x: 1}}}}", [("/a/b/n", "x", 1)]),
+        ("a: {b: {n: {ros__parameters: {x: 1}}}}", [("a/b/n", "x", 1)]),
         ("/**: {ros__parameters: {x: 1}}", [("/**", "x", 1)]),
         ("/**/n: {ros__parameters: {x: 1}}", [("/**/n", "x", 1)]),
         ("/*: {ros__parameters: {x: 1}}", [("/*", "x", 1)]),
         ("/**: {n: {ros__parameters: {x: 1}}}", [("/**/n", "x", 1)]),
-        ("n: {ros__parameters: {a: {b: {c: 1}, d: 2}}}", [("/n", "a.b.c", 1), ("/n", "a.d", 2)]),
-        ("n: {ros__parameters: {a.b: 1}}", [("/n", "a.b", 1)]),
-        ("n: {ros__parameters: {x: 1}}\nm: {ros__parameters: {x: 2}}", [("/n", "x", 1), ("/m", "x", 2)]),
-        ("n: {ros__parameters: {x: 1}}\n---\nn: {ros__parameters: {x: 2}}", [("/n", "x", 1), ("/n", "x", 2)]),
+        ("n: {ros__parameters: {a: {b: {c: 1}, d: 2}}}", [("n", "a.b.c", 1), ("n", "a.d", 2)]),
+        ("n: {ros__parameters: {a.b: 1}}", [("n", "a.b", 1)]),
+        ("n: {ros__parameters: {x: 1}}\nm: {ros__parameters: {x: 2}}", [("n", "x", 1), ("m", "x", 2)]),
+        ("n: {ros__parameters: {x: 1}}\n---\nn: {ros__parameters: {x: 2}}", [("n", "x", 1), ("n", "x", 2)]),
+        ("/: {n: {ros__parameters: {x: 1}}}", [("/n", "x", 1)]),
+        ("/a/: {n: {ros__parameters: {x: 1}}}", [("/a/n", "x", 1)]),
         ("n: {x: 1}", []),
         ("n: {ros__parameters: }", []),
         ("", []),
@@ -138,7 +140,7 @@ def test_a_component_is_sent_its_own_section_and_that_for_all() -> None:
     yaml = "/**: {ros__parameters: {x: 1}}\n/s/c: {ros__parameters: {y: 2}}\n/**/c: {ros__parameters: {z: 3}}\n"
     inner = f'<composable_node pkg="p" plugin="C" name="c" namespace="s"><param from="{PATH}"/></composable_node>'
     body = f'<load_composable_node target="k">{inner}</load_composable_node>'
-    assert values(launch(body, {FILE: yaml})) == [("/**", "x", 1), ("/s/c", "y", 2)]
+    assert values(launch(body, {FILE: yaml})) == [("/**", "x", 1), ("/**", "y", 2)]
     assert values(launch(body, {FILE: "a: {b: 1}\n"})) == [("/**", "a.b", 1)]
 
 
@@ -269,9 +271,9 @@ def test_rewritten_values(data: dict[str, Any], expected: object) -> None:
 
 def test_rewritten_keys_and_roots() -> None:
     yaml = "n: {ros__parameters: {x: 1}}"
-    assert rewritten(yaml, root_key=("s",)) == [("/s/n", "x", 1)]
-    assert rewritten(yaml, root_key=()) == [("/n", "x", 1)]
-    assert rewritten(yaml, key_rewrites=((("n",), ("m",)),)) == [("/m", "x", 1)]
+    assert rewritten(yaml, root_key=("s",)) == [("s/n", "x", 1)]
+    assert rewritten(yaml, root_key=()) == [("n", "x", 1)]
+    assert rewritten(yaml, key_rewrites=((("n",), ("m",)),)) == [("m", "x", 1)]
     assert rewritten(yaml, path="$(find-pkg-share q)/p.yaml") == [("/**", "?", None)]
 
 
@@ -284,7 +286,7 @@ def test_what_is_rewritten_must_be_known() -> None:
 def test_sections_and_names_of_which_a_part_is_not_known() -> None:
     yaml = "$(var u)/n: {ros__parameters: {x: 1}}\nn: {ros__parameters: {$(var u)_y: 1}}\n"
     system = launch(node("", f'<param from="{PATH}" allow_substs="true"/>'), {FILE: yaml})
-    assert values(system) == [("/**", "?", None), ("/n", "?_y", 1)]
+    assert values(system) == [("/**", "?", None), ("n", "?_y", 1)]
     assert [[unknown.field for unknown in rule.unknowns] for rule in only(system).parameters] == [["name"], ["name"]]
 
 
