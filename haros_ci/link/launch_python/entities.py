@@ -63,6 +63,13 @@ def actions_of(run: Run, value: Value, place: Location, depth: int = 0) -> tuple
     )
 
 
+def doubted(run: Run, actions: tuple[Action, ...], place: Location) -> tuple[Action, ...]:
+    """*actions*, all of them under what launch_ros must accept for any of them to be done."""
+    if not run.doubts or not actions:
+        return actions
+    return (Action(kind="list", location=place, children=actions, tests=tuple(run.doubts.values())),)
+
+
 def under(action: Action, tests: tuple[Test, ...]) -> Action:
     """*action*, if *tests* hold as well."""
     return replace(action, tests=(*tests, *action.tests)) if tests else action

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 
 from haros_ci.link.launch_python.attributes import attribute
 from haros_ci.link.launch_python.definitions import call_function
-from haros_ci.link.launch_python.entities import DESCRIPTION, actions_of, unknown_action
+from haros_ci.link.launch_python.entities import DESCRIPTION, actions_of, doubted, unknown_action
 from haros_ci.link.launch_python.expressions import evaluate
 from haros_ci.link.launch_python.heap import Budget, Exhausted, Heap
 from haros_ci.link.launch_python.imports import file_marker, module_body, parse
@@ -81,4 +81,4 @@ def top(run: Run, entry: Value, place: Location) -> tuple[Action, ...]:
         value = value[0]
     if isinstance(value, Made) and value.name == DESCRIPTION:
         value = value.fields["entities"]
-    return actions_of(run, value, place)
+    return doubted(run, actions_of(run, value, place), place)

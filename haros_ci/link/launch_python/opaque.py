@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from haros_ci.link.launch_python.conditions import tests_of
 from haros_ci.link.launch_python.contexts import perform
-from haros_ci.link.launch_python.entities import actions_of, call_opaque, unknown_action
+from haros_ci.link.launch_python.entities import actions_of, call_opaque, doubted, unknown_action
 from haros_ci.link.launch_python.files import yaml_data
 from haros_ci.link.launch_python.heap import Exhausted
 from haros_ci.link.launch_python.run import Run
@@ -52,7 +52,9 @@ def later(run: Run, call: Call, actions: Callable[[Context], tuple[Action, ...]]
         run.budget.restart()
         journal = run.heap.open()
         try:
-            return actions(Context(context, len(run.heap.journals)))
+            known = set(run.doubts)
+            made = actions(Context(context, len(run.heap.journals)))
+            return doubted(run, made, call.location) if set(run.doubts) != known else made
         except (Exhausted, RecursionError) as error:
             reason = str(error) if isinstance(error, Exhausted) else "it is nested too deep"
             return (unknown_action(f"{call.name.rpartition('.')[2]}: {reason}", call.location),)

@@ -11,7 +11,7 @@ from haros_ci.link.launch_python.phrases import flag, phrases_of, words
 from haros_ci.link.launch_python.run import Run
 from haros_ci.link.launch_python.substitutions import pairs
 from haros_ci.link.launch_python.values import Call, Made, Unknown, Value, merged, phrase
-from haros_ci.model.launch_actions import Action, ParameterSource, Phrase, Substitution
+from haros_ci.model.launch_actions import Action, ParameterSource, Phrase, Substitution, Test
 
 NODE = "* executable package name namespace exec_name parameters remappings ros_arguments arguments"
 COMMON = (
@@ -28,17 +28,18 @@ def started(kind: str) -> Summary:
     """A node of *kind* (launch_ros/actions/node.py); without an executable it is not known what it is."""
 
     def summary(run: Run, call: Call) -> Value:
-        bound = call.bind(NODE)
+        bound = renamed(run, call.bind(NODE), call)
         if call.args and isinstance(call.args[0], Unknown):
             return run.unknown(call.args[0].reason, call.location)
-        if bound.get("executable") is None and bound.get("node_executable") is not None:
-            bound["executable"] = bound["node_executable"]
         if bound.get("executable") is None:
             return run.unknown(call.unknown or f"{call.name} is given no executable", call.location)
         found = list(phrases_of(bound, COMMON, call))
         for name, called in (("arguments", "args"), ("ros_arguments", "ros_args")):
             if bound.get(name) is not None:
                 found.append((called, words(run, bound[name], call)))
+        if kind == "container":
+            run.containers += 1
+            found.append(("handle", (f"{call.location.path}:{run.containers}",)))
         if "respawn" in bound:
             found.append(("respawn", flag(bound["respawn"])))
         parameters = sources(run, bound.get("parameters"), call.location)
@@ -61,14 +62,24 @@ def started(kind: str) -> Summary:
     return summary
 
 
+def renamed(run: Run, bound: dict[str, Value], call: Call) -> dict[str, Value]:
+    """*bound* under today's names; with a name that launch_ros has dropped after Foxy the file may be refused."""
+    for name in ("executable", "plugin", "name", "namespace"):
+        old = f"node_{name}"
+        if bound.get(old) is not None and bound.get(name) is None:
+            bound[name] = bound[old]
+            text = f"launch_ros takes {old}= (it does up to ROS 2 Foxy)"
+            run.doubts.setdefault(text, Test(kind="?", text=text, location=call.location, reason=text))
+    return bound
+
+
 def component(run: Run, call: Call) -> Value:
     """ComposableNode (launch_ros/descriptions/composable_node.py)."""
-    bound = call.bind("* package plugin name namespace parameters remappings extra_arguments condition")
-    plugin = bound.get("plugin", bound.get("node_plugin"))
-    if plugin is None or (bound.get("package") is None and not call.unknown):
+    names = "* package plugin name namespace parameters remappings extra_arguments condition"
+    bound = renamed(run, call.bind(names), call)
+    if bound.get("plugin") is None or (bound.get("package") is None and not call.unknown):
         return run.unknown(call.unknown or "a ComposableNode is given no package or no plugin", call.location)
-    bound["plugin"] = plugin
-    names = (("package", "package"), ("plugin", "plugin"), ("name", "name"), ("namespace", "namespace"))
+    shown = (("package", "package"), ("plugin", "plugin"), ("name", "name"), ("namespace", "namespace"))
     return Made(
         call.name,
         call.location,
@@ -76,7 +87,7 @@ def component(run: Run, call: Call) -> Value:
         Action(
             kind="component",
             location=call.location,
-            phrases=phrases_of(bound, names, call),
+            phrases=phrases_of(bound, shown, call),
             parameters=sources(run, bound.get("parameters"), call.location),
             remaps=remaps(run, bound.get("remappings"), call),
             tests=tests_of(bound.get("condition"), call.location),
@@ -88,6 +99,7 @@ def load(run: Run, call: Call) -> Value:
     """LoadComposableNodes: into a container by its name, or by the action that starts it."""
     bound = call.bind("* composable_node_descriptions target_container")
     target = bound.get("target_container")
+    handle = target.action.get("handle") if isinstance(target, Made) and target.action is not None else None
     return Made(
         call.name,
         call.location,
@@ -95,7 +107,7 @@ def load(run: Run, call: Call) -> Value:
         Action(
             kind="load",
             location=call.location,
-            phrases=(("target", target_name(target)),),
+            phrases=(("target", target_name(target)), *((("handle", handle),) if handle else ())),
             tests=tests_of(bound.get("condition"), call.location),
         ),
     )

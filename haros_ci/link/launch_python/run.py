@@ -46,6 +46,10 @@ class Run:
     frames: list[Frame] = field(default_factory=list)
     places: dict[int, tuple[Value, Location]] = field(default_factory=dict)
     texts: dict[str, str | None] = field(default_factory=dict)
+    #: How many containers have been made; what loads into one names it by its number.
+    containers: int = 0
+    #: What launch_ros must accept for this file to be launched at all, by its text.
+    doubts: dict[str, Test] = field(default_factory=dict)
 
     def unknown(self, reason: str, location: Location | None) -> Unknown:
         self.budget.failures += 1

@@ -85,6 +85,8 @@ class _Run:
     waiting: list[tuple[Action, _Conditions, str]] = field(default_factory=list)
     #: The includes that lead here: path and configurations when it was begun.
     chain: list[tuple[str, tuple[tuple[str, Text], ...]]] = field(default_factory=list)
+    #: Containers that have been started, by the handle that a load has of one.
+    containers: dict[str, Text] = field(default_factory=dict)
     depth: int = 0
 
     def file(self, path: str, given: Mapping[str, Text]) -> None:
@@ -264,10 +266,21 @@ class _Run:
             reasons = tuple(u.reason for u in started.unknowns if u.field in ("name", "namespace"))
             if started.name is None:
                 reasons = ("the program itself gives its name",)
-            self.components(action, conditions, Text(name, reasons) if reasons else literal(name))
+            container = Text(name, reasons) if reasons else literal(name)
+            handle = action.get("handle")
+            if handle is not None:
+                self.containers[self.context.text(handle).raw] = container
+            self.components(action, conditions, container)
 
     def load_components(self, action: Action, conditions: _Conditions) -> None:
-        """The target is a node's name that launch's own node calls: relative to the root, not to a pushed namespace."""
+        """Into the container that has been started before, or one by its name.
+
+        By name launch's own node calls it: relative to the root, not to a namespace that is pushed.
+        """
+        handle = action.get("handle")
+        if handle is not None and (started := self.containers.get(self.context.text(handle).raw)) is not None:
+            self.components(action, conditions, started)
+            return
         phrase = action.get("target")
         target = self.context.text(phrase) if phrase is not None else unknown("no container is named")
         if not target.raw.startswith("/"):

@@ -147,6 +147,7 @@ ld.add_action(LoadComposableNodes(target_container='other', composable_node_desc
         "executable": "component_container",
         "name": "c",
         "namespace": "/ns",
+        "handle": "robot/launch/robot.launch.py:1",
     }
     (child,) = container.children
     assert (child.kind, phrases(child)) == ("component", {"package": "p", "plugin": "p::A", "name": "a"})
@@ -154,7 +155,7 @@ ld.add_action(LoadComposableNodes(target_container='other', composable_node_desc
     assert [brief(t.phrases[0]) for t in child.tests] == [(var("i"),)]
     assert (load.kind, phrases(load), [phrases(c) for c in load.children]) == (
         "load",
-        {"target": "/ns/c"},
+        {"target": "/ns/c", "handle": "robot/launch/robot.launch.py:1"},
         [{"package": "p", "plugin": "B"}],
     )
     assert (phrases(other), [c.kind for c in other.children]) == ({"target": "other"}, ["?"])
