@@ -199,9 +199,14 @@ def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = Fa
 
 def given(applied: Applied, node: RosNode, name: str) -> Value | None:
     """What *node* is given for a parameter from outside."""
-    if name in node.whole.given:
-        return node.whole.given[name]
-    return applied.run.context.parameter(f"{node.whole.name}:{name}")
+    own = node.whole.given
+    if name in own:
+        return own[name]
+    is_alone = node.whole.options.get(ros2_nodes.ALONE)
+    found = None if is_alone else applied.run.context.parameter(f"{node.whole.name}:{name}")
+    if "?" not in own:
+        return found
+    return own["?"] if found is None else Opaque("a parameter file in the node's options may set it", node.location)
 
 
 def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:

@@ -6,7 +6,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.link.names import pattern
-from haros_ci.link.ros2_process import RosNode, named, ros_arguments
+from haros_ci.link.parameters import Perhaps
+from haros_ci.link.ros2_process import Arguments, Parameters, RosNode, Rule, from_arguments, named, ros_arguments
 from haros_ci.link.values import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
 from haros_ci.model.api import Entry
 from haros_ci.model.location import Location
@@ -29,6 +30,13 @@ SWITCHES = (
     "start_parameter_event_publisher",
     "automatically_declare_parameters_from_overrides",
 )
+#: The options of nodes that a library makes beside the one that it is given, and what they switch off.
+HIDDEN = Known("hidden")
+HIDES = ("start_parameter_services", "start_parameter_event_publisher")
+#: Of options: they are those that a component is given. Of a node: nothing is for it that the process is given.
+CONTAINED, ALONE = "(contained)", "(alone)"
+#: The parameter of every node that says whether it takes its time from a topic.
+SIM_TIME = "use_sim_time"
 #: Fields of an object that hold its node, or the object that has it.
 HOLDING = ("node", "node_")
 UNKNOWN_NODE = "which node it belongs to is not known"
@@ -83,14 +91,26 @@ def made(
     text, why, where = pattern(name) if name is not None else ("?", "the code does not tell its name", location)
     above, space_why, space_where = pattern(space) if space is not None and space != NONE else ("", None, None)
     options = options.cell.value if isinstance(options, Pointer) else options
-    local, is_open = _arguments(options)
-    rules = (*local, *(() if _flag(options, "use_global_arguments") is False else process.rules))
+    if options == HIDDEN:  # its options rename it to its own name, whatever the process is given
+        options = Object("rclcpp::NodeOptions", fields={each: Cell(Known(False)) for each in HIDES})
+        local, is_open = Arguments((Rule("", "__node", text),)), False
+    else:
+        local, is_open = _arguments(options)
+    is_global = _flag(options, "use_global_arguments") is not False
+    rules = (*local.rules, *(process.rules if is_global else ()))
     full, own = named(text, above, rules)
     unknown = None
-    if "?" in full:
+    if is_open:
+        full, own, unknown = "/?", "/?", ("the arguments in its options are not known", location)
+    elif "?" in full:
         unknown = (why or space_why or "it is renamed to what is not known", where or space_where or location)
-    elif is_open:
-        full, unknown = "/?", ("the arguments in its options are not known", location)
+    switches = {switch: flag for switch in SWITCHES if (flag := _flag(options, switch)) is not None}
+    if not is_global and _flag(options, CONTAINED) is None:
+        switches[ALONE] = True
+    given = {**_parameters(local, full, location), **_overrides(options)}
+    sim_time = given.get(SIM_TIME)
+    if isinstance(sim_time, Known) and isinstance(sim_time.value, bool):
+        switches[SIM_TIME] = sim_time.value
     node = RosNode(
         name=full,
         own=own,
@@ -100,9 +120,9 @@ def made(
         location=location,
         conditions=tuple(run.conditions),
         rules=rules,
-        given=_overrides(options),
+        given=given,
         why=unknown,
-        options={switch: flag for switch in SWITCHES if (flag := _flag(options, switch)) is not None},
+        options=switches,
     )
     if not run.quiet:
         known = next((n for n in run.nodes if (n.name, n.location) == (full, location)), None)
@@ -119,7 +139,8 @@ def options_for(run: Run) -> Object:
         head = f"{rule.node}:{rule.source}" if rule.node else rule.source
         words += ["-r", f"{head}:={rule.target}"]
     cells = tuple(Cell(Known(word)) for word in words)
-    return Object("rclcpp::NodeOptions", fields={"arguments": Cell(Sequence(Cell(cells)))})
+    fields = {"arguments": Cell(Sequence(Cell(cells))), CONTAINED: Cell(Known(True))}
+    return Object("rclcpp::NodeOptions", fields=fields)
 
 
 def _field(value: Any, name: str) -> Value | None:
@@ -134,19 +155,28 @@ def _flag(options: Any, name: str) -> bool | None:
     return held.value if isinstance(held, Known) and isinstance(held.value, bool) else None
 
 
-def _arguments(options: Any) -> tuple[Any, bool]:
-    """The remapping rules in a node's options, and whether there may be others."""
+def _arguments(options: Any) -> tuple[Arguments, bool]:
+    """The arguments in a node's options, and whether there may be others."""
     held = _field(options, "arguments")
     if held is None or held == NONE:
-        return (), False
+        return Arguments(), False
     words: list[str] = []
     if isinstance(held, Known) and isinstance(held.value, list):
         words = [str(word) for word in held.value]
     elif isinstance(held, Sequence) and isinstance(held.content.value, tuple):
         words = [pattern(cell.value)[0] for cell in held.content.value]
     else:
-        return (), True
-    return ros_arguments(words).rules, False
+        return Arguments(), True
+    return ros_arguments(words), False
+
+
+def _parameters(local: Arguments, node: str, location: Location) -> dict[str, Value]:
+    """What the arguments in a node's own options give it; ``?`` stands for what files may say."""
+    given = Parameters(from_arguments(local, location))
+    found: dict[str, Value] = {name: given.get(node, name) or NONE for name in given.of(node)}
+    if local.files:
+        found["?"] = Perhaps("a parameter file in the node's options may set it", location)
+    return found
 
 
 def _overrides(options: Any) -> dict[str, Value]:

@@ -22,6 +22,8 @@ from haros_ci.model.location import Location
 
 #: Sources of rules that name a node: ``__node:=name``, ``__name:=name``, ``__ns:=/namespace``.
 NAMES, SPACES = frozenset(("__node", "__name")), frozenset(("__ns",))
+#: What a rule's source begins with that is for topics, or for services, alone.
+TOPIC, SERVICE = "rostopic://", "rosservice://"
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,15 +80,17 @@ class RosNode:
             return clean(f"{self.name}/{name[2:]}")
         return clean(f"{self.space}/{name}")
 
-    def remap(self, name: str) -> str:
-        """What the absolute *name* is remapped to; itself without a rule for it."""
+    def remap(self, name: str, is_service: bool = False) -> str:
+        """What the absolute *name* of a topic, or of a service, is remapped to; itself without a rule for it."""
         last = self.name.rpartition("/")[2]
         for rule in self.rules:
             if rule.source in NAMES or rule.source in SPACES or rule.node not in ("", last):
                 continue
-            source = re.sub(r"\Aros(topic|service)://", "", rule.source)
+            scheme, source = schemed(rule.source)
+            if scheme == (TOPIC if is_service else SERVICE):
+                continue
             if "?" not in source and self.whole.expand(source) == name:
-                return self.whole.expand(re.sub(r"\Aros(topic|service)://", "", rule.target))
+                return self.whole.expand(schemed(rule.target)[1])
         return name
 
 
@@ -108,11 +112,20 @@ def named(
     namespace: str,
     rules: tuple[Rule, ...],
 ) -> tuple[str, str]:
-    """The final full name and namespace of a node that the code calls *name* in *namespace*."""
+    """The final full name and namespace of a node that the code calls *name* in *namespace*.
+
+    A rule that gives a namespace to one node is for the name that the node has by then (rcl_node_init).
+    """
     found_name = next((r.target for r in rules if r.source in NAMES and r.node in ("", name)), name)
-    found_space = next((r.target for r in rules if r.source in SPACES and r.node in ("", name)), namespace)
+    found_space = next((r.target for r in rules if r.source in SPACES and r.node in ("", found_name)), namespace)
     space = clean(f"/{found_space}")
     return clean(f"{space}/{found_name}"), space
+
+
+def schemed(text: str) -> tuple[str, str]:
+    """``rostopic://`` or ``rosservice://``, if a rule's source or target begins with that, and the name."""
+    scheme = next((each for each in (TOPIC, SERVICE) if text.startswith(each)), "")
+    return scheme, text[len(scheme) :]
 
 
 def rule_of(text: str) -> Rule | None:

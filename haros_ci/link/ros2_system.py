@@ -14,6 +14,7 @@ from haros_ci.link.kept import Followed
 from haros_ci.link.names import clean
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.ros2_implicit import implicit
+from haros_ci.link.ros2_nodes import ALONE, SIM_TIME
 from haros_ci.link.ros2_process import (
     Parameters,
     Process,
@@ -21,6 +22,7 @@ from haros_ci.link.ros2_process import (
     Rule,
     ros_arguments,
     rule_of,
+    schemed,
 )
 from haros_ci.link.run import Context, Made
 from haros_ci.link.system import PROGRAM, Job, Types, files_key, followed_in, incomplete
@@ -31,6 +33,8 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 
 NOTHING = ParameterServer(())
+#: Kinds of endpoints that rules for services rename.
+SERVICES = ("servers", "clients")
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,11 +174,11 @@ def _class_name(node: RosNode) -> str | None:
 
 
 def _implicit(node: RosNode, kind: str, started: Started, ends: tuple[Endpoint, ...]) -> Iterable[Endpoint]:
-    sim = started.parameters.get(node.name, "use_sim_time")
-    value = sim.value if isinstance(sim, Known) else None
+    sim = None if node.options.get(ALONE) else started.parameters.get(node.name, SIM_TIME)
+    value = node.options.get(SIM_TIME, sim.value if isinstance(sim, Known) else None)
     there = {(end.kind, end.name) for end in ends}
     for end in implicit(node.name, kind, node.options, value, node.location):
-        final_name = end.name if end.kind == "parameters" else node.remap(end.name)
+        final_name = end.name if end.kind == "parameters" else node.remap(end.name, end.kind in SERVICES)
         if (end.kind, final_name) not in there:
             yield replace(end, name=final_name)
 
@@ -198,12 +202,12 @@ def final(item: Made) -> str:
     """The name of what is made after remapping; parameters are not remapped."""
     if item.node is None or item.kind in ("getters", "setters", "parameters") or "?" in item.name:
         return item.name
-    return item.node.remap(item.name)
+    return item.node.remap(item.name, item.kind in SERVICES)
 
 
 def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str], ...]:
     rules = {
-        node.expand(rule.source): node.expand(rule.target)
+        node.expand(schemed(rule.source)[1]): node.expand(schemed(rule.target)[1])
         for rule in reversed(node.rules)
         if not rule.source.startswith("__") and "?" not in rule.source and rule.node in ("", node.name.rpartition("/")[2])
     }
