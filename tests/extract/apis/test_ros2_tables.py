@@ -205,7 +205,7 @@ def _rows(call: str) -> list[Row]:
 @pytest.mark.parametrize(("module", "row"), FORMS, ids=lambda value: value if isinstance(value, str) else "")
 def test_every_row_loads_and_is_of_one_form(module: str, row: dict[str, object]) -> None:
     loaded = load_row(row)
-    assert module.startswith("ros2_")
+    assert module.startswith(("ros2_", "threads"))
     assert loaded.is_class or loaded.args, "every call says for how many arguments it holds"
     for entry in loaded.makes:
         if entry.kind in TOPICS + OFFERED:
