@@ -114,6 +114,8 @@ class Relevance:
             if function is not None:
                 if not found.isdisjoint(self._variables_of(function, source)):
                     found.add(CALLED)
+                if not found.isdisjoint(self._templates_of(function)):
+                    found.add(CALLED)  # what is made depends on what a template is used for
                 if any(p.name in found and self._is_open(p, function, source) for p in function.parameters):
                     found.add(GIVEN)
                 if any(p.name in found and last(p.type[0]) in self._functors for p in function.parameters):
@@ -135,6 +137,11 @@ class Relevance:
             callable_variables(function.body, names, source, self._function_types | self._functors)
             known = self._variables[id(function)] = (function, frozenset(names))
         return known[1]
+
+    def _templates_of(self, function: Function) -> frozenset[str]:
+        """The template parameters of a function and of its class."""
+        owners = dict.get(self._index.classes, function.owner, ()) if function.owner else ()
+        return frozenset(function.templates).union(*(each.templates for _, each in owners))
 
     def _is_open(self, parameter: Parameter, function: Function, source: Source) -> bool:
         return may_be_called(parameter.type, source, self._function_types) or parameter.type[0] in function.templates
