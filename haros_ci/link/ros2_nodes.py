@@ -35,6 +35,8 @@ HIDDEN = Known("hidden")
 HIDES = ("start_parameter_services", "start_parameter_event_publisher")
 #: Of options: they are those that a component is given. Of a node: nothing is for it that the process is given.
 CONTAINED, ALONE = "(contained)", "(alone)"
+#: A parameter that a node's options may set.
+OTHERS = Perhaps("it may be set in the node's options, which are not known")
 #: The parameter of every node that says whether it takes its time from a topic.
 SIM_TIME = "use_sim_time"
 #: Fields of an object that hold its node, or the object that has it.
@@ -96,6 +98,7 @@ def made(
         local, is_open = Arguments((Rule("", "__node", text),)), False
     else:
         local, is_open = _arguments(options)
+    is_contained = process.component is not None and (isinstance(options, Opaque) or _flag(options, CONTAINED) is True)
     is_global = _flag(options, "use_global_arguments") is not False
     rules = (*local.rules, *(process.rules if is_global else ()))
     full, own = named(text, above, rules)
@@ -105,7 +108,7 @@ def made(
     elif "?" in full:
         unknown = (why or space_why or "it is renamed to what is not known", where or space_where or location)
     switches = {switch: flag for switch in SWITCHES if (flag := _flag(options, switch)) is not None}
-    if not is_global and _flag(options, CONTAINED) is None:
+    if not is_contained and (not is_global or process.component is not None):
         switches[ALONE] = True
     given = {**_parameters(local, full, location), **_overrides(options)}
     sim_time = given.get(SIM_TIME)
@@ -139,7 +142,11 @@ def options_for(run: Run) -> Object:
         head = f"{rule.node}:{rule.source}" if rule.node else rule.source
         words += ["-r", f"{head}:={rule.target}"]
     cells = tuple(Cell(Known(word)) for word in words)
-    fields = {"arguments": Cell(Sequence(Cell(cells))), CONTAINED: Cell(Known(True))}
+    fields = {
+        "arguments": Cell(Sequence(Cell(cells))),
+        "use_global_arguments": Cell(Known(process is None or process.component is None)),
+        CONTAINED: Cell(Known(True)),
+    }
     return Object("rclcpp::NodeOptions", fields=fields)
 
 
@@ -180,19 +187,25 @@ def _parameters(local: Arguments, node: str, location: Location) -> dict[str, Va
 
 
 def _overrides(options: Any) -> dict[str, Value]:
-    """The parameters in a node's options: ``parameter_overrides``, ``append_parameter_override``."""
+    """The parameters in a node's options: ``parameter_overrides``, ``append_parameter_override``; ``?`` for others."""
     held = _field(options, "parameter_overrides")
     found: dict[str, Value] = {}
     appended, value = _field(options, "appended_name"), _field(options, "appended_value")
-    if isinstance(appended, Known) and value is not None:
-        found[str(appended.value)] = value
-    if isinstance(held, Sequence) and isinstance(held.content.value, tuple):
-        for cell in held.content.value:
-            name, value = _field(cell.value, "name"), _field(cell.value, "value")
-            if isinstance(name, Known) and value is not None:
-                found[str(name.value)] = value
-    elif isinstance(held, Mapped) and isinstance(held.content.value, dict):
-        found = {str(key): cell.value for key, cell in held.content.value.items()}
+    if appended is not None and value is not None:
+        found[str(appended.value) if isinstance(appended, Known) else "?"] = value
+    if isinstance(held, Mapped) and isinstance(held.content.value, dict):
+        return found | {str(key): cell.value for key, cell in held.content.value.items()}
+    from haros_ci.link.ros2_selectors import listed
+
+    items = listed(held) if held is not None and held != NONE else ()
+    for item in (None,) if items is None else items:
+        name = item["name"] if item is not None else None
+        if item is not None and isinstance(name, Known) and "default" in item:
+            found[str(name.value)] = item["default"]
+        else:
+            found["?"] = OTHERS
+    if isinstance(found.get("?"), Known):
+        found["?"] = OTHERS
     return found
 
 

@@ -22,6 +22,8 @@ from haros_ci.model.location import Location
 
 #: Sources of rules that name a node: ``__node:=name``, ``__name:=name``, ``__ns:=/namespace``.
 NAMES, SPACES = frozenset(("__node", "__name")), frozenset(("__ns",))
+#: Flags between ``--ros-args`` and ``--`` that a word follows.
+TAKES_ONE = frozenset("-r --remap -p --param --params-file --log-level --log-config-file --log-file-name -e --enclave".split())
 #: What a rule's source begins with that is for topics, or for services, alone.
 TOPIC, SERVICE = "rostopic://", "rosservice://"
 
@@ -165,7 +167,7 @@ def ros_arguments(words: Iterable[str]) -> Arguments:
             flag = ""
         elif word == "--":
             is_ros = False
-        elif word in ("-r", "--remap", "-p", "--param", "--params-file", "--log-level", "--log-config-file", "-e", "--enclave"):
+        elif word in TAKES_ONE:
             flag = word
     return Arguments(tuple(rules), tuple(parameters), tuple(files), tuple(rest))
 
@@ -198,10 +200,15 @@ class Parameters:
     def __init__(self, rules: Iterable[ParameterRule]) -> None:
         self._sections: dict[str, dict[str, list[ParameterRule]]] = {}
         self.unread: ParameterRule | None = None
+        self._unread_after: dict[int, ParameterRule] = {}
         self.rules = tuple(rules)
+        for rule in reversed(self.rules):
+            if "?" in rule.name:
+                self.unread = self.unread or rule
+            elif self.unread is not None:
+                self._unread_after[id(rule)] = self.unread
         for rule in self.rules:
-            if rule.name == "?":
-                self.unread = rule
+            if "?" in rule.name:
                 continue
             section = self._sections.setdefault(rule.node, {})
             if rule.conditions:
@@ -229,6 +236,11 @@ class Parameters:
                 return Perhaps(f"it may be set: {reason(self.unread)}", self.unread.location)
             return None
         last = found[-1]
+        unread = self._unread_after.get(id(last))
+        if unread is None and self.unread is not None and last.node != node:
+            unread = self.unread  # a section that it has for this very node comes after those for many
+        if unread is not None:
+            return Opaque(f"something else may be set: {reason(unread)}", unread.location)
         if not set(last.conditions) <= set(under):
             return (Perhaps if all(rule.conditions for rule in found) else Opaque)(
                 f"the parameter {name} is set under a condition", last.location

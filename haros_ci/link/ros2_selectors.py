@@ -62,6 +62,16 @@ def keywords(applied: Applied) -> Object:
 
 def items(applied: Applied, value: Any) -> list[Mapping[str, Any] | None]:
     """The items of a list of parameters: texts, tuples of a name and more, objects with ``name`` and ``value``."""
+    found = listed(value)
+    if found is None:
+        reason = value.reason if isinstance(value, Opaque) else "it is no list"
+        applied.run.gaps.setdefault(f"a list of parameters is not known: {reason}", applied.location)
+        return []
+    return [*found]
+
+
+def listed(value: Any) -> list[Mapping[str, Any]] | None:
+    """The items of a list of parameters; None if it is not known."""
     if isinstance(value, Known) and isinstance(value.value, (list, tuple)):
         cells: Any = tuple(Cell(Known(item)) for item in value.value)
     else:
@@ -69,9 +79,7 @@ def items(applied: Applied, value: Any) -> list[Mapping[str, Any] | None]:
     if isinstance(cells, dict):
         return [{"name": Known(str(name)), "default": cell.value} for name, cell in cells.items()]
     if not isinstance(cells, tuple):
-        reason = value.reason if isinstance(value, Opaque) else "it is no list"
-        applied.run.gaps.setdefault(f"a list of parameters is not known: {reason}", applied.location)
-        return []
+        return None
     return [_item(cell.value) for cell in cells]
 
 

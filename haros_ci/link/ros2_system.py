@@ -25,8 +25,8 @@ from haros_ci.link.ros2_process import (
     schemed,
 )
 from haros_ci.link.run import Context, Made
-from haros_ci.link.system import PROGRAM, Job, Types, files_key, followed_in, incomplete
-from haros_ci.link.values import Known, Value
+from haros_ci.link.system import PROGRAM, Job, Types, files_key, followed_in, incomplete, same
+from haros_ci.link.values import Known, Opaque, Value
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.location import Location
@@ -45,6 +45,8 @@ class Started:
     parameters: Parameters
     words: tuple[str, ...]
     is_component: bool
+    #: The rules of the container that a component is loaded into.
+    around: tuple[Rule, ...] = ()
 
 
 def launched(types: Types, node: LaunchedNode) -> Job:
@@ -92,7 +94,11 @@ def started_by(node: LaunchedNode) -> Started:
         naming.append(Rule("", "__ns", node.namespace))
     remaps = [rule for source, target, _ in node.remaps if (rule := rule_of(f"{source}:={target}")) is not None]
     rules = (*more.rules, *said.rules, *naming, *remaps)
-    return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component")
+    around: tuple[Rule, ...] = ()
+    if node.kind == "component" and node.container is not None and "?" not in node.container:
+        space, _, name = node.container.rpartition("/")
+        around = (Rule("", "__node", name), Rule("", "__ns", space or "/"))
+    return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component", around)
 
 
 def _words(text: str, first: str = "") -> list[str]:
@@ -179,6 +185,8 @@ def _implicit(node: RosNode, kind: str, started: Started, ends: tuple[Endpoint, 
     there = {(end.kind, end.name) for end in ends}
     for end in implicit(node.name, kind, node.options, value, node.location):
         final_name = end.name if end.kind == "parameters" else node.remap(end.name, end.kind in SERVICES)
+        if isinstance(sim, Opaque) and value is None and end.kind == "parameters":
+            end = replace(end, effective=None, unknowns=(Unknown("value", sim.reason, sim.location),))
         if (end.kind, final_name) not in there:
             yield replace(end, name=final_name)
 
@@ -216,7 +224,7 @@ def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str],
 
 def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
     """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again."""
-    key = (2, entry.key, files_key(files), started.rules, started.words, started.is_component)
+    key = (2, entry.key, files_key(files), started.rules, started.words, started.is_component, started.around)
     earlier = types.followed.setdefault(key, [])
 
     def parameter(full: str) -> Value | None:
@@ -224,7 +232,7 @@ def run_process(types: Types, entry: Entry, files: frozenset[str], started: Star
         return started.parameters.get(name, inner, node.conditions)
 
     for done in earlier:
-        if all(parameter(name) == value for name, value in done.asked.items()):
+        if all(same(parameter(name), value) for name, value in done.asked.items()):
             return done
     asked: dict[str, Value | None] = {}
 
@@ -242,7 +250,7 @@ def run_process(types: Types, entry: Entry, files: frozenset[str], started: Star
         parameter=ask,
         read_yaml=types.read_yaml,
         process=Process(
-            rules=() if is_component else started.rules, component=started.rules if is_component else None
+            rules=started.around if is_component else started.rules, component=started.rules if is_component else None
         ),
     )
     earlier.append(followed_in(types, entry, files, context, asked, key))

@@ -261,7 +261,7 @@ def run_node(
     key = (entry.key, files_key(files), instance.name, instance.namespace, instance.arguments, wiring, instance.process)
     earlier = types.followed.setdefault(key, [])
     for done in earlier:
-        if all(parameter(name) == value for name, value in done.asked.items()):
+        if all(same(parameter(name), value) for name, value in done.asked.items()):
             return done
     asked: dict[str, Value | None] = {}
 
@@ -296,6 +296,11 @@ def relevance_of(types: Types, entry: Entry, version: tuple[str, int], files: fr
         visible = types.programs.cpp.visible_from(files | {entry.source.path}, types.plugin_files)
         types.views[key] = types.relevance[version].within(visible)
     return types.views[key]
+
+
+def same(one: Value | None, other: Value | None) -> bool:
+    """Whether two values are the same, and not only equal as ``1`` and ``True`` are."""
+    return one is other or (one == other and repr(one) == repr(other))
 
 
 def files_key(files: frozenset[str]) -> str:
