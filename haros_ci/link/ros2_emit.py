@@ -170,7 +170,6 @@ def _effective(
 
     Where it *is_declared* now, what other ways have declared does not count.
     """
-    run = applied.run
     if name is None or node is None:
         return Opaque("the parameter's name is not known", applied.location), None
     found = parameter(applied, node, name, is_declared)

@@ -32,6 +32,7 @@ SWITCHES = (
 )
 #: The options of nodes that a library makes beside the one that it is given, and what they switch off.
 HIDDEN = Known("hidden")
+UNIQUE = "the library gives it another name each time"
 HIDES = ("start_parameter_services", "start_parameter_event_publisher")
 #: Of options: they are those that a component is given. Of a node: nothing is for it that the process is given.
 CONTAINED, ALONE = "(contained)", "(alone)"
@@ -95,7 +96,7 @@ def made(
     options = options.cell.value if isinstance(options, Pointer) else options
     if options == HIDDEN:  # its options rename it to its own name, whatever the process is given
         options = Object("rclcpp::NodeOptions", fields={each: Cell(Known(False)) for each in HIDES})
-        local, is_open = Arguments((Rule("", "__node", text),)), False
+        local, is_open, why = Arguments((Rule("", "__node", text),)), False, why or UNIQUE
     else:
         local, is_open = _arguments(options)
     is_contained = process.component is not None and (isinstance(options, Opaque) or _flag(options, CONTAINED) is True)

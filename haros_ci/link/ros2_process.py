@@ -236,9 +236,8 @@ class Parameters:
                 return Perhaps(f"it may be set: {reason(self.unread)}", self.unread.location)
             return None
         last = found[-1]
-        unread = self._unread_after.get(id(last))
-        if unread is None and self.unread is not None and last.node != node:
-            unread = self.unread  # a section that it has for this very node comes after those for many
+        # What the launch file itself says is not said twice; a file that comes later may be there to say otherwise.
+        unread = self._unread_after.get(id(last)) if last.origin is not None else None
         if unread is not None:
             return Opaque(f"something else may be set: {reason(unread)}", unread.location)
         if not set(last.conditions) <= set(under):

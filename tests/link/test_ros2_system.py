@@ -354,8 +354,6 @@ NO_FILE = '<param from="$(find-pkg-share elsewhere)/y.yaml"/>'
     (
         ("", NO_FILE),
         (' name="n" namespace="/s"', NO_FILE),
-        ("", f'<param name="a" value="z"/>{NO_FILE}'),
-        (' name="n" namespace="/s"', f'<param name="a" value="z"/>{NO_FILE}'),
         ("", '<param name="a" value="$(env NOT_SET)"/>'),
         ("", '<param name="a" value="$(command c)"/>'),
         ("", f'{NO_FILE}<param name="b" value="z"/>'),
@@ -370,13 +368,15 @@ def test_values_that_are_not_known(attributes: str, inner: str) -> None:
     unsure(one(USE, attributes, inner))
 
 
-@pytest.mark.parametrize("attributes", (' name="n" namespace="/s"', ' name="n"'))
-def test_what_comes_after_a_file_that_is_not_read_is_known(attributes: str) -> None:
-    found = one(USE, attributes, f'{NO_FILE}<param name="a" value="z"/>')
-    if "namespace" in attributes:
-        assert parameter(found)[1] == "z"
-    else:
-        unsure(found)  # a section of its name in that file beats the wildcard's
+@pytest.mark.parametrize("attributes", (' name="n" namespace="/s"', ' name="n"', ""))
+@pytest.mark.parametrize("inner", (f'{NO_FILE}<param name="a" value="z"/>', f'<param name="a" value="z"/>{NO_FILE}'))
+def test_what_a_launch_file_says_itself_is_known(attributes: str, inner: str) -> None:
+    assert parameter(one(USE, attributes, inner))[1] == "z"
+
+
+def test_a_file_that_is_not_read_may_override_one_that_is() -> None:
+    assert parameter(from_yaml(section('"/**"'), more=NO_FILE))[1] is None
+    assert parameter(from_yaml(section('"/**"')))[1] == "y"
 
 
 def test_a_parameter_under_a_condition_is_not_certain() -> None:

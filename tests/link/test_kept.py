@@ -1,0 +1,355 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What nodes make is kept between runs: the model is the same byte for byte, and what is not touched is not followed.
+
+A record is checked for its form, not for its truth: one that somebody has written with the right key, digests and shape
+is believed. It is trusted as far as the cache directory is, which is never one of the workspace under analysis unless
+the user names it (tests/hostile).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import pytest
+from follow_kit import CMAKE, ROS2_CMAKE, ROS2_HEAD, ROS2_NODE, main, script, workspace
+
+import haros_ci.link.ros2_system as ros2_system
+import haros_ci.link.system as system
+from haros_ci.architecture import architecture
+from haros_ci.config.settings import Settings
+from haros_ci.link import kept, kept_json
+from haros_ci.link.ros2_process import RosNode, Rule
+from haros_ci.link.run import Made
+from haros_ci.link.values import Known
+from haros_ci.model.location import Location
+from haros_ci.model.workspace import Workspace
+from haros_ci.report.model_json import render
+
+Files = dict[str, str]
+
+
+@dataclass
+class Cache:
+    """A cache in memory; what it keeps goes through JSON. Without *keeps* it has no record of what was followed."""
+
+    kept: dict[tuple[str, str, str], str] = field(default_factory=dict)
+    keeps: bool = True
+
+    def get(self, group: str, path: str, key: str) -> Any:
+        found = self.kept.get((group, path, key))
+        return None if found is None or (group == "linked" and not self.keeps) else json.loads(found)
+
+    def put(self, group: str, path: str, key: str, value: object) -> None:
+        if group != "linked" or self.keeps:
+            self.kept[group, path, key] = json.dumps(value)
+
+    def records(self) -> list[tuple[str, str, str]]:
+        return [place for place in self.kept if place[0] == "linked"]
+
+
+@pytest.fixture
+def followed(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The files in which what is followed begins."""
+    calls: list[str] = []
+    original = system.followed_in
+
+    def counted(types: Any, entry: Any, *rest: Any) -> Any:
+        calls.append(entry.source.path)
+        return original(types, entry, *rest)
+
+    monkeypatch.setattr(system, "followed_in", counted)
+    monkeypatch.setattr(ros2_system, "followed_in", counted)
+    return calls
+
+
+def digested(files: Files, ros: int | None) -> Workspace:
+    made = workspace(files, ros)
+    digests = {path: sha256(text.encode()).hexdigest() for path, text in files.items()}
+    return replace(made, files=tuple(replace(each, digest=digests.get(each.path, "")) for each in made.files))
+
+
+def model(files: Files, cache: Cache, ros: int | None, project: Mapping[str, Any] | None = None) -> str:
+    settings = replace(Settings(root=Path("/nowhere")), project=project or {})
+    found = architecture(digested(files, ros), settings, cache, environment={}, known_nodes=False)
+    return render(found)
+
+
+def again(
+    before: Files,
+    after: Files,
+    followed: list[str],
+    ros: int | None,
+    *projects: Mapping[str, Any],
+) -> tuple[list[str], bool]:
+    """What is followed in a second run, and whether its model is another; it is the same as without a cache."""
+    cache = Cache()
+    first, second = projects or ({}, {})
+    earlier = model(before, cache, ros, first)
+    followed.clear()
+    later = model(after, cache, ros, second)
+    calls = sorted(followed)
+    assert later == model(after, Cache(keeps=False), ros, second)
+    followed.clear()
+    assert model(after, cache, ros, second) == later  # and a third run takes all of it
+    return calls, later != earlier
+
+
+OLDER: Files = {
+    "p/CMakeLists.txt": CMAKE.format("p")
+    + "include_directories(src)\nadd_executable(a src/a.cpp src/work.cpp)\nadd_executable(b src/b.cpp)\n"
+    "catkin_install_python(PROGRAMS scripts/s.py)\n",
+    "p/setup.py": "from distutils.core import setup\nsetup(packages=['lib'], package_dir={'': 'src'})\n",
+    "p/src/lib/__init__.py": "",
+    "p/src/lib/topics.py": "NAME = 'python'\ndef name():\n    return NAME\n",
+    "p/scripts/s.py": script("from lib.topics import name\nPUB(name())\n"),
+    "p/src/names.h": '#pragma once\n#define NAME "chatter"\n#include "more.h"\n',
+    "p/src/more.h": '#pragma once\nstatic const char* more = "more";\n',
+    "p/src/base.h": "#pragma once\n#include <ros/ros.h>\n#include <std_msgs/String.h>\nclass Other {};\n"
+    'class Base { public: void open(ros::NodeHandle& nh) { q = nh.advertise<std_msgs::String>("base", 1); } ros::Publisher q; };\n',
+    "p/src/work.h": '#pragma once\n#include "base.h"\nclass Work : public Base { public: Work(ros::NodeHandle& nh);\nros::Publisher p; };\n'
+    "typedef Work Job;\n",
+    "p/src/work.cpp": '#include "work.h"\n#include "names.h"\nWork::Work(ros::NodeHandle& nh) { open(nh); '
+    "p = nh.advertise<std_msgs::String>(NAME, 1); }\n",
+    "p/src/a.cpp": main("Job w(nh);", '#include "work.h"\n'),
+    "p/src/b.cpp": main('std::string t; nh.param<std::string>("t", t, "d"); auto p = ADV(t, 1);', "struct Idle {};"),
+    "p/src/unused.cpp": "int unused() { return 1; }\n",
+    "p/launch/l.launch": '<launch><node pkg="p" type="a" name="x"/><node pkg="p" type="b" name="y"/>'
+    '<param name="/t" value="given"/><node pkg="p" type="s.py" name="z"/></launch>\n',
+}
+NEWER: Files = {
+    "p/CMakeLists.txt": ROS2_CMAKE.format("p")
+    + "ament_auto_add_library(l SHARED src/n.cpp)\nament_auto_add_executable(m src/m.cpp)\n"
+    'rclcpp_components_register_node(l PLUGIN "N" EXECUTABLE n)\nament_auto_package(INSTALL_TO_SHARE launch)\n',
+    "p/src/names.hpp": 'constexpr const char * TOPIC = "t";\n',
+    "p/src/n.cpp": ROS2_HEAD
+    + '#include "names.hpp"\n'
+    + ROS2_NODE % ('auto p = create_publisher<String>(TOPIC, 1); auto v = declare_parameter("a", "d"); '
+    "auto q = create_publisher<String>(v, 1);", ""),
+    "p/src/m.cpp": '#include <rclcpp/rclcpp.hpp>\nint main(int argc, char ** argv) {\nrclcpp::init(argc, argv);\n'
+    'auto m = std::make_shared<rclcpp::Node>("m"); auto p = m->create_publisher<std_msgs::msg::String>("u", 1);\n}\n',
+    "p/launch/l.launch.xml": '<launch><node pkg="p" exec="n" name="x"><param from="$(find-pkg-share p)/launch/y.yaml"/>'
+    '</node><node pkg="p" exec="m" name="y"/></launch>\n',
+    "p/launch/y.yaml": '"/**":\n  ros__parameters:\n    a: "given"\n',
+}
+A, B, S, N, M = "p/src/a.cpp", "p/src/b.cpp", "p/scripts/s.py", "p/src/n.cpp", "p/src/m.cpp"
+
+
+def edited(files: Files, path: str, old: str, new: str) -> Files:
+    assert old in files[path]
+    return {**files, path: files[path].replace(old, new)}
+
+
+#: Name, file, text before and after, whether the model is another; what is followed anew. Following A goes through all
+#: variables, so that it is followed anew whatever is declared elsewhere. B is not, nor is S but where it is concerned.
+EDITS: list[tuple[str, str, str, str, bool, list[str]]] = [
+    ("comment at the end", "p/src/work.cpp", "1); }\n", "1); }\n// words\n", False, [A]),
+    ("comment in another", "p/src/unused.cpp", "int", "/* words */ int", False, []),
+    ("comment in a Python module", "p/src/lib/topics.py", "def", "# words\ndef", False, [S]),
+    ("literal", "p/src/b.cpp", '"d"', '"e"', True, [B]),
+    ("literal in a module", "p/src/lib/topics.py", "'python'", "'other'", True, [S, A]),
+    ("macro in a header", "p/src/names.h", '"chatter"', '"other"', True, [A]),
+    ("constant that nobody uses", "p/src/more.h", '"more"', '"less"', False, [A]),
+    ("function added", "p/src/unused.cpp", "int", "int more() { return 2; }\nint", False, [A]),
+    ("function removed", "p/src/unused.cpp", "int unused() { return 1; }\n", "", False, [A]),
+    ("method removed", "p/src/work.cpp", "Work::Work(ros::NodeHandle& nh) {", "void f(ros::NodeHandle& nh) { ros::Publisher p;", True, [S, A, B]),
+    ("class renamed", "p/src/base.h", "class Base", "class Bass", True, [S, A, B]),
+    ("base changed", "p/src/work.h", ": public Base", ": public Other", True, [A]),
+    ("typedef changed", "p/src/work.h", "typedef Work Job", "typedef Other Job", True, [A]),
+    ("typedef removed", "p/src/work.h", "typedef Work Job;\n", "", True, [A]),
+    ("include removed", "p/src/work.cpp", '#include "names.h"\n', "", True, [A]),
+    ("include removed further off", "p/src/names.h", '#include "more.h"\n', "", False, [A]),
+    ("ceases to make something", "p/src/base.h", 'q = nh.advertise<std_msgs::String>("base", 1);', "", True, [S, A, B]),
+    ("executable without a file", "p/CMakeLists.txt", " src/work.cpp", "", False, [A]),
+    ("executable renamed", "p/CMakeLists.txt", "add_executable(b ", "add_executable(c ", True, [B]),
+    ("parameter in the launch file", "p/launch/l.launch", "given", "other", True, [B]),
+    ("name in the launch file", "p/launch/l.launch", 'name="y"', 'name="w"', True, [B]),
+    ("remapping", "p/launch/l.launch", 'name="x"/>', 'name="x"><remap from="chatter" to="c"/></node>', True, [A]),
+    ("no parameter", "p/launch/l.launch", '<param name="/t" value="given"/>', "", True, [B]),
+    ("node removed", "p/launch/l.launch", '<node pkg="p" type="s.py" name="z"/>', "", True, [S]),
+]
+
+
+@pytest.mark.parametrize(("path", "old", "new", "is_other", "expected"), [e[1:] for e in EDITS], ids=[e[0] for e in EDITS])
+def test_edits(path: str, old: str, new: str, is_other: bool, expected: list[str], followed: list[str]) -> None:
+    calls, is_changed = again(OLDER, edited(OLDER, path, old, new), followed, None)
+    assert (is_changed, sorted(set(calls))) == (is_other, expected)
+
+
+def test_functions_that_begin_or_cease_to_make_something(followed: list[str]) -> None:
+    """What may make something is known by name alone: a change of that voids the whole record."""
+    idle = edited(edited(OLDER, B, "struct Idle {};", "void help() {}"), B, "ros::spin();", "help();\nros::spin();")
+    making = 'help() { ros::NodeHandle h; static auto s = h.advertise<std_msgs::String>("h", 1); }'
+    busy = edited(idle, B, "help() {}", making)
+    for before, after in ((idle, busy), (busy, idle)):
+        calls, is_changed = again(before, after, followed, None)
+        assert (sorted(set(calls)), is_changed) == (sorted((A, B, S)), True)
+
+
+@pytest.mark.parametrize(
+    ("path", "old", "new", "is_other", "expected"),
+    (
+        ("p/src/names.hpp", '"t"', '"x"', True, [N]),
+        (M, '"u"', '"x"', True, [M]),
+        (M, '"m"', '"x"', False, [M]),  # the launch file renames it
+        ("p/launch/y.yaml", "given", "other", True, [N]),
+        ("p/launch/y.yaml", "a:", "b:", True, [N]),
+        ("p/launch/y.yaml", '"given"', "1", True, [N]),
+        ("p/launch/l.launch.xml", 'name="x"', 'name="w"', True, [N]),
+        ("p/launch/l.launch.xml", 'name="y"/>', 'name="y"><remap from="u" to="w"/></node>', True, [M]),
+        ("p/CMakeLists.txt", "EXECUTABLE n", "EXECUTABLE k", True, [N]),  # it is started alone
+        ("p/CMakeLists.txt", "SHARED src/n.cpp", "SHARED src/n.cpp src/m.cpp", False, [N]),
+    ),
+)
+def test_edits_of_ros2(path: str, old: str, new: str, is_other: bool, expected: list[str], followed: list[str]) -> None:
+    calls, is_changed = again(NEWER, edited(NEWER, path, old, new), followed, 2)
+    assert (is_changed, sorted(set(calls))) == (is_other, expected)
+
+
+@pytest.mark.parametrize("ros", (None, 2))
+def test_without_an_edit_nothing_is_followed(ros: int | None, followed: list[str]) -> None:
+    files = NEWER if ros == 2 else OLDER
+    assert again(files, files, followed, ros) == ([], False)
+
+
+@pytest.mark.parametrize("path", ("p/src/new.cpp", "p/src/new.h", "p/src/lib/new.py"))
+def test_files_that_come_and_go(path: str, followed: list[str]) -> None:
+    """A name may mean something else from then on: all is followed anew."""
+    more = {**OLDER, path: "" if path.endswith("py") else "class Other { public: int there; };\n"}
+    for before, after in ((OLDER, more), (more, OLDER)):
+        calls, _ = again(before, after, followed, None)
+        assert sorted(set(calls)) == sorted((A, B, S))
+
+
+def test_a_file_that_no_program_is_made_of_comes(followed: list[str]) -> None:
+    assert again(OLDER, {**OLDER, "p/notes.md": "words"}, followed, None) == ([], False)
+
+
+ROW = {"call": "help", "args": [0], "makes": [{"kind": "publishers", "name": "row", "type": "std_msgs/String"}]}
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    (
+        ({}, {"apis": [ROW]}),
+        ({"apis": [ROW]}, {}),
+        ({"apis": [ROW]}, {"apis": [{**ROW, "makes": [{**ROW["makes"][0], "name": "other"}]}]}),  # type: ignore[index]
+    ),
+)
+def test_rows_of_the_project_file_are_for_all(before: Any, after: Any, followed: list[str]) -> None:
+    calls, _ = again(OLDER, OLDER, followed, None, before, after)
+    assert sorted(set(calls)) == sorted((A, B, S))
+
+
+@pytest.mark.parametrize(
+    "after", ({"nodes": {"p/a": {"publishers": []}}}, {"configurations": {"c": {"launch": ["p/launch/l.launch"]}}})
+)
+def test_other_settings_follow_nothing_anew(after: Any, followed: list[str]) -> None:
+    calls, _ = again(OLDER, OLDER, followed, None, {}, after)
+    assert calls == []
+
+
+def test_facts_that_are_gone_void_the_record(followed: list[str]) -> None:
+    cache = Cache()
+    model(OLDER, cache, None)
+    for place in [place for place in cache.kept if place[0] == "facts-cpp"]:
+        del cache.kept[place]
+    followed.clear()
+    after = edited(OLDER, B, '"d"', '"e"')
+    assert model(after, cache, None) == model(after, Cache(keeps=False), None)
+    assert {A, B, S} <= set(followed)
+
+
+def values(data: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """The ways to all values in *data*."""
+    found = [path]
+    if isinstance(data, list):
+        for number, item in enumerate(data):
+            found += values(item, (*path, number))
+    return found
+
+
+def put(data: Any, path: tuple[Any, ...], value: Any) -> Any:
+    if not path:
+        return value
+    made = list(data)
+    made[path[0]] = put(data[path[0]], path[1:], value)
+    return made
+
+
+HOSTILE: tuple[Any, ...] = (None, True, -1, 1 << 70, 1e308, "", "\ud800\x1b[31m", [], {}, [[]], ["t"], ["Made"], [["t"], 1])
+
+
+@pytest.mark.parametrize("number", range(len(HOSTILE)))
+@pytest.mark.parametrize("ros", (None, 2))
+def test_a_record_with_another_value_anywhere(number: int, ros: int | None) -> None:
+    """It may be believed where it has the right form, and it never raises; the files' own digests are never another's."""
+    files = NEWER if ros == 2 else OLDER
+    cache = Cache()
+    model(files, cache, ros)
+    ((place, text),) = ((place, cache.kept[place]) for place in cache.records())
+    data = json.loads(text)
+    ways = values(data)
+    for way in ways[number :: max(1, len(ways) // 60)]:
+        planted = put(data, way, HOSTILE[number])
+        found = kept.read(planted)
+        assert found is None or isinstance(found, kept.Record)
+        if found is None:
+            continue
+        spoiled = Cache({**cache.kept, place: json.dumps(planted)})
+        model(files, spoiled, ros)
+
+
+@pytest.mark.parametrize(
+    "data",
+    (
+        *(None, 0, True, "", "abc", [], {}, [1, 2, 3], [[], [], []][:2], [{}, {}, {}], [[], [], [], []]),
+        *([[["p", 1]], [], []], [[[1, "d"]], [], []], [[["p"]], [], []], [[], [[[0], "", True]], []]),
+        *([[], [[[-1], "", True]], []], [[], [[[], "no base64!", True]], []], [[], [[[], "AAA", True]], []]),
+        *([[], [[[], "", True]], [[0]]], [[], [[[], "AAAA", 0]], [[0, "k", ["t"], 0, [], [], [], ["t"]]]]),
+        *([[], [], [[0, "k", ["t"], 0, [], [], [], ["t"]]]], [[], [[[], "", 1]], [[0, [], ["t"], 0, [], [], [], ["t"]]]]),
+        *([[], [[[], "", 1]], [[0, ["l"], ["t"], 0, [], [], [], ["t"]]]],),
+        json.loads("[" * 500 + "]" * 500),
+    ),
+)
+def test_planted_records_change_nothing(data: Any) -> None:
+    cache = Cache()
+    expected = model(OLDER, cache, None)
+    (place,) = cache.records()
+    cache.kept[place] = json.dumps(data)
+    assert model(OLDER, cache, None) == expected
+
+
+HERE = Location("p/a.cpp", 1)
+NODE = RosNode("/n", "/", "/", "node", "N", HERE, rules=(Rule("", "a", "b"),))
+MADE = Made("publishers", "/t", "std_msgs/String", HERE, (), value=[1, {"a": (1.5, None)}])
+
+
+@pytest.mark.parametrize("value", (NODE, MADE, Known([True, 1, 1.0, "x"]), (1, [2, {"a": HERE}]), None))
+def test_what_is_kept_comes_back(value: Any) -> None:
+    found = kept_json.from_json(json.loads(json.dumps(kept_json.to_json(value))))
+    assert repr(found) == repr(value)
+
+
+@pytest.mark.parametrize("value", (object(), {1: 2}, {"a": {3}}, Known(b"x"), Known(object()), [lambda: 1]))
+def test_what_cannot_be_kept(value: Any) -> None:
+    with pytest.raises(kept_json.Unfit):
+        kept_json.to_json(value)
+
+
+def deep(make: Callable[[Any], Any]) -> Any:
+    found: Any = []
+    for _ in range(200):
+        found = make(found)
+    return found
+
+
+def test_what_is_too_deep_is_not_kept() -> None:
+    with pytest.raises(kept_json.Unfit):
+        kept_json.to_json(deep(lambda inner: [inner]))
+    with pytest.raises(kept_json.Unfit):
+        kept_json.from_json(deep(lambda inner: ["l", inner]))
