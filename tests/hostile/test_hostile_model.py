@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from dataclasses import fields
 from pathlib import Path
 
@@ -127,3 +128,24 @@ def test_a_planted_cache(tmp_path: Path) -> None:
         assert done.returncode == 0, done.stderr
         assert "Traceback" not in done.stderr
     assert spoilt
+
+
+def test_a_planted_record_of_what_was_followed(tmp_path: Path) -> None:
+    """Records of any shape: the run ends well, and one that is not understood leaves the model as it is."""
+    root = write(tmp_path / "ws", GOOD)
+    cache = tmp_path / "cache"
+    expected = haros("model", ".", "--format=json", f"--cache-dir={cache}", cwd=root).stdout
+    shards = [path for path in cache.iterdir() if path.name.startswith("linked-")]
+    assert shards
+    spoilt = tmp_path / "spoilt"
+    wholes: tuple[object, ...] = (None, 1, "planted", [], {}, [[], [], []], [1, 2, 3], [[["planted"]], [], []])
+    for turn, whole in enumerate((*wholes, *("spoil" for _ in range(8)))):
+        shutil.copytree(cache, spoilt, dirs_exist_ok=True)
+        for path in shards:
+            document = json.loads(path.read_text())
+            for entry in document["entries"].values():
+                entry[1] = spoil(entry[1], turn) if whole == "spoil" else whole
+            (spoilt / path.name).write_text(json.dumps(document))
+        done = haros("model", ".", "--format=json", f"--cache-dir={spoilt}", cwd=root)
+        assert done.returncode == 0 and "Traceback" not in done.stderr, done.stderr
+        assert done.stdout == expected

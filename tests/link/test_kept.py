@@ -128,9 +128,13 @@ NEWER: Files = {
     "p/src/names.hpp": 'constexpr const char * TOPIC = "t";\n',
     "p/src/n.cpp": ROS2_HEAD
     + '#include "names.hpp"\n'
-    + ROS2_NODE % ('auto p = create_publisher<String>(TOPIC, 1); auto v = declare_parameter("a", "d"); '
-    "auto q = create_publisher<String>(v, 1);", ""),
-    "p/src/m.cpp": '#include <rclcpp/rclcpp.hpp>\nint main(int argc, char ** argv) {\nrclcpp::init(argc, argv);\n'
+    + ROS2_NODE
+    % (
+        'auto p = create_publisher<String>(TOPIC, 1); auto v = declare_parameter("a", "d"); '
+        "auto q = create_publisher<String>(v, 1);",
+        "",
+    ),
+    "p/src/m.cpp": "#include <rclcpp/rclcpp.hpp>\nint main(int argc, char ** argv) {\nrclcpp::init(argc, argv);\n"
     'auto m = std::make_shared<rclcpp::Node>("m"); auto p = m->create_publisher<std_msgs::msg::String>("u", 1);\n}\n',
     "p/launch/l.launch.xml": '<launch><node pkg="p" exec="n" name="x"><param from="$(find-pkg-share p)/launch/y.yaml"/>'
     '</node><node pkg="p" exec="m" name="y"/></launch>\n',
@@ -156,7 +160,14 @@ EDITS: list[tuple[str, str, str, str, bool, list[str]]] = [
     ("constant that nobody uses", "p/src/more.h", '"more"', '"less"', False, [A]),
     ("function added", "p/src/unused.cpp", "int", "int more() { return 2; }\nint", False, [A]),
     ("function removed", "p/src/unused.cpp", "int unused() { return 1; }\n", "", False, [A]),
-    ("method removed", "p/src/work.cpp", "Work::Work(ros::NodeHandle& nh) {", "void f(ros::NodeHandle& nh) { ros::Publisher p;", True, [S, A, B]),
+    (
+        "method removed",
+        "p/src/work.cpp",
+        "Work::Work(ros::NodeHandle& nh) {",
+        "void f(ros::NodeHandle& nh) { ros::Publisher p;",
+        True,
+        [S, A, B],
+    ),
     ("class renamed", "p/src/base.h", "class Base", "class Bass", True, [S, A, B]),
     ("base changed", "p/src/work.h", ": public Base", ": public Other", True, [A]),
     ("typedef changed", "p/src/work.h", "typedef Work Job", "typedef Other Job", True, [A]),
@@ -174,7 +185,9 @@ EDITS: list[tuple[str, str, str, str, bool, list[str]]] = [
 ]
 
 
-@pytest.mark.parametrize(("path", "old", "new", "is_other", "expected"), [e[1:] for e in EDITS], ids=[e[0] for e in EDITS])
+@pytest.mark.parametrize(
+    ("path", "old", "new", "is_other", "expected"), [e[1:] for e in EDITS], ids=[e[0] for e in EDITS]
+)
 def test_edits(path: str, old: str, new: str, is_other: bool, expected: list[str], followed: list[str]) -> None:
     calls, is_changed = again(OLDER, edited(OLDER, path, old, new), followed, None)
     assert (is_changed, sorted(set(calls))) == (is_other, expected)
@@ -281,7 +294,21 @@ def put(data: Any, path: tuple[Any, ...], value: Any) -> Any:
     return made
 
 
-HOSTILE: tuple[Any, ...] = (None, True, -1, 1 << 70, 1e308, "", "\ud800\x1b[31m", [], {}, [[]], ["t"], ["Made"], [["t"], 1])
+HOSTILE: tuple[Any, ...] = (
+    None,
+    True,
+    -1,
+    1 << 70,
+    1e308,
+    "",
+    "\ud800\x1b[31m",
+    [],
+    {},
+    [[]],
+    ["t"],
+    ["Made"],
+    [["t"], 1],
+)
 
 
 @pytest.mark.parametrize("number", range(len(HOSTILE)))
@@ -311,7 +338,10 @@ def test_a_record_with_another_value_anywhere(number: int, ros: int | None) -> N
         *([[["p", 1]], [], []], [[[1, "d"]], [], []], [[["p"]], [], []], [[], [[[0], "", True]], []]),
         *([[], [[[-1], "", True]], []], [[], [[[], "no base64!", True]], []], [[], [[[], "AAA", True]], []]),
         *([[], [[[], "", True]], [[0]]], [[], [[[], "AAAA", 0]], [[0, "k", ["t"], 0, [], [], [], ["t"]]]]),
-        *([[], [], [[0, "k", ["t"], 0, [], [], [], ["t"]]]], [[], [[[], "", 1]], [[0, [], ["t"], 0, [], [], [], ["t"]]]]),
+        *(
+            [[], [], [[0, "k", ["t"], 0, [], [], [], ["t"]]]],
+            [[], [[[], "", 1]], [[0, [], ["t"], 0, [], [], [], ["t"]]]],
+        ),
         *([[], [[[], "", 1]], [[0, ["l"], ["t"], 0, [], [], [], ["t"]]]],),
         json.loads("[" * 500 + "]" * 500),
     ),

@@ -62,7 +62,9 @@ def one(body: str, attributes: str = "", inner: str = "", members: str = "") -> 
 def program(body: str, launch: str, before: str = "") -> Configuration:
     """The configuration of an XML launch file that starts a program with *body* in ``main``."""
     text = f"{ROS2_HEAD}{before}\nint main(int argc, char ** argv) {{\nrclcpp::init(argc, argv);\n{body}\n}}\n"
-    cmake = ROS2_CMAKE.format("p") + "ament_auto_add_executable(n src/n.cpp)\nament_auto_package(INSTALL_TO_SHARE launch)\n"
+    cmake = (
+        ROS2_CMAKE.format("p") + "ament_auto_add_executable(n src/n.cpp)\nament_auto_package(INSTALL_TO_SHARE launch)\n"
+    )
     return only(follow({"p/CMakeLists.txt": cmake, "p/src/n.cpp": text, "p/launch/l.launch.xml": launch}, 2))
 
 
@@ -231,7 +233,9 @@ USE = DECLARE + PUB.format("v")
 def from_yaml(text: str, attributes: str = ' name="n" namespace="/s"', more: str = "", body: str = USE) -> Node:
     """The node with a parameter file of that *text*, then *more*."""
     inner = f'<param from="$(find-pkg-share p)/launch/y.yaml"/>{more}'
-    files = ros2_files(ROS2_HEAD + ROS2_NODE % (body, ""), {"l.launch.xml": NODE_XML.format(attributes, inner), "y.yaml": text})
+    files = ros2_files(
+        ROS2_HEAD + ROS2_NODE % (body, ""), {"l.launch.xml": NODE_XML.format(attributes, inner), "y.yaml": text}
+    )
     return only(follow(files, 2)).nodes[0]
 
 
@@ -380,9 +384,7 @@ def test_a_file_that_is_not_read_may_override_one_that_is() -> None:
 
 
 def test_a_parameter_under_a_condition_is_not_certain() -> None:
-    launch = (
-        '<launch><arg name="x"/><set_parameter name="a" value="z" if="$(var x)"/><node pkg="p" exec="n"/></launch>'
-    )
+    launch = '<launch><arg name="x"/><set_parameter name="a" value="z" if="$(var x)"/><node pkg="p" exec="n"/></launch>'
     (found,) = launched(USE, launch).nodes
     unsure(found)
 
@@ -463,7 +465,11 @@ def test_lifecycle_nodes() -> None:
 
 
 def test_a_component_in_a_container() -> None:
-    found = by_name(launched(USE, CONTAINER.format(' name="m" namespace="/s"', '<remap from="z" to="y"/><param name="a" value="z"/>')))
+    found = by_name(
+        launched(
+            USE, CONTAINER.format(' name="m" namespace="/s"', '<remap from="z" to="y"/><param name="a" value="z"/>')
+        )
+    )
     assert sorted(found) == ["/c/box", "/s/m"]
     (node,), (box,) = found["/s/m"], found["/c/box"]
     assert (node.kind, node.container, node.process, node.class_name) == ("component", "/c/box", "/c/box", "N")
@@ -574,7 +580,9 @@ def test_two_equal_nodes() -> None:
 
 def test_a_node_made_in_a_loop_or_on_two_ways_is_told_once() -> None:
     body = 'for (int i = 0; i < count(); i++) { nodes.push_back(std::make_shared<rclcpp::Node>("a")); }'
-    assert [each.name for each in ros2_main(body, "int count();\nstd::vector<rclcpp::Node::SharedPtr> nodes;\n").nodes] == ["/a"]
+    assert [
+        each.name for each in ros2_main(body, "int count();\nstd::vector<rclcpp::Node::SharedPtr> nodes;\n").nodes
+    ] == ["/a"]
 
 
 def test_values_that_compare_equal_are_kept_apart() -> None:
@@ -625,9 +633,13 @@ def test_what_a_wrapper_makes_stands_at_the_outer_call() -> None:
 def test_mixed_workspaces() -> None:
     older = {
         path.replace("p/", "old/", 1): text.replace("project(p)", "project(old)")
-        for path, text in cpp_files(main('auto p = ADV("t", 1);'), '<launch><node pkg="old" type="n" name="o"/></launch>').items()
+        for path, text in cpp_files(
+            main('auto p = ADV("t", 1);'), '<launch><node pkg="old" type="n" name="o"/></launch>'
+        ).items()
     }
-    newer = ros2_files(ROS2_HEAD + ROS2_NODE % (PUB.format('"t"'), ""), {"l.launch.xml": NODE_XML.format(' name="m"', "")})
+    newer = ros2_files(
+        ROS2_HEAD + ROS2_NODE % (PUB.format('"t"'), ""), {"l.launch.xml": NODE_XML.format(' name="m"', "")}
+    )
     both = workspace({**older, **newer})
     packages = tuple(replace(each, ros=1 if each.name == "old" else 2) for each in both.packages)
     settings = Settings(root=both.root)
