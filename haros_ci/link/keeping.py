@@ -66,14 +66,19 @@ def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]
         return [each for version, each in types.relevance.items() if version[0] == language]
 
     change = kept.change_of(record.files, keeper.files, before, sources.get, relevance)
+
     indexes = (types.programs.cpp, types.programs.python)
+
+    def visible(paths: frozenset[str]) -> frozenset[str]:
+        return types.programs.cpp.visible_from(paths, types.plugin_files)
+
     holding: dict[int, bool] = {}
     found = []
     for followed_key, followed in record.followed:
         consulted = followed.consulted
         assert consulted is not None
         if id(consulted) not in holding:
-            holding[id(consulted)] = kept.holds(consulted, change, indexes)
+            holding[id(consulted)] = kept.holds(consulted, change, indexes, visible)
         if holding[id(consulted)]:
             types.followed.setdefault(followed_key, []).append(followed)
             found.append((followed_key, followed))

@@ -51,6 +51,7 @@ class Consulted:
     paths: tuple[str, ...]
     names: bytes
     has_scanned: bool
+    roots: tuple[str, ...] = ()
 
 
 @dataclass(slots=True)
@@ -70,7 +71,8 @@ def small(trace: Trace) -> Consulted | None:
     if not trace.is_whole:
         return None
     numbers = sorted({number_of(name) for name in trace.names})
-    return Consulted(tuple(sorted(trace.paths)), pack(f"<{len(numbers)}I", *numbers), trace.has_scanned)
+    paths, roots = tuple(sorted(trace.paths)), tuple(sorted(trace.roots))
+    return Consulted(paths, pack(f"<{len(numbers)}I", *numbers), trace.has_scanned, roots)
 
 
 def number_of(name: str) -> int:
@@ -82,8 +84,13 @@ def last(name: str) -> str:
     return name.rpartition("::")[2].rpartition(".")[2] or name
 
 
-def holds(consulted: Consulted, change: Change, indexes: Sequence[Index]) -> bool:
-    """Whether what was consulted is as it was."""
+def holds(
+    consulted: Consulted,
+    change: Change,
+    indexes: Sequence[Index],
+    visible: Callable[[frozenset[str]], frozenset[str]],
+) -> bool:
+    """Whether what was consulted is as it was; *visible* gives all files whose code some files can run."""
     if change.is_all or not change.paths.isdisjoint(consulted.paths):
         return False
     if change.names:
@@ -96,6 +103,7 @@ def holds(consulted: Consulted, change: Change, indexes: Sequence[Index]) -> boo
         for index in indexes:
             if any(not change.includes.isdisjoint(index.reach(path)) for path in consulted.paths):
                 return False
+        return not consulted.roots or change.includes.isdisjoint(visible(frozenset(consulted.roots)))
     return True
 
 
@@ -215,7 +223,12 @@ def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) 
             continue
         items.append([traces.setdefault(each.consulted, len(traces)), *item])
     kept_traces = [
-        [[paths[p] for p in each.paths if p in paths], b64encode(each.names).decode(), each.has_scanned]
+        [
+            [paths[p] for p in each.paths if p in paths],
+            b64encode(each.names).decode(),
+            each.has_scanned,
+            [paths[p] for p in each.roots if p in paths],
+        ]
         for each in traces
     ]
     return [list(files.items()), kept_traces, items]
@@ -241,8 +254,8 @@ def read(data: Any) -> Record | None:
         known = {_text(path): _text(digest) for path, digest in files}
         paths = sorted(known)
         consulted = [
-            Consulted(tuple(paths[_index(n, paths)] for n in numbers), b64decode(_text(names)), bool(scanned))
-            for numbers, names, scanned in traces
+            Consulted(_paths(numbers, paths), b64decode(_text(names)), bool(scanned), _paths(roots, paths))
+            for numbers, names, scanned, roots in traces
         ]
         followed = []
         for trace, key, table, count, made, asked, gaps, names in items:
@@ -280,6 +293,10 @@ def _text(value: Any) -> str:
     if not isinstance(value, str):
         raise Unfit
     return value
+
+
+def _paths(numbers: Any, paths: Sequence[str]) -> tuple[str, ...]:
+    return tuple(paths[_index(number, paths)] for number in numbers)
 
 
 def _count(value: Any) -> int:

@@ -333,6 +333,8 @@ def _followed_in(
 ) -> Followed:
     index = types.programs.index_of(entry)
     trace.paths |= {entry.source.path, *files}
+    if entry.source.separator == "::" and context.process is not None and files:
+        trace.roots |= {entry.source.path, *files}
     language = "python" if entry.source.program.language == "python" else "cpp"
     version = (language, 1 if context.process is None else 2)
     relevance = relevance_of(types, entry, version, files)

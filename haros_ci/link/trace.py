@@ -13,13 +13,14 @@ class Trace:
     """Consulted by the nodes of one set of files.
 
     *names* are the last parts of names, *paths* those of C++ and Python files, *has_scanned* whether all classes were
-    gone through, *is_whole* whether this is all: other inputs (plug-ins that load others, YAML files) are not traced.
+    gone through, *roots* the files from which it was looked for what their code can reach, *is_whole* whether this is all: other inputs (plug-ins that load others, YAML files) are not traced.
     """
 
     names: set[str] = field(default_factory=set)
     paths: set[str] = field(default_factory=set)
     has_scanned: bool = False
     is_whole: bool = True
+    roots: set[str] = field(default_factory=set)
     #: What ``Index.near`` has found, and the names that were looked up in each table.
     near: dict[Any, list[Any]] = field(default_factory=dict, repr=False, compare=False)
     seen: dict[int, set[str]] = field(default_factory=dict, repr=False, compare=False)
