@@ -8,7 +8,21 @@ from typing import Any
 
 from haros_ci.link import conversions, copies, dispatch, expressions, havoc, members, statements
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.values import NONE, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Value, data_of, join
+from haros_ci.link.values import (
+    NONE,
+    Callable,
+    Cell,
+    Choice,
+    Known,
+    Library,
+    Mapped,
+    Object,
+    Pointer,
+    Sequence,
+    Value,
+    data_of,
+    join,
+)
 from haros_ci.model.program import Expression
 
 UNCERTAIN = "it is assigned to in a way that is not followed"
@@ -17,6 +31,8 @@ UNCERTAIN = "it is assigned to in a way that is not followed"
 def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
     """What has no single cell is assigned to: all that may be meant is what it was or the value, or not known."""
     tag = target[0]
+    if tag == "field" and isinstance(value, Callable) and _given_to_library(run, frame, target, value):
+        return
     if tag == "cast":
         lost(run, frame, target[2], value)
     elif tag == "if":
@@ -61,6 +77,19 @@ def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
         cell = _root(run, frame, target[1][1])
         if cell is not None:
             _forget(run, frame, cell)
+
+
+def _given_to_library(run: Run, frame: Frame, target: Expression, value: Callable) -> bool:
+    """A function is assigned to a member of a struct inside a library's object: the struct is made, as a part of it."""
+    inside = expressions.evaluate(run, frame, target[1])
+    if not isinstance(inside, Library) or target[1][0] != "field" or frame.source.separator != "::":
+        return False
+    if not isinstance(inside.this, Object) or inside.this.definition is not None:
+        return False
+    struct = Object(inside.name, location=inside.this.location)
+    struct.fields[target[2]] = Cell(value)
+    inside.this.fields[target[1][2]] = Cell(struct)
+    return True
 
 
 def _inside(run: Run, frame: Frame, target: Expression, container: Known, key: Value, value: Value) -> None:

@@ -11,6 +11,15 @@ PUBLISHER, SUBSCRIPTION = "rclcpp::Publisher", "rclcpp::Subscription"
 SERVICE, CLIENT = "rclcpp::Service", "rclcpp::Client"
 
 
+#: Members of ``event_callbacks`` in the options of publishers and subscriptions (rclcpp/event_handler.hpp).
+EVENTS = ("deadline", "liveliness", "incompatible_qos", "incompatible_type", "message_lost", "matched")
+
+
+def events(options: int) -> list[str]:
+    """Selectors of the functions that are called on events, as argument *options* says."""
+    return [f"{options}.event_callbacks.{event}_callback" for event in EVENTS]
+
+
 def _row(call: str, args: list[int], kind: str, name: int, **more: Any) -> dict[str, object]:
     """A call that makes one *kind* of endpoint, named by argument *name*; *more* are keys of it and of the row."""
     outer: dict[str, Any] = {key: more.pop(key) for key in ("when", "calls", "returns", "fills") if key in more}
@@ -23,7 +32,8 @@ def _topic(call: str, args: list[int], name: int, generic: bool = False, **more:
     kind = {"type": f"{{{name + 1}}}"} if generic else {"type": "{<0>}"}
     keys = {**kind, "qos": f"{{{qos}}}", "options": f"{{{qos + 1}}}", **more}
     returns = "rclcpp::GenericPublisher" if generic else PUBLISHER
-    return [_row(call, args, "publishers", name, **keys, fills={"topic": f"{{resolve({name})}}"}, returns=returns)]
+    fills = {"topic": f"{{resolve({name})}}"}
+    return [_row(call, args, "publishers", name, **keys, calls=events(qos + 1), fills=fills, returns=returns)]
 
 
 def _subscription(call: str, args: list[int], name: int, generic: bool = False, **more: Any) -> list[dict[str, object]]:
@@ -33,7 +43,8 @@ def _subscription(call: str, args: list[int], name: int, generic: bool = False, 
     keys = {**kind, "qos": f"{{{qos}}}", "options": f"{{{qos + 2}}}", **more}
     fills = {"topic": f"{{resolve({name})}}"}
     returns = "rclcpp::GenericSubscription" if generic else SUBSCRIPTION
-    return [_row(call, args, "subscribers", name, **keys, calls=[str(qos + 1)], fills=fills, returns=returns)]
+    calls = [str(qos + 1), *events(qos + 2)]
+    return [_row(call, args, "subscribers", name, **keys, calls=calls, fills=fills, returns=returns)]
 
 
 def _service(call: str, args: list[int], name: int, generic: bool = False, **more: Any) -> list[dict[str, object]]:

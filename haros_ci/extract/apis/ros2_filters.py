@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from haros_ci.extract.apis.ros2_endpoints import events
+
 SIMPLE = "message_filters::SimpleFilter"
 # fmt: off
 ROWS: tuple[Mapping[str, object], ...] = (
@@ -13,12 +15,14 @@ ROWS: tuple[Mapping[str, object], ...] = (
     {"class": "message_filters::Subscriber", "bases": [SIMPLE]},
     {"call": "message_filters::Subscriber", "args": [2, 3, 4],
      "makes": [{"kind": "subscribers", "name": "{1}", "type": "{<0>}", "qos": "{2?rmw_qos_profile_default}",
-                "options": "{3}", "namespace": "{0}"}]},
+                "options": "{3}", "namespace": "{0}"}],
+     "calls": events(3)},
     {"call": "message_filters::Subscriber::subscribe", "args": [0]},
     {"call": "message_filters::Subscriber::unsubscribe", "args": [0]},
     {"call": "message_filters::Subscriber::subscribe", "args": [2, 3, 4],
      "makes": [{"kind": "subscribers", "name": "{1}", "type": "{this<0>}", "qos": "{2?rmw_qos_profile_default}",
-                "options": "{3}", "namespace": "{0}"}]},
+                "options": "{3}", "namespace": "{0}"}],
+     "calls": events(3)},
 
     # message_filters/simple_filter.hpp: with a function, or a method and its object.
     {"call": f"{SIMPLE}::registerCallback", "args": [1, 2], "calls": ["0"],

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from haros_ci.extract.apis.ros2_endpoints import events
+
 IMAGE, INFO, CLOUD = "sensor_msgs/msg/Image", "sensor_msgs/msg/CameraInfo", "sensor_msgs/msg/PointCloud2"
 DEFAULT = "rmw_qos_profile_default"
 
@@ -35,13 +37,13 @@ ROWS: tuple[Mapping[str, object], ...] = (
     # image_transport/image_transport.hpp: functions that are given a node, a topic, for subscriptions a callback and a
     # transport; then a quality of service and options.
     {"call": "image_transport::create_publisher", "args": [2, 3, 4],
-     "makes": _ends("publishers", 1, f"{{2?{DEFAULT}}}", "{0}", False, "{3}"),
+     "makes": _ends("publishers", 1, f"{{2?{DEFAULT}}}", "{0}", False, "{3}"), "calls": events(3),
      "returns": "image_transport::Publisher", "fills": {"node": "{0}", "topic": "{resolve(1)}"}},
     {"call": "image_transport::create_camera_publisher", "args": [2, 3, 4],
-     "makes": _ends("publishers", 1, f"{{2?{DEFAULT}}}", "{0}", True, "{3}"),
+     "makes": _ends("publishers", 1, f"{{2?{DEFAULT}}}", "{0}", True, "{3}"), "calls": events(3),
      "returns": "image_transport::CameraPublisher", "fills": {"node": "{0}", "topic": "{resolve(1)}"}},
     {"call": "image_transport::create_subscription", "args": [4, 5, 6],
-     "makes": _ends("subscribers", 1, f"{{4?{DEFAULT}}}", "{0}", False, "{5}"), "calls": ["2"],
+     "makes": _ends("subscribers", 1, f"{{4?{DEFAULT}}}", "{0}", False, "{5}"), "calls": ["2", *events(5)],
      "returns": "image_transport::Subscriber", "fills": {"node": "{0}", "topic": "{resolve(1)}"}},
     {"call": "image_transport::create_camera_subscription", "args": [4, 5],
      "makes": _ends("subscribers", 1, f"{{4?{DEFAULT}}}", "{0}", True), "calls": ["2"],
@@ -70,12 +72,16 @@ ROWS: tuple[Mapping[str, object], ...] = (
     *({"call": f"image_transport::{owner}::getTopic", "args": [0], "returns": "{this.topic}"}
       for owner in ("Publisher", "CameraPublisher", "Subscriber", "CameraSubscriber")),
 
+    # image_transport/camera_common.hpp: the given name counts as resolved.
+    {"call": "image_transport::getCameraInfoTopic", "args": [1], "returns": "{above(0)}camera_info"},
+
     # image_transport/transport_hints.hpp, subscriber_filter.hpp
     {"call": "image_transport::TransportHints", "args": [1, 2, 3], "makes": [_transport("{0}")],
      "fills": {"transport": "{parameter|1?raw}"}},
     {"call": "image_transport::TransportHints::getTransport", "args": [0], "returns": "{this.transport}"},
     {"class": "image_transport::SubscriberFilter", "bases": ["message_filters::SimpleFilter"]},
-    *({"call": name, "args": [3, 4, 5], "makes": _ends("subscribers", 1, f"{{3?{DEFAULT}}}", "{0}", False, "{4}")}
+    *({"call": name, "args": [3, 4, 5], "makes": _ends("subscribers", 1, f"{{3?{DEFAULT}}}", "{0}", False, "{4}"),
+       "calls": events(4)}
       for name in ("image_transport::SubscriberFilter", "image_transport::SubscriberFilter::subscribe")),
 
     # camera_info_manager/camera_info_manager.hpp: a node, or its interfaces for itself, services and logging.
@@ -93,16 +99,16 @@ ROWS: tuple[Mapping[str, object], ...] = (
     {"call": "point_cloud_transport::create_publisher", "args": [2, 3, 4],
      "makes": [{"kind": "publishers", "name": "{1}", "type": CLOUD, "qos": f"{{2?{DEFAULT}}}", "options": "{3}",
                 "namespace": "{0}"}],
-     "returns": "point_cloud_transport::Publisher", "fills": {"node": "{0}"}},
+     "calls": events(3), "returns": "point_cloud_transport::Publisher", "fills": {"node": "{0}"}},
     {"call": "point_cloud_transport::create_subscription", "args": [4, 5, 6],
      "makes": [{"kind": "subscribers", "name": "{1}", "type": CLOUD, "qos": f"{{4?{DEFAULT}}}", "options": "{5}",
                 "namespace": "{0}"}],
-     "calls": ["2"], "returns": "point_cloud_transport::Subscriber", "fills": {"node": "{0}"}},
+     "calls": ["2", *events(5)], "returns": "point_cloud_transport::Subscriber", "fills": {"node": "{0}"}},
     {"call": "point_cloud_transport::PointCloudTransport", "args": [1], "fills": {"node": "{0}"}},
     *({"call": "point_cloud_transport::PointCloudTransport::advertise", "args": [2, 3], **when,
        "makes": [{"kind": "publishers", "name": "{0}", "type": CLOUD, "qos": qos, "options": "{2}",
                   "namespace": OWN}],
-       "returns": "point_cloud_transport::Publisher"}
+       "calls": events(2), "returns": "point_cloud_transport::Publisher"}
       for when, qos in (({"when": {"1": "int"}}, "rmw_qos_profile_sensor_data:{1}"), ({}, "{1}"))),
     *({"call": "point_cloud_transport::PointCloudTransport::subscribe", "args": [3, 4, 5], **when,
        "makes": [{"kind": "subscribers", "name": "{0}", "type": CLOUD, "qos": qos, "namespace": OWN}],
