@@ -22,6 +22,8 @@ Entity = TypeVar("Entity")
 ALIASES = 8
 #: Why one of several definitions is not told from the others.
 EITHER = "it is defined more than once"
+#: What macros that declare smart pointers to a class put after its name, the longest first.
+POINTERS = ("ConstUniquePtr", "ConstWeakPtr", "UniquePtr", "WeakPtr", "ConstPtr", "Ptr")
 HEADERS = (".h", ".hh", ".hpp", ".hxx", ".H", ".inl", ".ipp", ".tpp")
 
 
@@ -327,6 +329,16 @@ def aliased(index: Index, name: str, source: Source | None = None, depth: int = 
             target = next((each for each in deeper if each is not None), None)
         targets.add(None if alias.type[2] else target)
     return targets.pop() if len(targets) == 1 else None
+
+
+def pointed_class(index: Index, name: str, scope: str, source: Source) -> str | None:
+    """The class of the workspace that a name of no type ends in ``Ptr`` after: a macro has declared a pointer to it."""
+    for suffix in POINTERS:
+        bare = name.removesuffix(suffix)
+        if bare != name:
+            names = (each for each in index.scopes(bare, scope, source) if index.classes.get(each))
+            return next((each for each in names if index.includes(source, index.classes[each])), None)
+    return None
 
 
 def _through_alias(index: Index, source: Source, function: Function) -> None:

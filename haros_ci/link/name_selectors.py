@@ -88,7 +88,7 @@ def _above(value: Value) -> Value:
 
 
 def expanded(applied: selectors.Applied, name: str, node: str, space: str) -> Value:
-    """A name as rclcpp/expand_topic_or_service_name.hpp expands it for a node's name and namespace, without remapping."""
+    """A name as rclcpp::expand_topic_or_service_name gives it for a node's name and namespace, without remapping."""
     found = [_first(applied, where) for where in (name, node, space)]
     texts = [each.value if isinstance(each, Known) and isinstance(each.value, str) else None for each in found]
     if isinstance(found[0], Text) and str(found[0].parts[0])[:1] == "/":

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from haros_ci.link.common_messages import COMMON
-from haros_ci.link.index import Index, Source
+from haros_ci.link.index import Index, Source, pointed_class
 from haros_ci.model.program import Type
 
 NO_TYPE: Type = ("", (), "")
@@ -146,6 +146,9 @@ def resolve_type(
                         depth + 1,
                     )
     if source.program.language != "python":
+        owner = pointed_class(index, name, scope, source) if hidden is None else None
+        if owner is not None:
+            return ("std::shared_ptr", ((owner, resolved, ""),), marks)
         local = index.local.get(source.path, {}).get(name) if not colons and not _foreign(index, source) else None
         if local is not None:
             around = local.name.rpartition("::")[0].rpartition("::")[0]
