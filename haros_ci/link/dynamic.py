@@ -23,7 +23,7 @@ def virtual(run: Run, owner: tuple[Source, Class], name: str, location: Location
     """A method of some object of class *owner*: what a class derived from it would make, is not known to be made."""
     if owner[0].separator != "::":
         return
-    key = ("overrider", owner[1].name, owner[0].path, name)
+    key = ("overrider", owner[1].name, owner[0].path, name, run.relevance.made)
     if key not in run.found:
         run.found[key] = _overrider(run, owner, name)
     if run.found[key] is not None:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from haros_ci.link.index import Index, Source
+from haros_ci.model.program import Statement
 
 #: Methods that build a list, whose turns are worth following one by one.
 COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplace", "extend"))
@@ -143,7 +144,7 @@ def callable_variables(block: Any, names: set[str], source: Source, kinds: froze
                 may_be_called(node[2], source)
                 or any(last(name) in kinds for name in type_names(node[2]))
                 or (init and init[0] == "=" and init[1] and init[1][0] == "lambda")
-            ):
+            ) and not _is_plain(node, source):
                 if node[2][0] != "auto" or (
                     init and init[0] == "=" and init[1][0] in ("lambda", "name", "&", "call", "if")
                 ):
@@ -155,6 +156,18 @@ def callable_variables(block: Any, names: set[str], source: Source, kinds: froze
         elif node[0] == "def":
             continue
         waiting += _inner(node)
+
+
+def _is_plain(variable: Any, source: Source) -> bool:
+    """Whether a variable is one lambda for good, which is given no function: it makes what the lambda's body makes."""
+    _, _, kind, init, _, _ = variable
+    if kind[0] != "auto" or not init or init[0] != "=" or init[1][0] != "lambda":
+        return False
+    function = source.program.functions[init[1][1]]
+    return not any(
+        each.type[0] in ("", "auto") or each.type[0] in function.templates or may_be_called(each.type, source)
+        for each in function.parameters
+    )
 
 
 def _inner(node: Any) -> list[Any]:
@@ -193,3 +206,13 @@ def type_names(kind: Any) -> Iterable[str]:
 
 def last(name: str) -> str:
     return name.rpartition("::")[2].rpartition(".")[2]
+
+
+def without(item: Any, statement: Statement) -> Any:
+    """*item*, statements in one another, without one of them; the same object where it is not in it."""
+    if not isinstance(item, (tuple, list)):
+        return item
+    if item is statement:
+        return ("block", ())
+    inner = [without(each, statement) for each in item]
+    return item if all(one is other for one, other in zip(item, inner, strict=True)) else tuple(inner)

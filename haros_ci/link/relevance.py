@@ -25,10 +25,11 @@ from haros_ci.link.mentions import (
     members_of,
     targets,
     type_names,
+    without,
 )
 from haros_ci.model.api import Entry, Row
 from haros_ci.model.architecture import KINDS
-from haros_ci.model.program import Class, Function, Parameter
+from haros_ci.model.program import Class, Function, Parameter, Statement
 
 #: Stands for the call of a parameter: whether what it holds may make something is seen where an argument is given.
 GIVEN = "(given)"
@@ -64,6 +65,10 @@ class Relevance:
         self._changes: dict[int, tuple[Function, frozenset[str], set[str]]] = {}
         self._variables: dict[int, tuple[Function, frozenset[str]]] = {}
         self._makes: dict[int, tuple[Function, bool]] = {}
+        #: Static variables that are made already, by identity; bodies without them, by the identity of the whole body.
+        self.made: frozenset[int] = frozenset()
+        self._rest: dict[int, tuple[Any, Any]] = {}
+        self._views: dict[frozenset[int], Relevance] = {}
         #: The last parts of the names of all global variables, module variables and static members.
         self.shared = frozenset(
             [last(name) for name, found in index.variables.items() if any("c" not in v.type[2] for _, v in found)]
@@ -86,13 +91,27 @@ class Relevance:
     def within(self, visible: frozenset[str]) -> Relevance:
         """The same for code that can only reach functions and classes of these files."""
         view = copy(self)
-        view._known, view._changes, view._makes, view._meant = {}, {}, {}, {}
+        view._known, view._changes, view._makes, view._meant, view._views = {}, {}, {}, {}, {}
         view._visible = visible
         return view
 
+    def after(self, statement: Statement, function: Function) -> Relevance:
+        """The same once a static variable of *function* is made: it is not made again."""
+        made = self.made | {id(statement)}
+        if made not in self._views:
+            view = self._views[made] = copy(self)
+            view._known, view._makes, view.made = {}, {}, made
+            rest = without(self._without_made(function.body), statement)
+            view._rest = {**self._rest, id(function.body): (function.body, rest)}
+        return self._views[made]
+
+    def _without_made(self, body: Any) -> Any:
+        found = self._rest.get(id(body)) if self._rest else None
+        return body if found is None else found[1]
+
     def asked(self) -> Iterable[str]:
-        """The names of which it was asked so far whether they matter."""
-        return self._known.keys()
+        """The names of which it was asked so far whether they matter, before and after static variables were made."""
+        return self._known.keys() | {name for view in self._views.values() for name in view._known}
 
     def matters(self, block: Any, source: Source, function: Function | None = None) -> bool:
         """Whether *block* (of a function in *source*) may make something, whatever its arguments are."""
@@ -154,7 +173,7 @@ class Relevance:
         """Whether a function may make something by itself; one without a body is not known to."""
         known = self._makes.get(id(function))
         if known is None:
-            block = (function.body, function.inits)
+            block = (self._without_made(function.body), function.inits)
             found = function.body is not None and any(map(self._name_matters, self.names(block, source, function)))
             known = self._makes[id(function)] = (function, found)
         return known[1]
@@ -261,7 +280,8 @@ class Relevance:
                 if where.path == source.path and function.body is not None:
                     found += self.names(function.body, where)
             return found
-        names = self.names(item.body, source, item) if item.body is not None else frozenset[str]()
+        body = self._without_made(item.body)
+        names = self.names(body, source, item) if body is not None else frozenset[str]()
         return names | self.names(item.inits, source) if item.inits else names
 
 

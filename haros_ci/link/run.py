@@ -209,6 +209,8 @@ class Run:
     roots: list[Root] = field(default_factory=list)
     known_roots: set[Any] = field(default_factory=set)
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
+    #: Variables of functions that are made once.
+    statics: dict[Any, Cell] = field(default_factory=dict)
     modules: dict[str, Frame] = field(default_factory=dict)
     active: list[Function] = field(default_factory=list)
     #: What the node itself sets on the parameter server, by full name.

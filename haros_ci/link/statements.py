@@ -63,13 +63,16 @@ def _static(run: Run, frame: Frame, statement: Statement) -> str:
     """A variable that is made once. What is made in a rehearsal only is not kept: it has made nothing of note."""
     name, line, column = statement[1][1], statement[1][4], statement[1][5]
     key = ("static", frame.source.path, line, column, name, *(kind[0] for kind in frame.templates.values()))
-    if key not in run.found:
+    if key not in run.statics:
         _variable(run, frame, statement[1])
         cell = frame.scopes[-1].get(name)
         if run.quiet or cell is None:
             return NEXT
-        run.found[key] = cell
-    frame.scopes[-1][name] = run.found[key]
+        run.statics[key] = cell
+        function = frame.function
+        if function is not None and not frame.templates and run.relevance.matters(statement, frame.source, function):
+            run.relevance = run.relevance.after(statement, function)
+    frame.scopes[-1][name] = run.statics[key]
     return NEXT
 
 
