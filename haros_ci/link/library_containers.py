@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.link import assignments, construct, conversions
 from haros_ci.link.run import Frame, Run
+from haros_ci.link.state import certain
 from haros_ci.link.values import (
     LIST_LIMIT,
     NONE,
@@ -16,20 +17,66 @@ from haros_ci.link.values import (
     Mapped,
     Object,
     Opaque,
+    Partial,
     Sequence,
     Text,
     Value,
 )
 from haros_ci.model.location import Location
+from haros_ci.model.program import Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
+
+
+#: Methods that add elements.
+ADDING = frozenset(("insert", "emplace"))
+
+
+def _added(
+    run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...], inner: Type | None
+) -> tuple[Cell, ...] | Opaque | None:
+    """A set's content with one more element, or a list's or set's with those of a range; None if that is not told."""
+    cells: Any = receiver.content.value
+    is_set = receiver.type is not None and receiver.type[0] == "std::set"
+    held = certain(cells)
+    values = [argument.value for argument in args]
+    if is_set and len(args) == 1 and name in ("insert", "emplace") and isinstance(values[0], Known):
+        new = [conversions.converted(values[0], inner) if inner is not None else values[0]]
+    elif len(args) == (2 if is_set else 3) and name == "insert" and (is_set or values[0] is receiver.end):
+        found = _range(values[-2], values[-1])
+        if found is None or (is_set and not all(isinstance(each, Known) for each in found)):
+            return None
+        new = found
+    else:
+        return None
+    if is_set:
+        there = [cell.value.value for cell in held if isinstance(cell.value, Known)]
+        new = [each for each in dict.fromkeys(new) if isinstance(each, Known) and each.value not in there]
+    if len(held) + len(new) > LIST_LIMIT:
+        return None
+    whole = (*held, *(Cell(each, inner) for each in new))
+    return whole if isinstance(cells, tuple) else Partial(cells.reason, cells.location, cells.type, whole)
+
+
+def _range(first: Value, last: Value) -> list[Value] | None:
+    """The elements from the beginning to the end of one list or set."""
+    if not isinstance(first, Object) or not isinstance(last, Object) or last.name != "[end]":
+        return None
+    owners = [each.fields["[of]"].value for each in (first, last) if "[of]" in each.fields]
+    content = owners[0].content.value if len(owners) == 2 and isinstance(owners[0], Sequence) else None
+    if owners[0] is not owners[-1] or not isinstance(content, tuple):
+        return None
+    return [cell.value for cell in content]
 
 
 def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
     cells: Any = receiver.content.value
     known = isinstance(cells, tuple)
     inner = receiver.type[1][0] if receiver.type is not None and receiver.type[1] else None
+    if name in ADDING and (added := _added(run, receiver, name, args, inner)) is not None:
+        run.state.write(receiver.content, added)
+        return NONE
     if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
         if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < LIST_LIMIT:
             value = conversions.converted(construct.copied(run, args[0].value, inner), inner)
@@ -38,7 +85,9 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
             value = construct.create(run, frame, inner, args, Location(frame.source.path))
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
         else:
-            run.state.write(receiver.content, run.opaque("the list is built in a way that is not followed", frame))
+            told = run.opaque("the list is built in a way that is not followed", frame)
+            some = certain(cells)
+            run.state.write(receiver.content, Partial(told.reason, told.location, told.type, some) if some else told)
         return NONE
     if name == "clear":
         run.state.write(receiver.content, ())

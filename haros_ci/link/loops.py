@@ -8,8 +8,8 @@ from functools import partial
 
 from haros_ci.link import expressions, statements, static_types
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
-from haros_ci.link.state import joined
-from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Sequence, Value, opaque_of
+from haros_ci.link.state import certain, joined
+from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of
 from haros_ci.model.location import Location
 from haros_ci.model.program import Block, Expression, Statement
 
@@ -160,10 +160,13 @@ def _widened(
             then = joined(cell.value, value)
             if then is cell.value or isinstance(then, (tuple, dict)) or opaque_of(then) is None:
                 continue
-            if isinstance(then, (Known, Object, Sequence, Mapped)) or isinstance(cell.value, Opaque):
+            some = certain(then)
+            is_opaque = isinstance(cell.value, Opaque) and certain(cell.value) == some
+            if isinstance(then, (Known, Object, Sequence, Mapped)) or is_opaque:
                 continue
             changed = True
-            run.state.write(cell, Opaque("it changes in a loop", Location(frame.source.path, line), cell.type))
+            told = Opaque("it changes in a loop", Location(frame.source.path, line), cell.type)
+            run.state.write(cell, Partial(told.reason, told.location, told.type, some) if some else told)
         if not changed:
             break
     if matters and not run.quiet:
@@ -177,7 +180,7 @@ def _widened(
 
 def each(run: Run, frame: Frame, statement: Statement) -> str:
     _, line, column, text, name, kind, iterable, body = statement
-    items = static_types.elements(run, frame, iterable)
+    items, is_all = static_types.some_elements(run, frame, iterable)
     resolved = run.type_in(kind, frame)
 
     def turn(value: Value | Cell) -> str:
@@ -195,15 +198,12 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
     current = Loop(run.state.mark())
     with run.under("for", text, frame, line, column):
         unknown: Value | None = None
-        if items is None:
+        if not is_all:
             kind_ = static_types.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
-        elif run.turns >= NESTED or len(items) > TURNS * 4:
-            unknown = Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
-        if unknown is not None:
-            _widened(run, frame, current, _matters(run, frame, body, None), line, partial(turn, unknown))
-            return _leave(run, current, goes_on=True)
-        assert items is not None
+        if items and (run.turns >= NESTED or len(items) > TURNS * 4):
+            unknown = unknown or Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
+            items = []
         known = len(run.made)
         for number, item in enumerate(items):
             run.turns *= 2
@@ -213,4 +213,7 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
             run.forget_dead(known)
             if ended != NEXT:
                 return _leave(run, current, goes_on=False, ended=ended)
+        if unknown is not None:
+            current.turn = 0
+            _widened(run, frame, current, _matters(run, frame, body, None), line, partial(turn, unknown))
     return _leave(run, current, goes_on=True)

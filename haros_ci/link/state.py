@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.link.values import NONE, Cell, Opaque, Value, join
+from haros_ci.link.values import NONE, Cell, Opaque, Partial, Value, join
 
 #: What cells held (or hold), by cell.
 Writes = dict[Cell, Any]
@@ -64,7 +64,7 @@ def joined(one: Any, other: Any) -> Any:
     if isinstance(one, tuple) and isinstance(other, tuple):
         if len(one) == len(other) and all(a is b for a, b in zip(one, other, strict=True)):
             return one
-        return Opaque("the list has other elements on other paths")
+        return partial("the list has other elements on other paths", one, other)
     if isinstance(one, dict) and isinstance(other, dict):
         if one.keys() == other.keys() and all(one[k] is other[k] for k in one):
             return one
@@ -73,7 +73,9 @@ def joined(one: Any, other: Any) -> Any:
             return {k: _entry(one.get(k, missing), other.get(k, missing)) for k in {**one, **other}}
         return Opaque("the map has other entries on other paths")
     if isinstance(one, (tuple, dict)) or isinstance(other, (tuple, dict)):
-        return Opaque("its elements are not known on every path")
+        return partial("its elements are not known on every path", one, other)
+    if isinstance(one, Partial) or isinstance(other, Partial):
+        return partial(one.reason if isinstance(one, Opaque) else other.reason, one, other)
     return join(one, other)
 
 
@@ -86,3 +88,15 @@ def _entry(one: Any, other: Any) -> Any:
     if len(told) < 2:
         return Held(told[0].value, False) if told else held[0]
     return Held(join(told[0].value, told[1].value), told[0].is_certain and told[1].is_certain)
+
+
+def certain(content: Any) -> tuple[Cell, ...]:
+    """The elements that a sequence of that content has for sure."""
+    return content if isinstance(content, tuple) else content.some if isinstance(content, Partial) else ()
+
+
+def partial(reason: str, one: Any, other: Any) -> Opaque:
+    """The content of a sequence that has one or the other: what both have is in it."""
+    second = certain(other)
+    some = tuple(cell for cell in certain(one) if any(cell is each for each in second))
+    return Partial(reason, some=some) if some else Opaque(reason)

@@ -5,12 +5,15 @@ from __future__ import annotations
 
 from haros_ci.link import conversions, expressions
 from haros_ci.link.run import Frame, Run
+from haros_ci.link.state import certain
 from haros_ci.link.types import SEQUENCES
 from haros_ci.link.values import (
     LIST_LIMIT,
     Cell,
     Known,
     Mapped,
+    Object,
+    Opaque,
     Pointer,
     Sequence,
     Value,
@@ -20,16 +23,33 @@ from haros_ci.model.program import Expression, Type
 
 def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
     """The elements that a loop goes through; None if they are not known."""
+    found, is_all = some_elements(run, frame, expression)
+    return found if is_all else None
+
+
+def some_elements(run: Run, frame: Frame, expression: Expression) -> tuple[list[Value | Cell], bool]:
+    """Elements that a loop goes through for sure, and whether they are all."""
     value = expressions.evaluate(run, frame, expression)
     if isinstance(value, Pointer):
         value = value.cell.value
+    if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
+        return list(certain(value.content.value)), False
+    found = _all_elements(frame, value)
+    return ([], False) if found is None else (found, True)
+
+
+def _all_elements(frame: Frame, value: Value) -> list[Value | Cell] | None:
+    python = frame.source.separator == "."
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         return list(value.content.value)
     if isinstance(value, Mapped) and isinstance(value.content.value, dict):
+        if not python:
+            pairs = value.content.value.items()
+            return [Object("std::pair", fields={"first": Cell(Known(key)), "second": cell}) for key, cell in pairs]
         return [Known(key) for key in value.content.value]
     if isinstance(value, Known) and isinstance(value.value, (list, dict)):
         return [Known(item) for item in value.value]
-    if isinstance(value, Known) and isinstance(value.value, str) and frame.source.separator == ".":
+    if isinstance(value, Known) and isinstance(value.value, str) and python:
         return [Known(item) for item in value.value] if len(value.value) <= LIST_LIMIT else None
     return None
 

@@ -52,6 +52,13 @@ class Opaque:
 
 
 @dataclass(frozen=True, slots=True)
+class Partial(Opaque):
+    """The content of a sequence that is not known but for *some* cells, which are elements of it for sure."""
+
+    some: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Text:
     """A text of known and opaque parts, in turn."""
 
