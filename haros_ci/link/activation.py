@@ -42,6 +42,8 @@ from haros_ci.model.program import Expression, Function, Type
 SPENT = 300
 #: Steps that may go into one function in rehearsals, even if it makes something.
 REHEARSED = 10_000
+#: Steps of rehearsals after which a function is rehearsed no longer than one that makes nothing is followed.
+MANY = 20_000
 
 
 def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_arguments.Argument, ...]) -> Callable:
@@ -104,7 +106,7 @@ def invoke(
     makes_nothing = not inert.may_make(run, function, given)
     spent = run.spent.get(id(definition), 0)
     if (makes_nothing and (spent > SPENT or inert.is_inert(run, function, definition, returns, given))) or (
-        run.quiet and spent > REHEARSED
+        run.quiet and spent > (REHEARSED if run.quiet_steps < MANY else SPENT)
     ):
         return inert.skipped(run, inner, function, definition, returns, given)
     bind(run, frame, inner, definition, given)

@@ -21,7 +21,7 @@ from haros_ci.model.build import ConfigFile
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function, Type
 
-#: Statements and calls that one node may take; what is beyond is named in a notification.
+#: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
 STEPS = 60_000
 #: Why not all conditions are told.
 SEVERAL = "it is made on several ways, each under conditions of its own"
@@ -241,6 +241,7 @@ class Run:
     #: Branches around what is followed that are not taken as things are.
     dead: int = 0
     steps: int = 0
+    quiet_steps: int = 0
     turns: int = 1
     #: Steps spent in functions that make nothing, by function.
     spent: dict[int, int] = field(default_factory=dict)
@@ -253,7 +254,8 @@ class Run:
 
     def step(self) -> None:
         self.steps += 1
-        if self.steps > STEPS:
+        self.quiet_steps += self.quiet > 0
+        if self.quiet_steps > STEPS or self.steps - self.quiet_steps > STEPS:
             raise OutOfSteps
 
     def make(self, made: Made) -> None:
