@@ -144,7 +144,7 @@ def callable_variables(block: Any, names: set[str], source: Source, kinds: froze
                 may_be_called(node[2], source)
                 or any(last(name) in kinds for name in type_names(node[2]))
                 or (init and init[0] == "=" and init[1] and init[1][0] == "lambda")
-            ) and not _is_plain(node, source):
+            ):
                 if node[2][0] != "auto" or (
                     init and init[0] == "=" and init[1][0] in ("lambda", "name", "&", "call", "if")
                 ):
@@ -156,18 +156,6 @@ def callable_variables(block: Any, names: set[str], source: Source, kinds: froze
         elif node[0] == "def":
             continue
         waiting += _inner(node)
-
-
-def _is_plain(variable: Any, source: Source) -> bool:
-    """Whether a variable is one lambda for good, which is given no function: it makes what the lambda's body makes."""
-    _, _, kind, init, _, _ = variable
-    if kind[0] != "auto" or not init or init[0] != "=" or init[1][0] != "lambda":
-        return False
-    function = source.program.functions[init[1][1]]
-    return not any(
-        each.type[0] in ("", "auto") or each.type[0] in function.templates or may_be_called(each.type, source)
-        for each in function.parameters
-    )
 
 
 def _inner(node: Any) -> list[Any]:
