@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.link import call_arguments, library_objects, methods, partials
-from haros_ci.link.run import CHAIN, ROOTS, Root, Run
+from haros_ci.link.run import CHAIN, ROOTS, Frame, Root, Run
 from haros_ci.link.values import (
     NONE,
     Callable,
@@ -14,6 +14,10 @@ from haros_ci.link.values import (
     Value,
 )
 from haros_ci.model.location import Location
+from haros_ci.model.program import Expression
+
+#: The macros that name a signal or slot (QObject).
+QT = frozenset(("SLOT", "SIGNAL"))
 
 
 def register(
@@ -50,6 +54,14 @@ def register(
     if key not in run.known_roots and not _is_endless(run, value):
         run.known_roots.add(key)
         run.roots.append(Root(value, tuple(run.conditions), is_update=is_update))
+
+
+def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
+    """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
+    named = written[0] if len(written) == 1 else ("none",)
+    if macro == "SLOT" and frame.this is not None and named[0] == "call" and named[1][0] == "name":
+        register(run, methods.method_of(run, frame.this, named[1][1]) or NONE)
+    return run.opaque(f"what {macro} is", frame)
 
 
 def _is_endless(run: Run, function: Callable) -> bool:

@@ -10,6 +10,7 @@ from haros_ci.link import (
     activation,
     api_rows,
     call_arguments,
+    callbacks,
     construct,
     dynamic,
     expressions,
@@ -70,6 +71,8 @@ def call(run: Run, frame: Frame, expression: Expression) -> Value:
             return run.either_way(ways, "it is called on one of several objects")
         return method_call(run, frame, receiver, receiver_cell, name, args, targs, location)
     function = expressions.evaluate(run, frame, callee)
+    if isinstance(function, Library) and function.name in callbacks.QT:
+        return callbacks.signature(run, frame, function.name, written)
     if isinstance(function, Pointer):
         function = function.cell.value
     return apply(run, frame, function, call_arguments.arguments(run, frame, written), targs, location, callee)

@@ -58,7 +58,7 @@ def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, s
 def plugins(programs: Programs) -> dict[str, tuple[Source, Class]]:
     """All classes that plug-in descriptions name, by look-up name and by type: where they are defined."""
     found: dict[str, tuple[Source, Class]] = {}
-    for described, source, definition, _ in _described(programs):
+    for described, source, definition, _ in described_classes(programs):
         found.setdefault(described.name, (source, definition))
         found.setdefault(described.type.strip(), (source, definition))
     return found
@@ -67,7 +67,7 @@ def plugins(programs: Programs) -> dict[str, tuple[Source, Class]]:
 def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozenset[str]]]:
     """All nodelet classes by look-up name: the description, where each begins, and its library's files."""
     found: dict[str, tuple[PluginClass, Entry, frozenset[str]]] = {}
-    for described, source, definition, files in _described(programs):
+    for described, source, definition, files in described_classes(programs):
         if described.base.replace(" ", "") == NODELET:
             entry = Entry(source, definition=definition)
             found.setdefault(described.name, (described, entry, files))
@@ -79,11 +79,11 @@ def plugin_files(programs: Programs) -> list[tuple[str, frozenset[str]]]:
     """For each class that a plug-in description names, the last part of its base's name, and the files of its library."""
     return [
         (plugin.base.replace(" ", "").rpartition("::")[2], files | {source.path})
-        for plugin, source, _, files in _described(programs)
+        for plugin, source, _, files in described_classes(programs)
     ]
 
 
-def _described(programs: Programs) -> Iterator[tuple[PluginClass, Source, Class, frozenset[str]]]:
+def described_classes(programs: Programs) -> Iterator[tuple[PluginClass, Source, Class, frozenset[str]]]:
     """Each described class with its definition and the files of its library."""
     for _, build in sorted(programs.builds.items()):
         for plugin in build.plugins:

@@ -22,11 +22,15 @@ CHEAP = 2_000
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Entry:
-    """Where a node begins: a function (``main``), a class that a framework loads, or a Python module."""
+    """Where a node begins: a function (``main``), a class that a framework loads, or a Python module.
+
+    *is_hosted* is a plug-in on the node of the program that loads it, which constructs it without options.
+    """
 
     source: Source
     function: Function | None = None
     definition: Class | None = None
+    is_hosted: bool = False
 
     @property
     def key(self) -> tuple[str, str, str]:
@@ -77,7 +81,7 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
 
 def _component_arguments(run: Run, entry: Entry) -> tuple[call_arguments.Argument, ...]:
     """What a component is constructed with: the options of its node (rclcpp_components/node_factory.hpp)."""
-    if run.context.process is None or entry.source.separator == ".":
+    if run.context.process is None or entry.is_hosted or entry.source.separator == ".":
         return ()
     return (call_arguments.Argument(ros2_nodes.options_for(run), type=("rclcpp::NodeOptions", (), "")),)
 

@@ -220,3 +220,5 @@ def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
     for package, name in sorted(types.components):
         if id(types.components[package, name][0]) not in running:
             yield ros2_system.alone(types, package, name, is_component=True)
+    for package, name in sorted(types.hosted):
+        yield ros2_system.plugin(types, package, name)

@@ -73,6 +73,7 @@ def types_of(
         exact=exact,
         ros2_programs=of_version(ros2_entries.programs_of(programs, loadable), versions, 2),
         components=loadable,
+        hosted=of_version(ros2_entries.hosted(programs, tables.get(("cpp", 2), {})), versions, 2),
         versions=versions,
     )
 

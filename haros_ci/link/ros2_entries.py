@@ -6,9 +6,10 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Mapping
 
-from haros_ci.link.entries import Programs, executables, files_of
+from haros_ci.link.entries import Programs, described_classes, executables, files_of
 from haros_ci.link.follow import Entry
 from haros_ci.link.index import Source, aliased
+from haros_ci.model.api import Row
 from haros_ci.model.build import Target
 from haros_ci.model.program import Class
 
@@ -37,6 +38,22 @@ def components(programs: Programs) -> dict[tuple[str, str], Found]:
             entry = _component(programs, package, name, next(targets, None))
             if entry is not None:
                 found[package, name] = entry
+    return found
+
+
+def hosted(programs: Programs, rows: Mapping[str, tuple[Row, ...]]) -> dict[tuple[str, str], Found]:
+    """The plug-ins of a library's program (RViz's panels, displays, tools) by package and class.
+
+    They are those whose description names a base class outside the workspace of which *rows* know the methods that the
+    program calls.
+    """
+    bases = {name for name, found in rows.items() if any(row.is_class and row.entry for row in found)}
+    found: dict[tuple[str, str], Found] = {}
+    for plugin, source, definition, files in described_classes(programs):
+        base = plugin.base.replace(" ", "").removeprefix("::")
+        if base in bases and base not in programs.cpp.classes:
+            entry = Entry(source, definition=definition, is_hosted=True)
+            found.setdefault((plugin.package, plugin.type.strip()), (entry, files))
     return found
 
 

@@ -130,6 +130,24 @@ def alone(types: Types, package: str, name: str, is_component: bool = False) -> 
     )
 
 
+def plugin(types: Types, package: str, name: str) -> Job:
+    """A plug-in of a program outside the workspace by itself, on the node that this program has by default."""
+    entry, files = types.hosted[package, name]
+    assert entry.definition is not None
+    place = Location(entry.source.path, entry.definition.line)
+    node = Node(
+        name="/?", kind="node", package=package, type=name, location=place, process="/?", class_name=name, ros=2
+    )
+    started = Started((), Parameters(()), (), False)
+
+    def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
+        nodes, problems = _followed(types, entry, files, node, started, False)
+        makes = any(not end.implicit for each in nodes for end in each.endpoints)
+        return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
+
+    return Job(node, (id(entry), name), follow, _size(types, files))
+
+
 def _size(types: Types, files: frozenset[str]) -> int:
     sources = types.programs.sources
     return sum(len(sources[path].program.functions) for path in files if path in sources)

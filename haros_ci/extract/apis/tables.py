@@ -33,6 +33,7 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
             "ros2_nav2",
             "ros2_autoware",
             "threads",
+            "ros2_rviz",
         ),
     ),
     ("python", 2, ("ros2_rclpy", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "ros2_rclpy_qos")),
