@@ -17,7 +17,10 @@ Name = tuple[str, str | None, Location | None]
 
 
 def resolved(applied: selectors.Applied, selector: str, flag: str) -> Value:
-    """The name as ``resolveName`` gives it (wiki.ros.org/Names); the argument at *flag* says whether it is remapped."""
+    """The name as ``resolveName`` gives it (wiki.ros.org/Names); the argument at *flag* says whether it is remapped.
+
+    In ROS 2 that argument is ``only_expand``, which says that it is not (rclcpp/node_interfaces/node_topics.hpp).
+    """
     value = _first(applied, selector)
     result: Value | None = None
     for option in value.options if isinstance(value, Choice) else (value,):
@@ -37,9 +40,10 @@ def _full(applied: selectors.Applied, value: Any, flag: str) -> Value:
         return Text(tuple(pieces)) if "?" in full else unknown
     name = _remap(applied, full)
     given = selectors.given(applied.args, flag) if flag else None
-    if given is None or name == full or given.value == TRUE:
+    remaps, expands = (TRUE, FALSE) if applied.run.context.process is None else (FALSE, TRUE)  # ROS 2: only_expand
+    if given is None or name == full or given.value == remaps:
         return Known(name)
-    return Known(full) if given.value == FALSE else applied.run.opaque("whether the name is remapped", applied.frame)
+    return Known(full) if given.value == expands else applied.run.opaque("whether the name is remapped", applied.frame)
 
 
 def remapped(applied: selectors.Applied, selector: str) -> Value:

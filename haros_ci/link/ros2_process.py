@@ -190,6 +190,10 @@ def from_arguments(found: Arguments, location: Location) -> tuple[ParameterRule,
     return tuple(made)
 
 
+#: Asked for in place of a parameter's name: the names of all.
+EVERY = "*"
+
+
 class Parameters:
     """The parameters that a process is given, as rcl puts them together.
 
@@ -224,8 +228,20 @@ class Parameters:
                 found.update((name, rules[-1]) for name, rules in section.items())
         return found
 
+    def every(self, node: str, under: tuple[Condition, ...] = ()) -> Value:
+        """The names of all parameters that a node is given, sorted; Opaque if they are not known."""
+        if self.unread is not None:
+            return Opaque(f"there may be more: {reason(self.unread)}", self.unread.location)
+        found = self.of(node)
+        for rule in found.values():
+            if not set(rule.conditions) <= set(under):
+                return Opaque(f"the parameter {rule.name} is set under a condition", rule.location)
+        return Known(sorted(found))
+
     def get(self, node: str, name: str, under: tuple[Condition, ...] = ()) -> Value | None:
         """The value that a node is given for a parameter; None if none, Opaque if it is not known, Perhaps if it may not be."""
+        if name == EVERY:
+            return self.every(node, under)
         found: list[ParameterRule] = []
         for pattern, section in self._sections.items():
             if name in section and matches(pattern, node):

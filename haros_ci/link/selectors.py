@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import conversions, handles, members, methods, name_selectors, ros2_selectors
+from haros_ci.link import conversions, handles, members, methods, name_selectors, ros2_listed, ros2_selectors
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_type, parameter_type
 from haros_ci.link.values import (
@@ -157,15 +157,20 @@ def select_value(applied: Applied, selector: str) -> Any:
         argument = given(applied.args, selector.split(".")[0])
         return _members(applied, argument.value, selector.split(".")[1:]) if argument is not None else None
     inside = inside[:-1]
+    where, _, index = inside.partition(",")
     if function == "handle":
         return Object("ros::NodeHandle", namespace=Known(context.name if inside == "~" else context.namespace))
     if function == "parent":
         return name_selectors.parent(applied, inside)
     if function == "declared":
         return name_selectors.declared(applied, inside)
+    if function in ("parameters", "prefixes"):
+        prefixes, depth = (given(applied.args, part) for part in (where, index))
+        return ros2_listed.listed(
+            applied, prefixes.value if prefixes else None, depth.value if depth else None, function
+        )
     if function == "search":
         return name_selectors.search(applied, inside)
-    where, _, index = inside.partition(",")
     if function == "resolve":
         return name_selectors.resolved(applied, where, index)
     if function == "remap":

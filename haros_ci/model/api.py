@@ -26,7 +26,7 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
     typename(1)     the name of its C++ or Python type
     parent(0)       the namespace of a name as it is resolved and remapped, with its last slash: ``/left/``
     resolve(0)      the full name that a name is resolved and remapped to, from the receiver's or the node's namespace;
-                    resolve(0,1): argument 1 says whether it is remapped
+                    resolve(0,1): argument 1 says whether it is remapped, in ROS 2 that it is not
     remap(0)        what a name is remapped to, else the name itself
     canonical(0)    a name without doubled and trailing slashes
     above(0)        the text of a name up to its last slash, as an absolute name: ``/left/``
@@ -36,6 +36,8 @@ is alternatives joined by ``|``, the first that is there counts, and ``?literal`
     item.name       in an entry with ``each``: the item's name, type, default, group
     parameter       the value that the row's getter reads
     declared(0)     ROS 2: whether the node has declared the parameter of that name
+    parameters(0,1)  ROS 2: the names of the node's parameters below the prefixes 0, to depth 1; prefixes(0,1): the
+                    parts of these names before their last dots
     this.namespace  of a node handle: its full namespace       handle()  handle(~)    a node handle, for ``fills``
     node.name  node.namespace  process.name  process.namespace    full names of the node, and of the process that it
                     runs in: the same but for a nodelet, whose process is its manager's
@@ -135,7 +137,7 @@ UNTOLD = ("kind", "each", "implicit", "unsure")
 SELECTOR = re.compile(r"\{([^{}]*)\}")
 ALTERNATIVE = re.compile(
     r"\d+(\.\w+)*|<\d+>|this(<\d+>|(\.\w+)+)?|item\.(name|type|default|group)|parameter|[A-Za-z_]\w*(\.\w+)*"
-    r"|callback\([\w|]+(,\d+)?\)|expand\(\d+,\d+,\d+\)"
+    r"|callback\([\w|]+(,\d+)?\)|expand\(\d+,\d+,\d+\)|(parameters|prefixes)\(\w+,\w+\)"
     r"|(typeof|typename|parent|search|remap|canonical|above|declared)\([\w.|<>]+\)|resolve\([\w.|]+(,\d+)?\)|handle\(~?\)"
 )
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from follow_kit import ROS2_HEAD, ROS2_NODE, follow, ros2_files
 from ros2_cpp_kit import PUB, component, explicit, last, only, policies
 
 
@@ -148,3 +149,53 @@ def test_a_parameter_that_is_read_into_an_object(declared: str, read: str, names
     body = f'declare_parameter("p", {declared}); rclcpp::Parameter param("p", {declared}); get_parameter("p", param);'
     found = component(f"{body} {read} {{ {PUB}(name, 1); }}".replace("; {", f"; {PUB}(name, 1); if (false) {{"))
     assert sorted({end.name for end in explicit(found)}) == names
+LIST = 'for (const auto & each : list_parameters({%s}, %s).%s) { create_publisher<String>("/" + each, 1); }'
+
+
+@pytest.mark.parametrize(
+    ("prefixes", "depth", "what", "expected"),
+    (
+        ('"a"', 0, "names", ["/a.b", "/a.c.d"]),
+        ('"a"', 1, "names", ["/a.b"]),
+        ('"a", "x"', 1, "names", ["/a.b", "/x"]),
+        ("", 0, "names", ["/a.b", "/a.c.d", "/ab", "/x"]),
+        ("", 1, "names", ["/ab", "/x"]),
+        ('"a"', 0, "prefixes", ["/a", "/a.c"]),
+        ('"n"', 0, "names", []),
+    ),
+)
+def test_parameters_that_are_listed(prefixes: str, depth: int, what: str, expected: list[str]) -> None:
+    declared = 'for (const std::string name : {"x", "ab", "a.c.d", "a.b"}) { declare_parameter<int>(name, 1); }'
+    found = explicit(component(declared + LIST % (prefixes, depth, what)))
+    assert [end.name for end in found] == expected
+
+
+def test_lists_of_what_is_not_known() -> None:
+    for declared in ('declare_parameter<int>("a." + get_name_from_file(), 1);', 'prefix_ = std::getenv("P");'):
+        prefix = '"a"' if "declare" in declared else "prefix_"
+        (end,) = explicit(component(declared + LIST % (prefix, 0, "names"), "std::string prefix_;"))
+        assert end.name == "/?"
+
+
+@pytest.mark.parametrize(("option", "expected"), (("true", ["/n.one", "/n.two"]), ("false", [])))
+def test_parameters_that_are_declared_because_they_are_given(option: str, expected: list[str]) -> None:
+    head = f'Node("n", rclcpp::NodeOptions(options).automatically_declare_parameters_from_overrides({option}))'
+    code = ROS2_HEAD + (ROS2_NODE % (LIST % ('"n"', 0, "names"), "")).replace('Node("n", options)', head)
+    launch = (
+        '<launch><node pkg="p" exec="n"><param name="n.two" value="2"/><param name="n.one" value="1"/>'
+        '<param name="other" value="1"/></node></launch>'
+    )
+    (found,) = follow(ros2_files(code, {"l.launch.xml": launch}), 2).configurations
+    assert [end.name for end in explicit(found.nodes[0])] == expected
+
+
+def test_names_as_the_node_resolves_them() -> None:
+    code = ROS2_HEAD + ROS2_NODE % (
+        'auto topics = get_node_topics_interface(); create_publisher<String>(topics->resolve_topic_name("a") + "/1", 1);'
+        'create_publisher<String>(topics->resolve_topic_name("a", false) + "/2", 1);'
+        'create_publisher<String>(topics->resolve_topic_name("a", true) + "/3", 1);',
+        "",
+    )
+    launch = '<launch><node pkg="p" exec="n"><remap from="a" to="b"/></node></launch>'
+    (found,) = follow(ros2_files(code, {"l.launch.xml": launch}), 2).configurations
+    assert [end.name for end in explicit(found.nodes[0])] == ["/a/3", "/b/1", "/b/2"]

@@ -131,11 +131,10 @@ ROWS: tuple[Mapping[str, object], ...] = (
     {"call": "rclcpp::Node::get_fully_qualified_name", "args": [0], "returns": "{node.name}"},
     {"call": "rclcpp::Node::get_sub_namespace", "args": [0], "returns": "{node.sub_namespace}"},
     {"call": "rclcpp::Node::get_effective_namespace", "args": [0], "returns": "{node.effective_namespace}"},
-    # With one more argument the name may be expanded only: that has no row.
-    {"call": "rclcpp::Node::resolve_topic_name", "args": [1], "returns": "{resolve(0)}"},
-    {"call": "rclcpp::Node::resolve_service_name", "args": [1], "returns": "{resolve(0)}"},
-    {"call": "rclcpp::Node::resolve_topic_or_service_name", "args": [2], "returns": "{resolve(0)}"},
     {"call": "rclcpp::expand_topic_or_service_name", "args": [3, 4], "returns": "{expand(0,1,2)}"},
+    {"call": "rclcpp::Node::resolve_topic_name", "args": [1, 2], "returns": "{resolve(0,1)}"},
+    {"call": "rclcpp::Node::resolve_service_name", "args": [1, 2], "returns": "{resolve(0,1)}"},
+    {"call": "rclcpp::Node::resolve_topic_or_service_name", "args": [2, 3], "returns": "{resolve(0,2)}"},
     *({"call": f"rclcpp::Node::{name}", "args": [0], "transparent": "{this}"}
       for name in ("shared_from_this", "weak_from_this", "lock")),
     *({"call": f"rclcpp::Node::get_node_{name}_interface", "args": [0], "transparent": "{this}"}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Parameters (ROS 2, C++): declaring, reading and setting them, their objects, and clients of other nodes' parameters.
 
-``get_parameters`` and ``list_parameters`` have no rows: their arguments alone do not tell which parameters they read.
+``get_parameters`` has no rows: its arguments alone do not tell which parameters it reads.
 """
 
 from __future__ import annotations
@@ -76,6 +76,8 @@ ROWS: tuple[Mapping[str, object], ...] = (
     {**_declared([2, 3], {"1": DESCRIPTOR}, type="{typeof(<0>)}", descriptor="{1}"), "returns": "{parameter}"},
     {**_declared([2, 3, 4], {}, type="{typeof(<0>|1)}", value="{1}", descriptor="{2}"), "returns": "{parameter}"},
     {**_declared([1], {}, type="{typeof(<0>)}"), "returns": "{parameter}"},
+    {"call": f"{NODE}::list_parameters", "args": [2], "returns": "rcl_interfaces::msg::ListParametersResult",
+     "fills": {"names": "{parameters(0,1)}", "prefixes": "{prefixes(0,1)}"}},
     {"call": f"{NODE}::declare_parameters", "args": [2, 3],
      "makes": [{"kind": "parameters", "name": "{0}.{item.name}", "type": "{typeof(<0>)}", "value": "{item.default}",
                 "each": "keys(1)"}]},
