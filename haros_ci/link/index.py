@@ -384,8 +384,15 @@ def _local(program: Program) -> dict[str, Alias | None]:
     for alias in program.aliases:
         around, colons, name = alias.name.rpartition("::")
         if colons and around in functions:
-            found[name] = None if name in found and found[name] != alias else alias
+            known = found.get(name, alias)
+            is_same = known is not None and known.type == alias.type and _above(known) == _above(alias)
+            found[name] = known if is_same else None
     return found
+
+
+def _above(alias: Alias) -> str:
+    """What the function of a local alias is in."""
+    return alias.name.rpartition("::")[0].rpartition("::")[0]
 
 
 def _included(program: Program) -> dict[str, str]:

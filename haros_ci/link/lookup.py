@@ -56,11 +56,19 @@ def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
         cell = members.member(run, this, name, frame) or library_cpp.protected(run, this, name)
         if cell is not None:
             return cell
+    found = _found_variable(run, frame, name)
+    if found is None and "::" in name:  # a static member of what a template parameter or an alias stands for
+        head, _, last = name.rpartition("::")
+        meant = run.type_in((head, (), ""), frame)[0]
+        found = _found_variable(run, frame, f"{meant}::{last}") if meant not in ("", head) else None
+    return global_cell(run, *found) if found is not None else None
+
+
+def _found_variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type] | None:
     key = ("variable", name, frame.scope, frame.source.path)
     if key not in run.found:
         run.found[key] = _variable(run, frame, name)
-    found = run.found[key]
-    return global_cell(run, *found) if found is not None else None
+    return run.found[key]  # type: ignore[no-any-return]
 
 
 def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type] | None:
@@ -95,9 +103,8 @@ def global_cell(run: Run, source: Source, name: str, init: Any, kind: Type) -> C
         elif not init:
             for where, variable in run.index.variables.get(name, ()):  # a static member's definition elsewhere
                 if variable.init is not None:
-                    cell.value = construct.initial(
-                        run, Frame(where, frame.scope), resolved, variable.init, Location(where.path)
-                    )
+                    there = Frame(where, frame.scope)
+                    cell.value = construct.initial(run, there, resolved, variable.init, Location(where.path))
                     break
     return cell
 

@@ -91,6 +91,12 @@ def resolve_type(
     name, arguments, marks = kind[0], kind[1], kind[2]
     if not name or depth > 20:
         return (name, (), marks)
+    pointer, of_pointer, rest = name.partition("::element_type")
+    if of_pointer and pointer in SMART_POINTERS and arguments and rest[:2] in ("", "::"):
+        pointed = resolve_type(index, arguments[0], scope, source, files, templates, depth + 1)
+        if not rest:
+            return (pointed[0], pointed[1], pointed[2] + marks)
+        return resolve_type(index, (pointed[0] + rest, pointed[1], marks), scope, source, files, {}, depth + 1)
 
     def inner(item: Any) -> Any:
         if is_type(item):
@@ -105,10 +111,8 @@ def resolve_type(
         return (bound[0], bound[1], bound[2] + marks)
     head, colons, tail = name.partition("::")
     if colons and is_type(templates.get(head)):
-        bound = templates[head]
-        return resolve_type(
-            index, (f"{bound[0]}::{tail}", resolved or bound[1], marks), scope, source, files, {}, depth + 1
-        )
+        member = (f"{templates[head][0]}::{tail}", resolved or templates[head][1], marks)
+        return resolve_type(index, member, scope, source, files, {}, depth + 1)
     hidden: Type | None = None
     for candidate in index.scopes(name, scope, source):
         if index.classes.get(candidate):
@@ -120,8 +124,11 @@ def resolve_type(
         for where, alias in index.near(index.aliases, candidate, source, files):
             if alias.type[0] in (name, candidate):  # typedef struct X X
                 continue
-            bindings = dict(zip(alias.templates, resolved, strict=False))
             around = candidate.rpartition("::")[0]
+            bindings: Mapping[str, Type] = dict(zip(alias.templates, resolved, strict=False))
+            if not alias.templates and (owners := index.classes.get(around)) and owners[0][1].templates:
+                of_class = dict(zip(owners[0][1].templates, resolved, strict=False))
+                bindings = of_class if colons else templates
             targets.append(resolve_type(index, alias.type, around, where, files, bindings, depth + 1))
         if targets:
             target = targets[0]
@@ -136,15 +143,8 @@ def resolve_type(
                 around = candidate.rpartition("::")[0]
                 target = resolve_type(index, (alias.type[0], alias.type[1], ""), around, where, files, {}, depth + 1)
                 if target[0] not in (head, name):
-                    return resolve_type(
-                        index,
-                        (f"{target[0]}::{tail}", resolved or target[1], marks),
-                        scope,
-                        source,
-                        files,
-                        {},
-                        depth + 1,
-                    )
+                    member = (f"{target[0]}::{tail}", resolved or target[1], marks)
+                    return resolve_type(index, member, scope, source, files, {}, depth + 1)
     if source.program.language != "python":
         owner = pointed_class(index, name, scope, source) if hidden is None else None
         if owner is not None:
@@ -175,7 +175,7 @@ def resolve_type(
 
 def _foreign(index: Index, source: Source) -> bool:
     """Whether names may come out of namespaces that the workspace does not define."""
-    return any(namespace not in ("std", "ros", "boost") for namespace in index.opened(source))
+    return any(space.partition("::")[0] not in ("std", "ros", "boost") for space in index.opened(source))
 
 
 def _pointer(name: str, arguments: Any, marks: str) -> Type:

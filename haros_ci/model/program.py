@@ -8,7 +8,8 @@ index, never compare them with tuples). Lines and columns are 1-based and count 
 Types, ``T``: ``(name, arguments, marks)``. *name* as written, without template arguments (``std::vector``), Python dotted;
 *arguments* are types, or expressions for value arguments; *marks* is a string with ``c`` for const, ``*`` for each
 pointer, ``&`` for each reference. A function type is ``("()", (returned, *parameters), marks)``. ``("auto", (), marks)``;
-``("", (), "")`` where Python says nothing. A dependent member keeps its path: ``("A::B", ...)`` with A's arguments dropped.
+``("", (), "")`` where Python says nothing. A member type keeps its path and has the
+arguments of its class where it has none: ``A<T>::B`` is ``("A::B", (T,), "")``.
 
 Expressions, ``E``:
 

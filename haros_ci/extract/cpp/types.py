@@ -87,11 +87,11 @@ class Specifiers(NamedTuple):
     rest: list[Node]
 
 
-def path(unit: Unit, node: Node, depth: int) -> tuple[str, tuple[Any, ...]]:
+def path(unit: Unit, node: Node, depth: int, is_type: bool = False) -> tuple[str, tuple[Any, ...]]:
     """A possibly qualified name without template arguments, and the template arguments of its last part.
 
     For ``std::numeric_limits<T>::max`` and ``InterProcessPollingSubscriber<T>::create_subscription`` they are those of
-    the class: its methods say nothing without them.
+    the class: its methods say nothing without them. So they are for a type that is a member of a class template.
     """
     text = unit.text[node.start_byte : node.end_byte]
     if "<" not in text:
@@ -108,7 +108,10 @@ def path(unit: Unit, node: Node, depth: int) -> tuple[str, tuple[Any, ...]]:
                 if child.kind_id in _PLAIN or child.kind_id in _TEMPLATE or child.kind_id in _DEPENDENT:
                     name, chosen = path(unit, child, depth + 1) if depth < DEEPEST else ("?", ())
                     parts.append(name)
-                    around = chosen if name.endswith(("numeric_limits", "PollingSubscriber")) else ()
+                    if is_type:
+                        around = chosen or around
+                    else:
+                        around = chosen if name.endswith(("numeric_limits", "PollingSubscriber")) else ()
                 elif not child.is_named and child.end_byte - child.start_byte == 2 and not parts:
                     parts.append("")
             node = children[-1]
@@ -157,7 +160,7 @@ def plain_type(unit: Unit, node: Node, depth: int) -> Any:
         name = specified_name(node)
         return (*path(unit, name, depth + 1), "") if name is not None else NOTHING
     if kind in _QUALIFIED or kind in _TEMPLATE or kind in _DEPENDENT:
-        return (*path(unit, node, depth + 1), "")
+        return (*path(unit, node, depth + 1, True), "")
     return (" ".join(unit.cut(node).split()), (), "")
 
 

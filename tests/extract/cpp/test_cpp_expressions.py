@@ -151,7 +151,7 @@ def test_delete_and_comma_are_ops() -> None:
             T("std::function", ("()", (T("void"), T("M", marks="c&"), T("int")), "")),
         ),
         ("A<B<C>, 3>", T("A", T("B", T("C")), ("num", 3))),
-        ("A<B>::C", T("A::C")),
+        ("A<B>::C", T("A::C", T("B"))),
         ("typename A<B>::template C<D>", T("A::C", T("D"))),
         ("const A *const", T("A", marks="c*c")),
         ("A const &", T("A", marks="c&")),

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""C++: members of what a template parameter stands for, and of class templates: types, constants, aliases."""
+
+from __future__ import annotations
+
+import pytest
+from ros2_cpp_kit import KEPT, component, explicit, last, only, policies
+
+SPECS = """
+namespace specs {
+struct Speed {
+  using Message = std_msgs::msg::String;
+  static constexpr char name[] = "/speed";
+  static constexpr size_t depth = 3;
+  static constexpr auto durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
+};
+}
+template <class SpecT> rclcpp::QoS quality() {
+  rclcpp::QoS qos(SpecT::depth);
+  qos.durability(SpecT::durability);
+  return qos;
+}
+template <class SpecT, class NodeT> void create(NodeT * node) {
+  auto p = node->template create_publisher<typename SpecT::Message>(SpecT::name, quality<SpecT>());
+}
+template <class SpecT> class Publisher {
+public:
+  using SpecType = SpecT;
+  using SharedPtr = std::shared_ptr<Publisher<SpecT>>;
+  int number_;
+};
+class Adaptor {
+public:
+  explicit Adaptor(rclcpp::Node * node) : node_(node) {}
+  template <class SharedPtrT> void init(SharedPtrT & publisher) const {
+    using SpecT = typename SharedPtrT::element_type::SpecType;
+    create<SpecT>(node_);
+  }
+  template <class SharedPtrT> void again(SharedPtrT & publisher) const {
+    using SpecT = typename SharedPtrT::element_type::SpecType;
+    create<SpecT>(node_);
+  }
+  rclcpp::Node * node_;
+};
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "members"),
+    (
+        ("create<specs::Speed>(this);", ""),
+        ("using S = specs::Speed; create<S>(this);", ""),
+        ("Adaptor adaptor(this); adaptor.init(p_);", "Publisher<specs::Speed>::SharedPtr p_;"),
+        ("Adaptor adaptor(this); adaptor.again(p_);", "std::shared_ptr<Publisher<specs::Speed>> p_;"),
+        ("create_publisher<Spec::Message>(Spec::name, quality<Spec>());", "using Spec = specs::Speed;"),
+    ),
+)
+def test_members_of_what_a_parameter_stands_for(body: str, members: str) -> None:
+    end = only(component(body, members, SPECS))
+    assert (end.name, end.type, policies(end)) == ("/speed", "std_msgs/msg/String", last(3, "reliable", KEPT))
+
+
+def test_members_that_are_not_known() -> None:
+    (end,) = explicit(component("create<elsewhere::Speed>(this);", "", SPECS))
+    assert (end.name, end.type) == ("/?", None)
+    assert {unknown.field for unknown in end.unknowns} == {"name", "type", "qos"}
+
+
+def test_a_name_of_the_function_is_meant_before_those_of_libraries() -> None:
+    body = 'using rclcpp::QoS; create_publisher<String>("a", QoS{2});'
+    assert policies(only(component(body))) == last(2)
