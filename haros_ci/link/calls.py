@@ -21,6 +21,7 @@ from haros_ci.link import (
     members,
     methods,
     partials,
+    static_types,
 )
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, is_type, pointee
@@ -52,10 +53,7 @@ def call(run: Run, frame: Frame, expression: Expression) -> Value:
     if callee[0] == "field":
         name = callee[2]
         receiver_cell = expressions.cell_of(run, frame, callee[1]) if callee[1][0] in call_arguments.LVALUES else None
-        if receiver_cell is not None:
-            receiver = receiver_cell.value
-        else:
-            receiver = expressions.evaluate(run, frame, callee[1])
+        receiver = receiver_cell.value if receiver_cell is not None else expressions.evaluate(run, frame, callee[1])
         smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
         args = call_arguments.arguments(run, frame, written)
         if smart and receiver_cell is not None and name in library.POINTER_METHODS:
@@ -70,6 +68,7 @@ def call(run: Run, frame: Frame, expression: Expression) -> Value:
             ]
             return run.either_way(ways, "it is called on one of several objects")
         return method_call(run, frame, receiver, receiver_cell, name, args, targs, location)
+    callee, targs = static_types.member_called(run, frame, callee, targs)
     function = expressions.evaluate(run, frame, callee)
     if isinstance(function, Library) and function.name in callbacks.QT:
         return callbacks.signature(run, frame, function.name, written)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from haros_ci.link import conversions, expressions
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.state import certain
@@ -61,6 +63,20 @@ def element_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
         found: Type = kind[1][0]
         return found
     return None
+
+
+def member_called(run: Run, frame: Frame, callee: Expression, targs: Any) -> tuple[Expression, Any]:
+    """``decltype(a)::element_type::make`` with the class that it stands for, and this class's template arguments."""
+    if callee[0] != "name" or not callee[1].startswith("decltype("):
+        return callee, targs
+    inside, _, rest = callee[1][9:].partition(")")
+    name = inside.removeprefix("this->").strip()
+    kind = static_type(run, frame, ("name", name)) if name.isidentifier() and rest.startswith("::") else None
+    if kind is None:
+        return callee, targs
+    head, _, last = rest[2:].rpartition("::")
+    owner = run.type_in((f"{kind[0]}::{head}" if head else kind[0], kind[1], ""), frame)
+    return ("name", f"{owner[0]}::{last}"), targs or owner[1]
 
 
 def static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:

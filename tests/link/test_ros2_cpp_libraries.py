@@ -150,11 +150,12 @@ def test_tools() -> None:
 def test_wrappers_of_autoware() -> None:
     members = (
         'autoware_utils::InterProcessPollingSubscriber<String> one_{this, "~/input/one"};'
-        "autoware_utils::InterProcessPollingSubscriber<String>::SharedPtr two_;"
+        "autoware_utils::InterProcessPollingSubscriber<String>::SharedPtr two_, three_;"
         "std::unique_ptr<autoware_utils::DebugPublisher> debug_;"
         "std::unique_ptr<autoware_utils::PublishedTimePublisher> time_; rclcpp::Publisher<String>::SharedPtr p_;"
     )
     body = (
+        'three_ = decltype(three_)::element_type::create_subscription(this, "~/input/three", 3);'
         'two_ = autoware_utils::InterProcessPollingSubscriber<String>::create_subscription(this, "~/input/two",'
         " rclcpp::QoS{1}.transient_local());"
         'debug_ = std::make_unique<autoware_utils::DebugPublisher>(this, "~/debug"); debug_->publish<String>("d", 1);'
@@ -165,6 +166,7 @@ def test_wrappers_of_autoware() -> None:
     found = component(body, members)
     assert [(end.name, end.type, policies(end)) for end in explicit(found, "subscribers")] == [
         ("/n/input/one", "std_msgs/msg/String", last(1)),
+        ("/n/input/three", "std_msgs/msg/String", last(3)),
         ("/n/input/two", "std_msgs/msg/String", last(1, "reliable", KEPT)),
     ]
     assert [(end.name, end.type) for end in explicit(found)] == [
