@@ -103,7 +103,7 @@ def invoke(
         inert.skipped(run, inner, function, definition, returns, _with_bound(function.bound, args))
         return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
     given = _with_bound(function.bound, args)
-    makes_nothing = not inert.may_make(run, function, given)
+    makes_nothing = not inert.may_make(run, function, given, inner.templates)
     spent = run.spent.get(id(definition), 0)
     if (makes_nothing and (spent > SPENT or inert.is_inert(run, function, definition, returns, given))) or (
         run.quiet and spent > (REHEARSED if run.quiet_steps < MANY else SPENT)

@@ -10,6 +10,7 @@ from typing import Any
 from haros_ci.link import call_arguments, lookup, methods, partials
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
+from haros_ci.link.types import is_type
 from haros_ci.link.values import (
     NONE,
     Callable,
@@ -40,10 +41,21 @@ HELD = frozenset((ClassValue, Library))
 CALLABLE = CALLED | {Choice, Pointer, Sequence, Mapped}
 
 
-def may_make(run: Run, function: Callable, args: tuple[call_arguments.Argument, ...]) -> bool:
-    """Whether a call may make something: the function by itself, or something that it is given and may call."""
+def may_make(
+    run: Run,
+    function: Callable,
+    args: tuple[call_arguments.Argument, ...],
+    templates: Mapping[str, Type] | None = None,
+) -> bool:
+    """Whether a call may make something: the function by itself, or something that it is given and may call.
+
+    *templates* are what its template parameters stand for: it may construct them.
+    """
     if run.relevance.makes(function.function, function.source):
         return True
+    for kind in (templates or {}).values():
+        if is_type(kind) and kind[0] in run.index.classes and run.relevance.named(kind[0]):
+            return True
     return (
         any(a.value.__class__ in CALLABLE and _makes(run, a.value) for a in args)
         or any(value.__class__ in CALLABLE and _makes(run, value) for value in function.bound)

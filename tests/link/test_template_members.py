@@ -69,3 +69,16 @@ def test_members_that_are_not_known() -> None:
 def test_a_name_of_the_function_is_meant_before_those_of_libraries() -> None:
     body = 'using rclcpp::QoS; create_publisher<String>("a", QoS{2});'
     assert policies(only(component(body))) == last(2)
+
+
+def test_what_a_class_template_constructs_is_made_for_each_of_many_arguments() -> None:
+    before = "template <class T> class Wrapper { public: void init(rclcpp::Node & n) { m_ = std::make_unique<T>(n); }"
+    before += " std::unique_ptr<T> m_; };"
+    for number in range(6):
+        idle = "".join(f"int i{step} = {step};" for step in range(100))
+        before += (
+            f'class M{number} {{ public: explicit M{number}(rclcpp::Node & n) {{ {idle} n.create_publisher<String>("m{number}", 1);'
+            f" }} int x_; }}; class P{number} : public Wrapper<M{number}> {{ int y_; }};"
+        )
+    body = "".join(f"P{number} p{number}; p{number}.init(*this);" for number in range(6))
+    assert [end.name for end in explicit(component(body, "", before))] == [f"/m{number}" for number in range(6)]
