@@ -58,7 +58,7 @@ def register(
 
 def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
     """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
-    named = written[0] if len(written) == 1 else ("none",)
+    named: Expression = written[0] if len(written) == 1 else ("none",)
     if macro == "SLOT" and frame.this is not None and named[0] == "call" and named[1][0] == "name":
         register(run, methods.method_of(run, frame.this, named[1][1]) or NONE)
     return run.opaque(f"what {macro} is", frame)

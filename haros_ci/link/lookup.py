@@ -65,10 +65,9 @@ def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
 
 
 def _found_variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type] | None:
-    key = ("variable", name, frame.scope, frame.source.path)
-    if key not in run.found:
+    if (key := ("variable", name, frame.scope, frame.source.path)) not in run.found:
         run.found[key] = _variable(run, frame, name)
-    return run.found[key]  # type: ignore[no-any-return]
+    return run.found[key]
 
 
 def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type] | None:

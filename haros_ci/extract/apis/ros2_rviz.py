@@ -50,6 +50,19 @@ def _base(name: str, entry: tuple[str, ...]) -> tuple[Mapping[str, Any], ...]:
     )
 
 
+def _property(kind: str) -> tuple[Mapping[str, Any], ...]:
+    """A property: its value is its default until it is set."""
+    return (
+        {"call": kind, "args": [0], "fills": {"value": ""}},
+        {"call": kind, "args": list(range(1, 10)), "fills": {"value": "{1?}"}},
+        *(
+            {"call": f"{kind}::{setter}", "args": [1], "fills": {"value": "{0}"}}
+            for setter in ("setValue", "setString", "setStdString")
+        ),
+        *({"call": f"{kind}::{reader}", "args": [0], "returns": "{this.value}"} for reader in READERS.split()),
+    )
+
+
 # fmt: off
 ROWS: tuple[Mapping[str, Any], ...] = (
     *(row for name, entry in BASES for row in _base(name, entry)),
@@ -59,13 +72,7 @@ ROWS: tuple[Mapping[str, Any], ...] = (
     {"call": f"{ABSTRACTION}::get_raw_node", "args": [0], "returns": "rclcpp::Node", "fills": {"node": "{this}"}},
 
     # rviz_common/properties
-    *(row for name in (PROPERTIES + " " + TOPICS).split() for kind in (f"rviz_common::properties::{name}",) for row in (
-        {"call": kind, "args": [0], "fills": {"value": ""}},
-        {"call": kind, "args": list(range(1, 10)), "fills": {"value": "{1?}"}},
-        *({"call": f"{kind}::{setter}", "args": [1], "fills": {"value": "{0}"}}
-          for setter in ("setValue", "setString", "setStdString")),
-        *({"call": f"{kind}::{reader}", "args": [0], "returns": "{this.value}"} for reader in READERS.split()),
-    )),
+    *(row for name in (PROPERTIES + " " + TOPICS).split() for row in _property(f"rviz_common::properties::{name}")),
     *({"call": f"QString::{name}", "args": [1], "transparent": "{0}"} for name in ("fromStdString", "fromUtf8")),
 
     # QObject: what is connected to a signal is called later.
