@@ -64,6 +64,15 @@ def plugins(programs: Programs) -> dict[str, tuple[Source, Class]]:
     return found
 
 
+def plugins_of_base(programs: Programs) -> dict[str, tuple[tuple[Source, Class], ...]]:
+    """The classes that plug-in descriptions name by their base class, in the order of their names."""
+    found: dict[str, dict[str, tuple[Source, Class]]] = {}
+    for described, source, definition, _ in _described(programs):
+        base = described.base.replace(" ", "").removeprefix("::")
+        found.setdefault(base, {}).setdefault(definition.name, (source, definition))
+    return {base: tuple(each for _, each in sorted(classes.items())) for base, classes in found.items()}
+
+
 def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozenset[str]]]:
     """All nodelet classes by look-up name: the description, where each begins, and its library's files."""
     found: dict[str, tuple[PluginClass, Entry, frozenset[str]]] = {}
@@ -90,7 +99,7 @@ def described_classes(programs: Programs) -> Iterator[tuple[PluginClass, Source,
             library = posixpath.basename(plugin.library).removeprefix("lib")
             targets = [t for t in build.targets if t.kind == "library" and library in (t.output, t.name)]
             files = files_of(programs, targets[0]) if targets else frozenset[str]()
-            name = plugin.type.strip()
+            name = plugin.type.strip().partition("<")[0]
             name = name if name in programs.cpp.classes else aliased(programs.cpp, name) or name
             candidates = sorted(
                 (item for item in programs.cpp.classes.get(name, ()) if item[1].bases or item[1].fields),

@@ -18,11 +18,37 @@ from haros_ci.link.values import (
 from haros_ci.model.location import Location
 
 
+#: Why it is not known whether what a plug-in makes is made.
+ANY = "which plug-ins are loaded is a matter of parameters"
+#: Plug-ins of one base class that are followed.
+MOST = 32
+
+
 def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
+    """What pluginlib loads by that name; where a node is followed for its plug-ins, it may be any of that base class.
+
+    These are loaded once at each place of the program, however often it is gone through.
+    """
+    named = _named(run, frame, loader, name, location)
+    of_base, base = run.context.of_base, loader.arguments[0][0] if loader.arguments else ""
+    if of_base is None or run.quiet or location in run.offered:
+        return named
+    run.offered.add(location)
+    loaded: list[Value] = [named] if isinstance(named, Object) else []
+    there = {each.name for each in loaded if isinstance(each, Object)}
+    for found in of_base.get(base, ())[:MOST]:
+        if found[1].name not in there:
+            run.gaps.setdefault(ANY, location)
+            with run.doubted(ANY):
+                loaded.append(construct.instance(run, frame, found, (), (), location))
+    return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
+
+
+def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
     """An instance of the class that pluginlib loads by that name, where it is of the workspace (wiki.ros.org/pluginlib)."""
     base = loader.arguments[0] if loader.arguments else None
     if isinstance(name, Choice):
-        ways = [partial(plugin, run, frame, loader, option, location) for option in name.options]
+        ways = [partial(_named, run, frame, loader, option, location) for option in name.options]
         return run.either_way(ways, "it is one of several plug-ins")
     if not isinstance(name, Known) or not isinstance(name.value, str):
         why = opaque_of(name)

@@ -9,7 +9,7 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
-from haros_ci.link import keeping, ros2_system, system
+from haros_ci.link import keeping, library_yaml, ros2_system, system
 from haros_ci.link.index import Source
 from haros_ci.link.keeping import Keeper
 from haros_ci.link.kept import Followed
@@ -156,6 +156,7 @@ def link(
             if (package, name) not in started and types.executables[package, name][1] not in behind_links:
                 jobs.append(system.alone(types, package, name))
         jobs += ros2_alone(types, started)
+        jobs += ros2_system.hosts(types)
         for described, _, _ in dict.fromkeys(types.nodelets.values()):
             if system.type_of(described.name, described) not in started:
                 jobs.append(system.standalone(types, described.name))
@@ -186,9 +187,12 @@ def link(
                 user_data=item.user_data,
             )
         )
-    for nodes, said in results:
+    for (nodes, said), job in zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True):
         node = nodes[0]
-        if node.kind != system.PROGRAM:
+        if job.label == ros2_system.PLUGINS:
+            if any(unknown.reason == library_yaml.ANY for unknown in node.unknowns):
+                configurations.append(Configuration(name=f"{node.package}/{node.type} ({job.label})", nodes=nodes))
+        elif node.kind != system.PROGRAM:
             problems.update(dict.fromkeys(said))
             name = f"{node.package}/{node.type}"
             taken = node.kind == "nodelet" and any(c.name == name for c in configurations)

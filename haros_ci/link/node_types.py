@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from haros_ci.link import api_rows, ros2_entries
-from haros_ci.link.entries import Programs, executables, nodelets, plugin_files, plugins
+from haros_ci.link.entries import Programs, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.link.follow import Entry
 from haros_ci.link.index import Source, build_index
 from haros_ci.link.parameters import yaml_reader
@@ -71,6 +71,7 @@ def types_of(
         reader,
         known,
         exact=exact,
+        of_base=plugins_of_base(programs),
         ros2_programs=of_version(ros2_entries.programs_of(programs, loadable), versions, 2),
         components=loadable,
         hosted=of_version(ros2_entries.hosted(programs, tables.get(("cpp", 2), {})), versions, 2),

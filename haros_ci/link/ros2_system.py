@@ -26,15 +26,19 @@ from haros_ci.link.ros2_process import (
 )
 from haros_ci.link.run import Context, Made
 from haros_ci.link.system import PROGRAM, Job, Types, files_key, followed_in, incomplete, same
+from haros_ci.link.types import is_type
 from haros_ci.link.values import Known, Opaque, Value
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.location import Location
+from haros_ci.model.program import Type
 from haros_ci.model.workspace import Problem
 
 NOTHING = ParameterServer(())
 #: Kinds of endpoints that rules for services rename.
 SERVICES = ("servers", "clients")
+#: What a configuration is called besides in which a node is followed with every plug-in.
+PLUGINS = "plug-ins"
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +51,8 @@ class Started:
     is_component: bool
     #: The rules of the container that a component is loaded into.
     around: tuple[Rule, ...] = ()
+    #: Whether every plug-in that it could load is followed.
+    has_plugins: bool = False
 
 
 def launched(types: Types, node: LaunchedNode) -> Job:
@@ -109,8 +115,10 @@ def _words(text: str, first: str = "") -> list[str]:
     return [first, *words] if first and words and words[0] != first else words
 
 
-def alone(types: Types, package: str, name: str, is_component: bool = False) -> Job:
-    """A node type started by itself, under the name that it gives itself."""
+def alone(
+    types: Types, package: str, name: str, is_component: bool = False, has_plugins: bool = False
+) -> Job:
+    """A node type started by itself, under the name that it gives itself; perhaps with every plug-in of the workspace."""
     entry, files = (types.components if is_component else types.ros2_programs)[package, name]
     line = entry.function.line if entry.function else entry.definition.line if entry.definition else 1
     chosen = f"/{name.rpartition('::')[2]}"
@@ -124,9 +132,13 @@ def alone(types: Types, package: str, name: str, is_component: bool = False) -> 
         class_name=name if is_component else None,
         ros=2,
     )
-    started = Started((), Parameters(()), (), is_component)
+    started = Started((), Parameters(()), (), is_component, has_plugins)
     return Job(
-        node, (id(entry), name), lambda: _followed(types, entry, files, node, started, False), _size(types, files)
+        node,
+        (id(entry), name),
+        lambda: _followed(types, entry, files, node, started, False),
+        _size(types, files),
+        label=PLUGINS if has_plugins else "",
     )
 
 
@@ -146,6 +158,33 @@ def plugin(types: Types, package: str, name: str) -> Job:
         return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
 
     return Job(node, (id(entry), name), follow, _size(types, files))
+
+
+def hosts(types: Types) -> Iterable[Job]:
+    """The executables of packages with a pluginlib loader for plug-ins of the workspace, once more with all of these.
+
+    What a plug-in makes that no configuration loads is told there, and is not told of the node as it is started.
+    """
+    loading = {
+        source.package
+        for found in types.programs.cpp.classes.values()
+        for source, definition in found
+        for member in definition.fields
+        if any(f"::{base}".endswith(f"::{_loaded_base(member.type)}") for base in types.of_base)
+    }
+    seen: set[int] = set()
+    for package, name in sorted(types.ros2_programs):
+        entry = types.ros2_programs[package, name][0]
+        if package in loading and id(entry) not in seen and entry.source.separator == "::":
+            seen.add(id(entry))
+            yield alone(types, package, name, has_plugins=True)
+
+
+def _loaded_base(kind: Type) -> str:
+    """The base class of a loader's type, also behind a pointer to it; ``?`` if it is no loader."""
+    while kind[0] and kind[0].rpartition("::")[2] != "ClassLoader":
+        kind = kind[1][0] if kind[1] and is_type(kind[1][0]) else ("", (), "")
+    return str(kind[1][0][0]) if kind[1] and is_type(kind[1][0]) else "?"
 
 
 def _size(types: Types, files: frozenset[str]) -> int:
@@ -242,7 +281,8 @@ def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str],
 
 def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
     """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again."""
-    key = (2, entry.key, files_key(files), started.rules, started.words, started.is_component, started.around)
+    kinds = (started.is_component, started.has_plugins, started.around)
+    key = (2, entry.key, files_key(files), started.rules, started.words, *kinds)
     earlier = types.followed.setdefault(key, [])
 
     def parameter(full: str) -> Value | None:
@@ -265,6 +305,7 @@ def run_process(types: Types, entry: Entry, files: frozenset[str], started: Star
         namespace="/",
         arguments=words,
         plugins=types.plugins,
+        of_base=types.of_base if started.has_plugins else None,
         parameter=ask,
         read_yaml=types.read_yaml,
         process=Process(

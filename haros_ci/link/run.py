@@ -139,6 +139,8 @@ class Context:
     arguments: tuple[str, ...] | None
     #: The classes that pluginlib can load, by look-up name: where they are defined.
     plugins: Mapping[str, tuple[Source, Class]]
+    #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.
+    of_base: Mapping[str, tuple[tuple[Source, Class], ...]] | None = field(default=None, kw_only=True)
     #: The value of a parameter that the configuration sets (a Choice if under a condition), None if it does not.
     parameter: Function_[[str], Value | None]
     #: The data of a YAML file by the path as values have it; None if it is not in the workspace.
@@ -208,6 +210,8 @@ class Run:
     made: dict[Any, Made] = field(default_factory=dict)
     roots: list[Root] = field(default_factory=list)
     known_roots: set[Any] = field(default_factory=set)
+    #: The places where every plug-in of a base class has been loaded.
+    offered: set[Location] = field(default_factory=set)
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
     #: Variables of functions that are made once.
     statics: dict[Any, Cell] = field(default_factory=dict)

@@ -72,6 +72,8 @@ class Types:
     components: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
     #: Plug-ins that a program outside the workspace loads, by package and class.
     hosted: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
+    #: The plug-ins of the workspace by base class.
+    of_base: Mapping[str, tuple[tuple[Source, Class], ...]] = field(default_factory=dict)
     #: The ROS version of each package, None where it does not tell.
     versions: Mapping[str, int | None] = field(default_factory=dict)
 
@@ -102,6 +104,8 @@ class Job:
     size: int = 0
     #: What a ROS 2 process is given from outside.
     parameters: Parameters | None = None
+    #: What its configuration is called besides, where the node is followed alone.
+    label: str = ""
 
 
 def launched(types: Types, started: Started, server: ParameterServer) -> Job:
@@ -315,7 +319,7 @@ def followed_in(
 ) -> Followed:
     """Follow from *entry* in *context*; what goes wrong is a problem, and what was made until then counts."""
     index = types.programs.index_of(entry)
-    trace = types.traces.setdefault((entry.source.separator, files), Trace())
+    trace = types.traces.setdefault((entry.source.separator, files, context.of_base is not None), Trace())
     before = index.trace
     index.traced(trace)
     try:
@@ -351,7 +355,7 @@ def _followed_in(
             f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         )
         problems = (Problem(entry.source.path, said),)
-    if context.loaded:
+    if context.loaded or context.of_base is not None:
         trace.is_whole = False
     trace.names.update(relevance.asked())
     made, nodes = tuple(run.made.values()), tuple(run.nodes)
