@@ -6,10 +6,10 @@ en.cppreference.com/w/cpp/thread, boost.org/doc/libs/release/doc/html/thread.
 
 from __future__ import annotations
 
-MOST = list(range(1, 13))
-
 ROWS: tuple[dict[str, object], ...] = (
-    *({"call": name, "args": MOST, "calls": ["0"]} for name in ("std::thread", "std::jthread", "boost::thread")),
-    {"call": "std::async", "args": MOST, "calls": ["0", "1"]},
+    {"call": "std::thread", "args": [1, 2, 3, 4, 5, 6, 7, 8, 9], "calls": ["0"]},
+    {"call": "std::jthread", "args": [1, 2, 3, 4, 5, 6, 7, 8, 9], "calls": ["0"]},
+    {"call": "boost::thread", "args": [1, 2, 3, 4, 5, 6, 7, 8, 9], "calls": ["0"]},
+    {"call": "std::async", "args": [1, 2, 3, 4, 5, 6, 7, 8, 9], "calls": ["0", "1"]},
     {"call": "boost::thread_group::create_thread", "args": [1], "calls": ["0"]},
 )
