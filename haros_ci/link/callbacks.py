@@ -19,13 +19,17 @@ from haros_ci.model.program import Expression
 #: The macros that name a signal or slot (QObject).
 QT = frozenset(("SLOT", "SIGNAL"))
 
+#: Transitions of managed nodes (design.ros2.org/articles/node_lifecycle.html): a launch file's manager brings them up.
+SETUP = frozenset(("on_configure", "on_activate"))
+TEARDOWN = frozenset(("on_deactivate", "on_cleanup", "on_shutdown", "on_error"))
+
 
 def register(
-    run: Run, value: Value, others: tuple[call_arguments.Argument, ...] = (), is_update: bool = False
+    run: Run, value: Value, others: tuple[call_arguments.Argument, ...] = (), is_update: bool = False, is_setup: bool = False
 ) -> None:
     """*value* will be called back: remember it with the object among *others* that it is a method of.
 
-    With *is_update* that is when somebody sets parameters of the node.
+    With *is_update* that is when somebody sets parameters of the node or takes it down, with *is_setup* when it is brought up.
     """
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -53,7 +57,7 @@ def register(
     key = (id(value.function), id(value.this), len(value.bound))
     if key not in run.known_roots and not _is_endless(run, value):
         run.known_roots.add(key)
-        run.roots.append(Root(value, tuple(run.conditions), is_update=is_update))
+        run.roots.append(Root(value, tuple(run.conditions), is_update=is_update, is_setup=is_setup))
 
 
 def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
@@ -87,7 +91,7 @@ def framework_entries(run: Run, this: Object) -> None:
             for name in row.entry:
                 method = methods.method_of(run, this, name)
                 if method is not None and row.is_class:
-                    register(run, method)
+                    register(run, method, (), name in TEARDOWN, name in SETUP)
     _entries_of_unknown_base(run, this)
 
 

@@ -67,7 +67,7 @@ def plugins(programs: Programs) -> dict[str, tuple[Source, Class]]:
 def plugins_of_base(programs: Programs) -> dict[str, tuple[tuple[Source, Class], ...]]:
     """The classes that plug-in descriptions name by their base class, in the order of their names."""
     found: dict[str, dict[str, tuple[Source, Class]]] = {}
-    for described, source, definition, _ in _described(programs):
+    for described, source, definition, _ in described_classes(programs):
         base = described.base.replace(" ", "").removeprefix("::")
         found.setdefault(base, {}).setdefault(definition.name, (source, definition))
     return {base: tuple(each for _, each in sorted(classes.items())) for base, classes in found.items()}

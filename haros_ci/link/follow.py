@@ -89,6 +89,7 @@ def _component_arguments(run: Run, entry: Entry) -> tuple[call_arguments.Argumen
 def _call_back(run: Run, frame: Frame) -> None:
     """Follow the callbacks: each from the state after initialisation, joined with what the others leave behind."""
     run.is_called_back = True
+    _set_up(run, frame)
     done = 0
     effects: list[Writes] = []
     while done < min(len(run.roots), ROOTS):
@@ -100,7 +101,7 @@ def _call_back(run: Run, frame: Frame) -> None:
                 effects[number] = _rehearsed(run, frame, root, run.effects, number)
         together = _together(effects)
         for number, root in sorted(enumerate(batch, start=done), key=lambda each: each[1].is_update):
-            if not inert.may_make(run, root.function, ()):
+            if root.is_setup or not inert.may_make(run, root.function, ()):
                 continue
             mark, known, made = run.state.mark(), len(run.roots), len(run.made)
             _disturb(run, effects, number, together)
@@ -111,6 +112,18 @@ def _call_back(run: Run, frame: Frame) -> None:
         done += len(batch)
 
 
+def _set_up(run: Run, frame: Frame) -> None:
+    """Bring managed nodes up, and those that they make on the way: what that writes holds from then on."""
+    done = 0
+    while done < min(len(run.roots), ROOTS):
+        root = run.roots[done]
+        if root.is_setup:
+            known = len(run.roots)
+            _invoke(run, frame, root)
+            _hand_on(run, known, {})
+        done += 1
+
+
 def _rehearse_all(run: Run, frame: Frame) -> None:
     """What each callback writes by itself, for those that have not been asked yet."""
     for number in range(len(run.effects), min(len(run.roots), ROOTS)):
@@ -119,7 +132,7 @@ def _rehearse_all(run: Run, frame: Frame) -> None:
 
 def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
     """What a callback writes, from a state that the *others* have disturbed."""
-    if root.is_update:
+    if root.is_update or root.is_setup:
         return {}
     start = run.state.mark()
     _disturb(run, others, number)

@@ -126,8 +126,10 @@ class Root:
     function: Callable
     conditions: tuple[Condition, ...]
     writes: Mapping[Cell, Any] = field(default_factory=dict)
-    #: Whether it is called when somebody sets parameters: what it changes then is not seen elsewhere.
+    #: Whether it is called when somebody sets parameters, or takes a node down: what it changes then is not seen elsewhere.
     is_update: bool = False
+    #: Whether a managed node is brought up by it, before anything else is called back.
+    is_setup: bool = False
 
 
 @dataclass(slots=True)
