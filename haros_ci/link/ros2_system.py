@@ -132,7 +132,7 @@ def alone(
         class_name=name if is_component else None,
         ros=2,
     )
-    started = Started((), Parameters(()), (), is_component, has_plugins)
+    started = Started((), Parameters(()), (), is_component, has_plugins=has_plugins)
     return Job(
         node,
         (id(entry), name),
