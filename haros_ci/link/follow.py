@@ -53,7 +53,7 @@ def follow(run: Run, entry: Entry) -> bool:
 def _start(run: Run, frame: Frame, entry: Entry) -> None:
     if entry.definition is not None:
         owner = (entry.source, entry.definition)
-        args = _component_arguments(run, entry)
+        args: tuple[call_arguments.Argument, ...] = _component_arguments(run, entry)
         construct.instance(run, frame, owner, (), args, Location(entry.source.path, entry.definition.line))
         first: list[Root] = []
         if run.context.process is None:  # what a nodelet's manager calls, before anything is called back
@@ -65,7 +65,7 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
         activation.invoke(run, frame, Callable(entry.source, entry.function), ())
     elif entry.function is not None:
         words = run.context.arguments
-        args: tuple[call_arguments.Argument, ...] = ()
+        args = ()
         if entry.function.parameters:
             argv = Opaque("the command line") if words is None else None
             program: Value = Opaque("the program's name", None, ("char", (), "*"))

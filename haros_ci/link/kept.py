@@ -314,7 +314,7 @@ def _index(value: Any, items: Sequence[Any]) -> int:
 def _location(value: Any) -> Location:
     if value.__class__ is not Location:
         raise Unfit
-    return value  # type: ignore[no-any-return]
+    return value
 
 
 def _names(value: Any) -> tuple[tuple[Value, bool], ...]:

@@ -17,7 +17,6 @@ from haros_ci.link.values import (
 )
 from haros_ci.model.location import Location
 
-
 #: Why it is not known whether what a plug-in makes is made.
 ANY = "which plug-ins are loaded is a matter of parameters"
 #: Plug-ins of one base class that are followed.

@@ -111,7 +111,8 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
     itself = RosNode(full, space, space, kind, "", node.location or Location(""), rules=rules)
 
     def data(name: str) -> object | None:
-        value = given.get(*name.split(":", 1), under=node.conditions)
+        own, _, inner = name.partition(":")
+        value = given.get(own, inner, under=node.conditions)
         if value is None:
             return None
         held, plain = data_of(value)
@@ -122,7 +123,7 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
         field = "presence" if isinstance(value, Perhaps) else "value"
         return Unknown(field, reason.reason if reason else "it is not plain data", reason.location if reason else None)
 
-    def below(prefix: str) -> object:
+    def below(prefix: str) -> tuple[str, ...] | Unknown:
         if given.unread is not None:
             return Unknown("presence", reason_of(given.unread), given.unread.location)
         return tuple(name for name in given.of(full) if name.startswith(prefix))

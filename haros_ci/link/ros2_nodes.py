@@ -57,11 +57,11 @@ def construct(applied: Applied, entry: Entry, target: Object) -> None:
         below = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
         text, why, where = pattern(below if below is not None else NONE)
         if found is not None:
-            space = found.expand(text) if not text.startswith(("/", "~")) else found.space
+            inner = found.expand(text) if not text.startswith(("/", "~")) else found.space
             target.node = RosNode(
                 name=found.name,
                 own=found.own,
-                space=space,
+                space=inner,
                 kind=found.kind,
                 class_name=found.class_name,
                 location=applied.location,

@@ -6,9 +6,9 @@ from __future__ import annotations
 import re
 
 import pytest
+from follow_kit import CMAKE, CPP_HEAD, admits, because, case, cpp, ends, follow, names, node, only, table, well_formed
 
 from haros_ci.link.ends import ANONYMOUS
-from follow_kit import CMAKE, CPP_HEAD, admits, because, case, cpp, ends, follow, names, node, only, table, well_formed
 
 OUTSIDE = "#include <string>\nbool cond();\nstd::string text();\nint number();\n"
 

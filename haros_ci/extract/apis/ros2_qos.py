@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 #: What a row fills.
-Fields = dict[str, Any]
+Fields = dict[str, object]
 #: Members of rmw_qos_profile_t, which stand for the policies.
 MEMBERS = (
     "history",
