@@ -518,7 +518,7 @@ def test_the_node_of_a_transform_listener_keeps_its_name() -> None:
         ("d.read_only = outside();", None, None),
         (
             "rcl_interfaces::msg::FloatingPointRange r; r.from_value = 0.5; r.to_value = 2.0; r.step = 0.1;"
-            "d.floating_point_range.push_back(r);",
+            "d.floating_point_range = {r};",
             False,
             (0.5, 2.0, 0.1),
         ),

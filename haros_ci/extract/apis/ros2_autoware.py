@@ -54,9 +54,9 @@ ROWS: tuple[Mapping[str, object], ...] = (
        **({"returns": f"{space}::InterProcessPollingSubscriber"} if maker else {})}
       for space in POLLING for maker in ("", "::create_subscription")),
 
-    *({"call": f"{space}::single_depth_sensor_qos", "args": [0], "fills": {**BEST_EFFORT, "depth": "1"},
+    *({"call": f"{space}::single_depth_sensor_qos", "args": [0], "fills": dict(BEST_EFFORT, depth="1"),
        "returns": "rclcpp::SensorDataQoS"} for space in POLLING),
-    *({"call": f"{space}::SingleDepthSensorQoS", "args": [0], "fills": {**BEST_EFFORT, "depth": "1"},
+    *({"call": f"{space}::SingleDepthSensorQoS", "args": [0], "fills": dict(BEST_EFFORT, depth="1"),
        "returns": "rclcpp::SensorDataQoS"} for space in POLLING),
 
     # autoware_utils_debug/time_keeper.hpp

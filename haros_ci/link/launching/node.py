@@ -8,7 +8,7 @@ import shlex
 from dataclasses import replace
 
 from haros_ci.link.launching.context import NAMESPACE, Context
-from haros_ci.link.launching.parameter_files import Component, file_rules
+from haros_ci.link.launching.parameter_files import Component, file_rules, missing
 from haros_ci.link.launching.parameters import node_rules
 from haros_ci.link.launching.substitutions import truth_of
 from haros_ci.link.ros2_process import from_arguments, ros_arguments
@@ -146,6 +146,8 @@ def argument_rules(context: Context, text: str, location: Location) -> tuple[Par
             found.extend(file_rules(context, path, False, location))
         elif flag in ("-p", "--param"):
             found.extend(from_arguments(ros_arguments(("--ros-args", flag, _shown(word))), location))
+        elif not flag and MARK in word:  # there may be anything in it
+            found.append(missing("a part of the command line is not known", location))
         flag = word if not flag and word in ("--params-file", "-p", "--param", "-r", "--remap") else ""
     return tuple(found)
 
