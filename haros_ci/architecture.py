@@ -150,9 +150,7 @@ def programs(
     return (*sources, *parameter_libraries(workspace, built, problems))
 
 
-def parameter_libraries(
-    workspace: Workspace, built: Mapping[str, Build], problems: list[Problem]
-) -> Iterator[Source]:
+def parameter_libraries(workspace: Workspace, built: Mapping[str, Build], problems: list[Problem]) -> Iterator[Source]:
     """The code that generate_parameter_library makes of YAML, as programs."""
     seen = set()
     for build in built.values():

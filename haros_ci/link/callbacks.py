@@ -25,7 +25,11 @@ TEARDOWN = frozenset(("on_deactivate", "on_cleanup", "on_shutdown", "on_error"))
 
 
 def register(
-    run: Run, value: Value, others: tuple[call_arguments.Argument, ...] = (), is_update: bool = False, is_setup: bool = False
+    run: Run,
+    value: Value,
+    others: tuple[call_arguments.Argument, ...] = (),
+    is_update: bool = False,
+    is_setup: bool = False,
 ) -> None:
     """*value* will be called back: remember it with the object among *others* that it is a method of.
 

@@ -126,7 +126,9 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
         twin = copies.copied(run, first, kind)
         return Sequence(twin.content, kind) if isinstance(twin, Sequence) else twin
     if kind[1] and kind[1][0][0] in STRINGS and all(braces.is_text(argument) for argument in arguments):
-        items = Sequence(Cell(tuple(Cell(argument.value) for argument in arguments)))  # no other constructor takes texts
+        items = Sequence(
+            Cell(tuple(Cell(argument.value) for argument in arguments))
+        )  # no other constructor takes texts
         return braces.from_list(run, frame, kind, items)
     if isinstance(first, Known) and isinstance(first.value, int) and 0 <= first.value <= 1000:
         fill = arguments[1].value if len(arguments) > 1 else None
@@ -188,7 +190,9 @@ def initialise(
             inits[name.rpartition("::")[2]] = (kind, args, line, column)
         if function.body is not None:
             body_at = Location(where.path, function.body_line, function.body_column)
-        if short in inits and not _is_of_base(run, inner, function, definition.name):  # delegates to another constructor
+        if short in inits and not _is_of_base(
+            run, inner, function, definition.name
+        ):  # delegates to another constructor
             args = call_arguments.arguments(run, inner, inits[short][1])
             if depth < methods.BASES:
                 initialise(run, inner, this, owner, templates, args, location, depth + 1)

@@ -174,7 +174,12 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
         result = ros2_type(found.type) if is_ros2 else message_type(found.type)
         if result is not None and not is_ros2 and not _is_interface(applied, found.type, result):
             result = None
-        if result is not None and not is_ros2 and entry.kind == "servers" and not found.type[0].endswith(("::Request", "::Response")):
+        if (
+            result is not None
+            and not is_ros2
+            and entry.kind == "servers"
+            and not found.type[0].endswith(("::Request", "::Response"))
+        ):
             result = _service(found.type, result)
         if result is None and found.type[0]:
             unknowns.append(("type", f"{found.type[0]} is no message type that is known", applied.location))

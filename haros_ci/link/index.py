@@ -163,7 +163,12 @@ class Index:
                 found |= more
                 waiting += sorted(more)
             if not waiting and is_loading:
-                bases = {each.name.rpartition("::")[2] for p in found if p in self.sources for each in self.sources[p].program.classes}
+                bases = {
+                    each.name.rpartition("::")[2]
+                    for p in found
+                    if p in self.sources
+                    for each in self.sources[p].program.classes
+                }
                 more = {path for base, paths in plugins if base in bases for path in paths} - found
                 packages |= {self.sources[path].package for path in more if path in self.sources}
                 found |= more

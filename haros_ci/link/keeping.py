@@ -85,8 +85,9 @@ def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]
     return found
 
 
-def hand_on(keeper: Keeper, key: str, old: Sequence[tuple[Any, Followed]], fresh: Sequence[tuple[Any, Followed]]) -> None:
+def hand_on(
+    keeper: Keeper, key: str, old: Sequence[tuple[Any, Followed]], fresh: Sequence[tuple[Any, Followed]]
+) -> None:
     """Keep what held and what is new; nothing is written where nothing is new."""
     if any(each.consulted is not None for _, each in fresh):
         keeper.put(key, kept.written(keeper.files, (*old, *fresh)))
-

@@ -27,7 +27,12 @@ def summary_object(run: Run, owner: Any, kind: Type, receiver: Opaque) -> Object
 
 def owners(run: Run, value: Object) -> list[str]:
     """The class names under which rows may know an object's methods: its own, then its libraries' bases."""
-    key = ("owners", value.name, id(value.definition[1]) if value.definition is not None else 0, run.context.process is None)
+    key = (
+        "owners",
+        value.name,
+        id(value.definition[1]) if value.definition is not None else 0,
+        run.context.process is None,
+    )
     if key in run.found:
         known: list[str] = run.found[key]
         return known

@@ -99,9 +99,7 @@ def open_(
         arguments += launched.arguments
         problems += launched.problems
     if newer and ros2 is not None:
-        found = launch_system(
-            newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo
-        )
+        found = launch_system(newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo)
         jobs += [ros2_system.launched(types, each) for each in found.nodes]
         arguments += found.arguments
         problems += found.problems
@@ -135,7 +133,10 @@ def link(
     problems: dict[Problem, None] = {}
     configurations: list[Configuration] = []
     if wanted is None:
-        paths = (*entry_files(workspace, load), *(ros2.entries(workspace, environment or {}) if ros2 is not None else ()))
+        paths = (
+            *entry_files(workspace, load),
+            *(ros2.entries(workspace, environment or {}) if ros2 is not None else ()),
+        )
         chosen = tuple(Wanted(name=path_name(workspace, path), launch=(path,)) for path in sorted(paths))
     else:
         chosen = wanted

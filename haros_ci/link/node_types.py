@@ -49,7 +49,9 @@ def types_of(
         for config in build.configs
     }
     relevance = {
-        version: Relevance(python if version[0] == "python" else cpp, [row for found in table.values() for row in found])
+        version: Relevance(
+            python if version[0] == "python" else cpp, [row for found in table.values() for row in found]
+        )
         for version, table in tables.items()
     }
     reader = yaml_reader(files_of(workspace))

@@ -111,7 +111,10 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
             return TRUE if symbol == "==" else FALSE
         if (isinstance(left, Object) and right == NONE) or (isinstance(right, Object) and left == NONE):
             return FALSE if symbol == "==" else TRUE
-        if any(isinstance(a, Pointer) and isinstance(b, Object) and b.name == "[end]" for a, b in ((left, right), (right, left))):
+        if any(
+            isinstance(a, Pointer) and isinstance(b, Object) and b.name == "[end]"
+            for a, b in ((left, right), (right, left))
+        ):
             return FALSE if symbol == "==" else TRUE  # an element, and what is behind the last one
         known, one_data = data_of(left)
         also, other_data = data_of(right)

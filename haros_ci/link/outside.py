@@ -151,7 +151,9 @@ def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple
     unknowns = list(node.unknowns)
     if "?" in full and not any(each.field == "name" for each in unknowns):
         unknowns.append(Unknown("name", UNNAMED, node.location))
-    return replace(node, name=full, kind=kind, process=node.container or full, endpoints=(*ends, *extra), unknowns=tuple(unknowns))
+    return replace(
+        node, name=full, kind=kind, process=node.container or full, endpoints=(*ends, *extra), unknowns=tuple(unknowns)
+    )
 
 
 def started_words(started: LaunchedNode) -> tuple[str, ...]:

@@ -41,8 +41,7 @@ def _is_below(name: str, prefixes: list[str], depth: int) -> bool:
     if not prefixes:
         return depth == 0 or name.count(".") < depth
     return any(
-        name == prefix
-        or (name.startswith(f"{prefix}.") and (depth == 0 or name[len(prefix) + 1 :].count(".") < depth))
+        name == prefix or (name.startswith(f"{prefix}.") and (depth == 0 or name[len(prefix) + 1 :].count(".") < depth))
         for prefix in prefixes
     )
 

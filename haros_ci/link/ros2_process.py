@@ -23,7 +23,9 @@ from haros_ci.model.location import Location
 #: Sources of rules that name a node: ``__node:=name``, ``__name:=name``, ``__ns:=/namespace``.
 NAMES, SPACES = frozenset(("__node", "__name")), frozenset(("__ns",))
 #: Flags between ``--ros-args`` and ``--`` that a word follows.
-TAKES_ONE = frozenset("-r --remap -p --param --params-file --log-level --log-config-file --log-file-name -e --enclave".split())
+TAKES_ONE = frozenset(
+    "-r --remap -p --param --params-file --log-level --log-config-file --log-file-name -e --enclave".split()
+)
 #: What a rule's source begins with that is for topics, or for services, alone.
 TOPIC, SERVICE = "rostopic://", "rosservice://"
 

@@ -115,9 +115,7 @@ def _words(text: str, first: str = "") -> list[str]:
     return [first, *words] if first and words and words[0] != first else words
 
 
-def alone(
-    types: Types, package: str, name: str, is_component: bool = False, has_plugins: bool = False
-) -> Job:
+def alone(types: Types, package: str, name: str, is_component: bool = False, has_plugins: bool = False) -> Job:
     """A node type started by itself, under the name that it gives itself; perhaps with every plug-in of the workspace."""
     entry, files = (types.components if is_component else types.ros2_programs)[package, name]
     line = entry.function.line if entry.function else entry.definition.line if entry.definition else 1
@@ -250,7 +248,9 @@ def _implicit(node: RosNode, kind: str, started: Started, ends: tuple[Endpoint, 
 
 def _sorted(ends: Iterable[Endpoint]) -> tuple[Endpoint, ...]:
     return tuple(
-        sorted(ends, key=lambda e: (KINDS.index(e.kind), e.location.sort_key if e.location else (), e.name, e.type or ""))
+        sorted(
+            ends, key=lambda e: (KINDS.index(e.kind), e.location.sort_key if e.location else (), e.name, e.type or "")
+        )
     )
 
 
@@ -274,7 +274,9 @@ def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str],
     rules = {
         node.expand(schemed(rule.source)[1]): node.expand(schemed(rule.target)[1])
         for rule in reversed(node.rules)
-        if not rule.source.startswith("__") and "?" not in rule.source and rule.node in ("", node.name.rpartition("/")[2])
+        if not rule.source.startswith("__")
+        and "?" not in rule.source
+        and rule.node in ("", node.name.rpartition("/")[2])
     }
     return tuple(sorted(rules.items()))
 

@@ -268,7 +268,17 @@ class Run:
         """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
         if self.quiet:
             return
-        key = (made.kind, made.name, made.type, made.location, made.queue_size, made.latched, repr(made.value), made.qos, made.node and made.node.name)
+        key = (
+            made.kind,
+            made.name,
+            made.type,
+            made.location,
+            made.queue_size,
+            made.latched,
+            repr(made.value),
+            made.qos,
+            made.node and made.node.name,
+        )
         known = self.made.get(key)
         if self.doubts:
             made = replace(made, unknowns=(*made.unknowns, ("conditions", self.doubts[-1], made.location)))

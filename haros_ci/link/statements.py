@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci.link import construct, expressions, lookup, loops, members
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop, Run
 from haros_ci.link.state import Writes, joined
-from haros_ci.link.values import Cell, Known, Object, Sequence, Value
+from haros_ci.link.values import Cell, Known, Library, Object, Sequence, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Block, Statement
 
@@ -187,7 +187,8 @@ def _switch(run: Run, frame: Frame, statement: Statement) -> str:
 def _try(run: Run, frame: Frame, statement: Statement) -> str:
     """A handler begins with anything that the block may have done by then; afterwards counts what it assigns itself.
 
-    What else the block has left undone where it threw is not thought of: most never throw.
+    What else the block has left undone where it threw is not thought of: most never throw. A handler that gives up, as it
+    returns false or nothing, is followed for what it makes, and not for what it leaves behind.
     """
     _, block, handlers = statement
     mark = run.state.mark()
@@ -202,13 +203,23 @@ def _try(run: Run, frame: Frame, statement: Statement) -> str:
         frame.scopes.append({})
         if name:
             frame.declare(name, Cell(run.opaque("an exception", frame, line, run.type_in(kind, frame))))
+        returned = len(frame.returned)
         with run.under("catch", text, frame, line, column):
             how = execute(run, frame, handler)
         frame.scopes.pop()
+        if how == RETURN and ended != THROW and all(map(_is_failure, frame.returned[returned:])):
+            del frame.returned[returned:], frame.exits[returned:]
         own = run.state.since(begun)
         run.state.undo(start)
         branches.append((how, {**after, **own}))
     return _merge(run, frame, branches, None)
+
+
+def _is_failure(value: Value) -> bool:
+    """Whether a function that returns this says that it has failed, or nothing."""
+    if isinstance(value, Library):
+        return value.name.endswith(("FAILURE", "ERROR"))
+    return value in (Known(False), Known(None))
 
 
 def _preprocessor(run: Run, frame: Frame, statement: Statement) -> str:

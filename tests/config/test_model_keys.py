@@ -86,7 +86,7 @@ ARGS = "write args: {robot: kobuki}, and '' for an empty text"
         (
             "apis:\n  - call: a\n    makes: [{kind: publisher}]",
             "3: row 1 of 'apis': 'kind' is one of publishers, subscribers, servers, clients, action_servers, "
-            "action_clients, getters, setters, handle, node, rate, timer",
+            "action_clients, getters, setters, parameters, handle, node, rate, timer",
             ROW,
         ),
         (

@@ -7,7 +7,6 @@ What the members mean is told by ``haros_ci.link.qos``; ``default`` is the middl
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 #: What a row fills.
 Fields = dict[str, object]

@@ -15,7 +15,18 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
     (
         "cpp",
         1,
-        ("roscpp", "nodelet", "transports", "filters", "tf", "actions", "reconfigure", "diagnostics", "tools", "threads"),
+        (
+            "roscpp",
+            "nodelet",
+            "transports",
+            "filters",
+            "tf",
+            "actions",
+            "reconfigure",
+            "diagnostics",
+            "tools",
+            "threads",
+        ),
     ),
     ("python", 1, ("rospy",)),
     (

@@ -236,6 +236,9 @@ def test_the_pages_examples_load() -> None:
         "my_robot::Gripper",
         "my_robot::Gripper::onMove",
         "my_robot.tools.load",
+        "my_robot::Reporter",
+        "my_robot::Driver",
+        "my_robot::Driver",
     ]
     assert made(loaded[0].makes[0]) == {
         "kind": "publishers",
