@@ -19,11 +19,13 @@ from haros_ci.forks import shared
 from haros_ci.link import hints
 from haros_ci.link.index import Source
 from haros_ci.link.keeping import Keeper
+from haros_ci.link.kept import digest_of
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.launching.dialect import description_reader
 from haros_ci.link.launching.places import Places
 from haros_ci.link.link import Ros2Launch, Wanted, link
 from haros_ci.link.system import KnownNodes
+from haros_ci.link.trace import YAML_FILES
 from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
@@ -105,6 +107,7 @@ def architecture(
 def keeper(workspace: Workspace, store: Store) -> Keeper:
     """Where what nodes make is kept between runs: in *store*, beside the facts of the files."""
     files = {file.path: file.digest for file in workspace.files if file.language in ("cpp", "python")}
+    files[YAML_FILES] = digest_of([(file.path, file.digest) for file in workspace.files if file.language == "yaml"])
     languages = {file.path: file.language for file in workspace.files}
 
     def program(path: str, digest: str) -> Program | None:

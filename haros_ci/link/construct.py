@@ -178,6 +178,8 @@ def initialise(
 ) -> None:
     """Construct the part of *this* that *owner* declares."""
     source, definition = owner
+    if run.index.trace is not None:
+        run.index.trace.paths.add(source.path)
     short = definition.name.rpartition("::")[2]
     found = methods.class_method(run, source, definition, short, arguments, methods.BASES)
     where, function = found if found is not None else (source, None)

@@ -12,10 +12,12 @@ from haros_ci.link import activation, call_arguments, construct, inert, lookup, 
 from haros_ci.link.index import Source
 from haros_ci.link.run import ROOTS, Frame, OutOfSteps, Root, Run
 from haros_ci.link.state import Writes, joined
-from haros_ci.link.values import Callable, Cell, Known, Object, Opaque, Sequence, Text, Value
+from haros_ci.link.values import UNSET, UNSET_OR_INHERITED, Callable, Cell, Known, Object, Opaque, Sequence, Text, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function
 
+#: Reasons of values that what others write takes the place of.
+UNSETS = frozenset((UNSET, UNSET_OR_INHERITED))
 #: Steps that a second rehearsal of all callbacks may take.
 CHEAP = 2_000
 
@@ -183,8 +185,11 @@ def _disturb(run: Run, effects: Sequence_[Writes], own: int, all_of_them: Mappin
 
 
 def _join(run: Run, cell: Cell, value: Any) -> None:
-    after = joined(cell.value, value)
-    if after is not cell.value:
+    held = cell.value
+    if held is value or (held.__class__ is Opaque and held.reason not in UNSETS):
+        return
+    after = joined(held, value)
+    if after is not held:
         run.state.write(cell, after)
 
 

@@ -43,6 +43,7 @@ def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
         [sorted(index.packages) for index in (cpp, python)],
         sorted(cpp.defined.items(), key=repr),
         plugins,
+        [(base, [definition.name for _, definition in found]) for base, found in sorted(types.of_base.items())],
         sorted(types.configs.items()),
         [(version, each.rules()) for version, each in sorted(types.relevance.items())],
         [(source.path, source.module, source.package) for _, source in sorted(types.programs.sources.items())],

@@ -21,14 +21,14 @@ from haros_ci.link.kept_json import Unfit, from_json, to_json
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
-from haros_ci.link.trace import Trace
+from haros_ci.link.trace import YAML_FILES, Trace
 from haros_ci.link.values import Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Function, Program
 from haros_ci.model.workspace import Problem
 
 #: Part of every key: an interpreter that makes something else of the same facts gets another.
-VERSION = "1"
+VERSION = "2"
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +122,9 @@ def change_of(
     for path in sorted(now):
         if before[path] == now[path]:
             continue
+        if path == YAML_FILES:
+            change.paths.add(path)
+            continue
         old, new = source_before(path, before[path]), source_now(path)
         if old is None or new is None:
             change.is_all = True
@@ -146,7 +149,7 @@ def _compare(change: Change, path: str, before: Source, now: Source, relevance: 
         gone_ones, come_ones = earlier.get(name, []), later.get(name, [])
         if [_head(each) for each in gone_ones] != [_head(each) for each in come_ones]:
             change.names.add(number_of(name))
-            change.is_shape = True
+            change.is_shape = change.is_shape or "operator" in name
         if gone_ones != come_ones and _does_other(before, now, gone_ones, come_ones, relevance):
             change.names.add(number_of(name))
 
@@ -215,7 +218,7 @@ def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) 
     traces: dict[Consulted, int] = {}
     items = []
     for key, each in followed:
-        if each.consulted is None or each.problems:
+        if each.consulted is None:
             continue
         try:
             item = [to_json(key), *_written(each)]
@@ -244,7 +247,8 @@ def _written(each: Followed) -> list[Any]:
     made = [[nodes[id(m.node)] if m.node is not None else -1, to_json(replace(m, node=None))] for m in each.made]
     asked = [[name, to_json(value)] for name, value in each.asked.items()]
     gaps = [[said, to_json(where)] for said, where in each.gaps.items()]
-    return [to_json(tuple(table)), len(each.nodes), made, asked, gaps, to_json(each.names)]
+    problems = [[problem.path, problem.message, problem.line] for problem in each.problems]
+    return [to_json(tuple(table)), len(each.nodes), made, asked, gaps, to_json(each.names), problems]
 
 
 def read(data: Any) -> Record | None:
@@ -258,7 +262,7 @@ def read(data: Any) -> Record | None:
             for numbers, names, scanned, roots in traces
         ]
         followed = []
-        for trace, key, table, count, made, asked, gaps, names in items:
+        for trace, key, table, count, made, asked, gaps, names, problems in items:
             nodes = from_json(table)
             if not isinstance(nodes, tuple) or not all(node.__class__ is RosNode for node in nodes):
                 return None
@@ -267,7 +271,7 @@ def read(data: Any) -> Record | None:
                     from_json(key),
                     Followed(
                         made=tuple(_made(each, nodes) for each in made),
-                        problems=(),
+                        problems=tuple(_problem(each) for each in problems),
                         names=_names(from_json(names)),
                         gaps={_text(said): _location(from_json(where)) for said, where in gaps},
                         asked={_text(name): from_json(value) for name, value in asked},
@@ -279,6 +283,11 @@ def read(data: Any) -> Record | None:
         return Record(known, followed)
     except (Unfit, ValueError, TypeError):
         return None
+
+
+def _problem(data: Any) -> Problem:
+    path, message, line = data
+    return Problem(_text(path), _text(message), _count(line) if line is not None else None)
 
 
 def _made(data: Any, nodes: tuple[RosNode, ...]) -> Made:

@@ -7,6 +7,7 @@ from functools import partial
 
 from haros_ci.link import construct, dynamic
 from haros_ci.link.run import Frame, Run
+from haros_ci.link.trace import YAML_FILES
 from haros_ci.link.values import (
     Choice,
     Known,
@@ -64,7 +65,8 @@ def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
 def yaml_file(run: Run, path: Value) -> Value:
     if isinstance(path, Known) and isinstance(path.value, str):
         if run.index.trace is not None:
-            run.index.trace.is_whole = False
+            run.index.trace.paths.add(YAML_FILES)
+            run.index.trace.is_whole = run.index.trace.is_whole and path.value.endswith((".yaml", ".yml"))
         found = run.context.read_yaml(path.value)
         if found is not None:
             return found

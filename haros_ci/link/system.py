@@ -355,7 +355,7 @@ def _followed_in(
             f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
         )
         problems = (Problem(entry.source.path, said),)
-    if context.loaded or context.of_base is not None:
+    if context.loaded:
         trace.is_whole = False
     trace.names.update(relevance.asked())
     made, nodes = tuple(run.made.values()), tuple(run.nodes)

@@ -7,6 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+#: Stands for all YAML files of the workspace among paths.
+YAML_FILES = "*.yaml"
+
 
 @dataclass(slots=True)
 class Trace:
