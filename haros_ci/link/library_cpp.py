@@ -75,6 +75,10 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
         if args:
             texts.start(run, stream, args[0].value)
         return stream
+    if name == DESCRIPTOR and not args and run.context.process is not None:
+        flag = {"read_only": Cell(FALSE, ("bool", (), ""))}
+        ranges = {each: Cell(Sequence(Cell(()))) for each in ("floating_point_range", "integer_range")}
+        return Object(name, fields={**flag, **ranges})
     if name in FILES:
         return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})
     if name == "YAML::Parser":
@@ -312,6 +316,7 @@ def _data(
 
 
 LOADER = "pluginlib::ClassLoader"
+DESCRIPTOR = "rcl_interfaces::msg::ParameterDescriptor"
 LOADERS = frozenset(
     "createInstance createSharedInstance createUnmanagedInstance createUniqueInstance createClassInstance".split()
 )

@@ -122,12 +122,16 @@ def _parameter(
         declared = ros2_parameter_type((str(kind.value), (), "")) or str(kind.value)
     if declared is None and default is not None:
         declared = ros2_data_type(data) if data is not None else ros2_parameter_type(conversions.value_type(default))
-    value, effective = _effective(applied, node, text if why is None else None, default, entry.kind == "parameters")
+    value, effective = _effective(applied, node, text if why is None else None, default, entry.kind)
     if declared is None and entry.kind == "parameters":
         declared = ros2_data_type(effective)
     if declared is None and ("type" in entry.values or "value" in entry.values):
         unknowns.append(("type", "the type of the parameter is not known", applied.location))
-    read_only, limits = _descriptor(applied, entry)
+    read_only, limits = _descriptor(applied, entry, unknowns)
+    if entry.kind == "parameters" and effective is None and value is not None and value != NONE:
+        why_not_known = opaque_of(value)
+        said = why_not_known.reason if why_not_known else "it is not plain data"
+        unknowns.append(("effective", said, (why_not_known and why_not_known.location) or applied.location))
     if declared == "double" and isinstance(data, int) and not isinstance(data, bool):
         data = float(data)
     run.make(
@@ -164,15 +168,17 @@ def _unwrapped(value: Value | None) -> Value | None:
 
 
 def _effective(
-    applied: Applied, node: RosNode | None, name: str | None, default: Value | None, is_declared: bool
+    applied: Applied, node: RosNode | None, name: str | None, default: Value | None, kind: str
 ) -> tuple[Value | None, Any]:
     """The value that the parameter has, and as data: what is set or given from outside, else the default.
 
-    Where it *is_declared* now, what other ways have declared does not count.
+    Where it is declared now, what other ways have declared does not count; one that is not declared cannot be read.
     """
     if name is None or node is None:
         return Opaque("the parameter's name is not known", applied.location), None
-    found = parameter(applied, node, name, is_declared)
+    found = parameter(applied, node, name, kind == "parameters")
+    if kind == "getters" and found is not None and is_declared(applied, node, Known(name)) == Known(False):
+        found = Opaque("it is given from outside, but the node is not seen to declare it", applied.location)
     value = found if found is not None else default
     if value is None:
         return None, None
@@ -234,26 +240,42 @@ def _remember(applied: Applied, full: str, value: Value) -> None:
     run.state.write(run.server, {**own, full: Held(value)})
 
 
-def _descriptor(applied: Applied, entry: Entry) -> tuple[bool | None, Any]:
+def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[bool | None, Any]:
     """Whether a parameter is read-only, and its range, as a ParameterDescriptor says."""
     from haros_ci.link.selectors import value_of
 
     found = value_of(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
     if isinstance(found, Pointer):
         found = found.cell.value
+    if entry.kind != "parameters":
+        return None, None
+    if found is None or (isinstance(found, Sequence) and found.content.value == ()):
+        return False, None
     if not isinstance(found, Object):
-        return (False if entry.kind == "parameters" and found is None else None), None
+        reason = found.reason if isinstance(found, Opaque) else "the descriptor is not known"
+        unknowns += [(field, reason, applied.location) for field in ("read_only", "range")]
+        return None, None
     flag = found.fields.get("read_only")
-    read_only = flag.value.value if flag is not None and isinstance(flag.value, Known) else None
-    if flag is None or flag.value == NONE:
-        read_only = False
+    read_only: bool | None = False
+    if flag is not None and flag.value != NONE:
+        read_only = bool(flag.value.value) if isinstance(flag.value, Known) else None
+    if read_only is None:
+        unknowns.append(("read_only", "what the descriptor says is not known", applied.location))
     for name in ("floating_point_range", "integer_range"):
         cell = found.fields.get(name)
         first = _first(cell.value) if cell is not None else None
         if first is not None:
             limits = tuple(_number(first, part) for part in ("from_value", "to_value", "step"))
-            return bool(read_only), limits
-    return read_only if read_only is None else bool(read_only), None
+            if None in limits[:2]:
+                unknowns.append(("range", "what the descriptor says is not known", applied.location))
+            return read_only, limits
+        if cell is not None and isinstance(cell.value, (Opaque, Sequence)) and not _is_empty(cell.value):
+            unknowns.append(("range", "what the descriptor says is not known", applied.location))
+    return read_only, None
+
+
+def _is_empty(value: Value) -> bool:
+    return isinstance(value, Sequence) and value.content.value == ()
 
 
 def _first(value: Any) -> Object | None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from itertools import groupby
 from math import isfinite
 from pathlib import PurePosixPath
@@ -212,8 +212,14 @@ def _endpoint(end: Endpoint, place: Places) -> dict[str, Any]:
         "conditions": _conditions(end.conditions, place),
         "location": place.location(end.location),
         "source": end.source,
-        "unknowns": _unknowns(end.unknowns, place),
+        "unknowns": _unknowns((_of_key(why, end) for why in end.unknowns), place),
     }
+
+
+def _of_key(why: Unknown, end: Endpoint) -> Unknown:
+    """An unknown under the key of its field: of a declared parameter ``value`` is what it has, ``default`` the code's."""
+    keys = {"value": "default", "effective": "value"} if end.kind == "parameters" else {}
+    return replace(why, field=keys.get(why.field, why.field))
 
 
 def _particulars(end: Endpoint) -> dict[str, Any]:

@@ -131,6 +131,15 @@ ROWS: tuple[Mapping[str, object], ...] = (
        "calls": ["0"], "returns": "rclcpp::Subscription"}
       for owner in ("rclcpp::AsyncParametersClient", "rclcpp::SyncParametersClient")),
 
+    # rosidl_generator_cpp: setters of a message's members that return the message.
+    *({"call": f"{DESCRIPTOR}::set__{member}", "args": [1], "fills": {member: "{0}"}, "transparent": "{this}"}
+      for member in ("read_only", "floating_point_range", "integer_range", "name", "description")),
+    *({"call": f"{DESCRIPTOR}::set__{member}", "args": [1], "transparent": "{this}"}
+      for member in ("type", "additional_constraints", "dynamic_typing")),
+    *({"call": f"rcl_interfaces::msg::{kind}::set__{member}", "args": [1], "fills": {member: "{0}"},
+       "transparent": "{this}"}
+      for kind in ("FloatingPointRange", "IntegerRange") for member in ("from_value", "to_value", "step")),
+
     # rclcpp/parameter_event_handler.hpp
     {"call": "rclcpp::ParameterEventHandler", "args": [1, 2],
      "makes": [{"kind": "subscribers", "name": "/parameter_events", "type": "rcl_interfaces/msg/ParameterEvent",
