@@ -123,10 +123,13 @@ def templates_of(run: Run, this: Object, owner: str) -> Mapping[str, Type] | Non
     if not any(each.templates for _, each in run.index.classes.get(owner, ())):
         return None
     waiting = [(*this.definition, this.templates)]
-    for source, definition, templates in waiting:
+    seen = 0
+    while waiting and seen < BASES:
+        source, definition, templates = waiting.pop(0)
+        seen += 1
         for base in run.bases(source, definition, templates):
             found = run.class_of(base[0], source)
-            if found is None or len(waiting) > BASES:
+            if found is None:
                 continue
             bound = dict(zip(found[1].templates, base[1], strict=False))
             if found[1].name == owner:

@@ -54,7 +54,7 @@ def compare(rows: Sequence[Row], nodes: Sequence[Row]) -> Comparison:
         for row in tuple(waiting):
             candidates = [node for node in left if fits(row, node)]
             if candidates:
-                best = min(candidates, key=lambda node: (len(differences(row, node)), nodes.index(node)))
+                best = min(candidates, key=lambda node, row=row: (len(differences(row, node)), nodes.index(node)))
                 left.remove(best)
                 waiting.remove(row)
                 found.append((row, best))
