@@ -111,7 +111,11 @@ def invoke(
         return inert.skipped(run, inner, function, definition, returns, given)
     bind(run, frame, inner, definition, given)
     before = run.steps
-    value = conversions.converted(follow_body(run, inner, definition), returns)
+    run.beyond += frame.is_dead
+    try:
+        value = conversions.converted(follow_body(run, inner, definition), returns)
+    finally:
+        run.beyond -= frame.is_dead
     value = copies.returned(run, inner, definition, returns, value)
     if makes_nothing or run.quiet:
         run.spent[id(definition)] = run.spent.get(id(definition), 0) + run.steps - before

@@ -72,12 +72,20 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             conditions=tuple(run.conditions),
             implicit=entry.implicit,
             is_exact=applied.is_exact,
-            unknowns=tuple(unknowns),
+            unknowns=(*unknowns, *_beyond(applied)),
             node=node.whole if node is not None else None,
             qos=qos,
         )
     )
     return None
+
+
+def _beyond(applied: Applied) -> Unknowns:
+    """Why what stands behind a return that is taken as things are may not be made; no statement around it says so."""
+    run = applied.run
+    if run.dead or not (applied.frame.is_dead or run.beyond):
+        return []
+    return [("conditions", "as things are, the code returns before it comes to this", applied.location)]
 
 
 def _parameter(
@@ -144,7 +152,7 @@ def _parameter(
             value=data,
             implicit=entry.implicit,
             is_exact=applied.is_exact,
-            unknowns=tuple(unknowns),
+            unknowns=(*unknowns, *_beyond(applied)),
             node=node.whole if node is not None else None,
             effective=effective if entry.kind == "parameters" else None,
             read_only=read_only,

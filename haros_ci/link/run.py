@@ -246,6 +246,8 @@ class Run:
     outer: tuple[Location, frozenset[str]] | None = None
     #: Branches around what is followed that are not taken as things are.
     dead: int = 0
+    #: Calls around what is followed that stand behind a return that is taken as things are.
+    beyond: int = 0
     steps: int = 0
     quiet_steps: int = 0
     turns: int = 1

@@ -36,3 +36,21 @@ def test_what_a_handler_makes_is_told() -> None:
     members = 'bool read() { try { go(); } catch (...) { create_publisher<String>("failed", 1); return false; } return true; }\nvoid go();\n'
     (node,) = ros2_cpp('if (read()) { create_publisher<String>("done", 1); }', members).nodes
     assert sorted(end.name for end in explicit(node)) == ["/done", "/failed"]
+
+
+@pytest.mark.parametrize(
+    ("code", "fields"),
+    (
+        ("if (t.size() == 1) { return; } ADD", ["conditions"]),
+        ("if (t.size() == 1) { return; } add();", ["conditions"]),
+        ("if (t.size() == 2) { return; } ADD", []),
+        ("if (outside()) { return; } ADD", []),
+        ("add(); if (t.size() == 1) { return; }", []),
+    ),
+)
+def test_what_stands_behind_a_return_that_is_taken_may_not_be_made(code: str, fields: list[str]) -> None:
+    add = 'create_publisher<String>("a", 1);'
+    body = f'auto t = declare_parameter("topics", std::vector<std::string>{{""}}); {code.replace("ADD", add)}'
+    (node,) = ros2_cpp(body, f"void add() {{ {add} }}\n").nodes
+    (end,) = explicit(node)
+    assert [why.field for why in end.unknowns] == fields
