@@ -17,6 +17,7 @@ from haros_ci.link.launching.dialect import is_ros2_file
 from haros_ci.link.launching.entry import entry_files as ros2_entry_files
 from haros_ci.link.launching.evaluate import launch_system
 from haros_ci.link.launching.places import Places
+from haros_ci.link.names import clean
 from haros_ci.link.node_types import path_name, types_of
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.roslaunch import evaluate
@@ -100,7 +101,8 @@ def open_(
         problems += launched.problems
     if newer and ros2 is not None:
         found = launch_system(newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo)
-        jobs += [ros2_system.launched(types, each) for each in found.nodes]
+        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in found.nodes if each.name is not None}
+        jobs += [ros2_system.launched(types, each, containers) for each in found.nodes]
         arguments += found.arguments
         problems += found.problems
     return Opened(tuple(jobs), parameters, tuple(arguments), tuple(problems))

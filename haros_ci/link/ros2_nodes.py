@@ -109,7 +109,7 @@ def made(
     elif "?" in full:
         unknown = (why or space_why or "it is renamed to what is not known", where or space_where or location)
     switches = {switch: flag for switch in SWITCHES if (flag := _flag(options, switch)) is not None}
-    if not is_contained and (not is_global or process.component is not None):
+    if not is_contained and not is_global:
         switches[ALONE] = True
     given = {**_parameters(local, full, location), **_overrides(options)}
     sim_time = given.get(SIM_TIME)

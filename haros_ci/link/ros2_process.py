@@ -267,6 +267,30 @@ class Parameters:
         return Known(last.value)
 
 
+class InContainer(Parameters):
+    """What a component is given: its *own* rules for its own node, for others that it makes what its container's process is given.
+
+    The container constructs it with ``use_global_arguments(false)`` (rclcpp_components, ComponentManager).
+    """
+
+    def __init__(self, own: Parameters, name: str | None, around: Parameters) -> None:
+        super().__init__(own.rules)
+        self._name = name
+        self._around = around
+
+    def _is_own(self, node: str) -> bool:
+        return self._name is None or node == self._name
+
+    def of(self, node: str) -> dict[str, ParameterRule]:
+        return super().of(node) if self._is_own(node) else self._around.of(node)
+
+    def every(self, node: str, under: tuple[Condition, ...] = ()) -> Value:
+        return super().every(node, under) if self._is_own(node) else self._around.every(node, under)
+
+    def get(self, node: str, name: str, under: tuple[Condition, ...] = ()) -> Value | None:
+        return super().get(node, name, under) if self._is_own(node) else self._around.get(node, name, under)
+
+
 def reason(rule: ParameterRule) -> str:
     """Why the value of *rule* is not known."""
     return rule.unknowns[0].reason if rule.unknowns else "its value is not known"

@@ -16,6 +16,7 @@ from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.ros2_implicit import implicit
 from haros_ci.link.ros2_nodes import ALONE, SIM_TIME
 from haros_ci.link.ros2_process import (
+    InContainer,
     Parameters,
     Process,
     RosNode,
@@ -55,9 +56,14 @@ class Started:
     has_plugins: bool = False
 
 
-def launched(types: Types, node: LaunchedNode) -> Job:
-    """What a launch file starts: a process with its nodes, or a component."""
+def launched(types: Types, node: LaunchedNode, containers: Mapping[str, LaunchedNode]) -> Job:
+    """What a launch file starts: a process with its nodes, or a component of one of *containers* (by full name)."""
     started = started_by(node)
+    container = containers.get(node.container or "")
+    if node.kind == "component" and container is not None:
+        whole = clean(f"{node.namespace or '/'}/{node.name}") if node.name is not None else None
+        around = started_by(container).parameters
+        started = replace(started, parameters=InContainer(started.parameters, whole, around))
     key = (node.package, node.type)
     found = types.components.get(key) if node.kind == "component" else types.ros2_programs.get(key)
     name = clean(f"{node.namespace or '/'}/{node.name or '?'}")
