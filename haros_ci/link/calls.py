@@ -113,7 +113,9 @@ def method_call(
             if of_class is not None:
                 return apply(run, frame, of_class, args, targs, location, ("name", name))
         for owner in library_objects.owners(run, receiver):
-            found = api_rows.call(run, frame, f"{owner}{frame.source.separator}{name}", receiver, args, targs, location)
+            if (called := f"{owner}{frame.source.separator}{name}") not in run.rows:
+                continue
+            found = api_rows.call(run, frame, called, receiver, args, targs, location)
             if found is not None:
                 return found
         return library.unknown_call(run, frame, f"{receiver.name}::{name}", args)
@@ -281,7 +283,9 @@ def _inherited(
         named = [n for n, owner in enumerate(owners) if meant == owner or head == owner.rpartition("::")[2]]
         owners = owners[named[0] :] if named else []
     for owner in owners:
-        found = api_rows.call(run, frame, f"{owner}::{last}", this, args, targs, location)
+        if (called := f"{owner}::{last}") not in run.rows:
+            continue
+        found = api_rows.call(run, frame, called, this, args, targs, location)
         if found is not None:
             return found
     return None

@@ -98,20 +98,21 @@ def _is_class(kind: Type) -> bool:
     )
 
 
+#: The types that data shows by itself.
+SHOWN: dict[type, Type] = {
+    bool: ("bool", (), ""),
+    int: ("int", (), ""),
+    float: ("double", (), ""),
+    str: ("std::string", (), ""),
+    list: ("list", (), ""),
+    dict: ("dict", (), ""),
+}
+
+
 def value_type(value: Value) -> Type | None:
     """The static type that a value shows by itself."""
     if isinstance(value, Known):
-        for python, name in (
-            (bool, "bool"),
-            (int, "int"),
-            (float, "double"),
-            (str, "std::string"),
-            (list, "list"),
-            (dict, "dict"),
-        ):
-            if isinstance(value.value, python):
-                return (name, (), "")
-        return None
+        return SHOWN.get(int if isinstance(value.value, Character) else type(value.value))
     if isinstance(value, Text):
         return ("std::string", (), "")
     if isinstance(value, Object):

@@ -8,7 +8,7 @@ publisher. A function is taken for a wrapper if it has the name of an API functi
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import TYPE_CHECKING
 
 from haros_ci.link.names import pattern
@@ -29,19 +29,26 @@ NAMES = frozenset(
     "declare_or_get_parameter get_or_declare_parameter get_parameter get_parameter_or set_parameter".split()
 )
 
+#: Around what is followed inside a wrapper, or is none.
+INSIDE = nullcontext()
 
-@contextmanager
-def through(run: Run, function: Function, args: tuple[Argument, ...], location: Location) -> Iterator[None]:
+
+def through(
+    run: Run, function: Function, args: tuple[Argument, ...], location: Location
+) -> AbstractContextManager[None]:
     """While *function* is followed that is called at *location*: the outermost wrapper's call counts."""
     is_outermost = run.context.process is not None and run.outer is None and _is_wrapper(function)
-    if is_outermost:
-        texts = (pattern(each.value)[0] for each in args if isinstance(each.value, (Known, Text, Choice, Opaque)))
-        run.outer = location, frozenset(text for text in texts if text)
+    return _outermost(run, args, location) if is_outermost else INSIDE
+
+
+@contextmanager
+def _outermost(run: Run, args: tuple[Argument, ...], location: Location) -> Iterator[None]:
+    texts = (pattern(each.value)[0] for each in args if isinstance(each.value, (Known, Text, Choice, Opaque)))
+    run.outer = location, frozenset(text for text in texts if text)
     try:
         yield
     finally:
-        if is_outermost:
-            run.outer = None
+        run.outer = None
 
 
 def place(run: Run, name: str, location: Location) -> Location:

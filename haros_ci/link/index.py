@@ -60,8 +60,8 @@ class Index:
     library: frozenset[str] = frozenset()
     #: The macros that the build of each package defines.
     defined: Mapping[str | None, tuple[str, ...]] = field(default_factory=dict)
-    #: What look-ups have found, by the files of the node type that asked.
-    caches: dict[frozenset[str], dict[Any, Any]] = field(default_factory=dict)
+    #: What look-ups have found, by the files of the node type that asked and whether every plug-in is followed.
+    caches: dict[Any, dict[Any, Any]] = field(default_factory=dict)
     #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.
     included: dict[str, dict[str, str]] = field(default_factory=dict)
     #: Aliases inside functions, by file and by their own name; None where two functions have one of that name.

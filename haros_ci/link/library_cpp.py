@@ -189,6 +189,8 @@ def method(
     location: Location,
 ) -> Value | None:
     """A modelled method by the kind of value it is called on."""
+    if isinstance(receiver, Object):
+        return _object(run, frame, receiver, name, args, location)
     if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
         if isinstance(receiver, (Known, Text, Sequence)) or (isinstance(receiver, Opaque) and _is_filled(cell)):
             return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
@@ -224,8 +226,6 @@ def method(
         return library_containers.sequence(run, frame, receiver, name, args)
     if isinstance(receiver, Mapped):
         return library_containers.mapped(run, frame, receiver, name, args)
-    if isinstance(receiver, Object):
-        return _object(run, frame, receiver, name, args, location)
     return None
 
 

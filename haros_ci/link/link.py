@@ -101,7 +101,9 @@ def open_(
         problems += launched.problems
     if newer and ros2 is not None:
         found = launch_system(newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo)
-        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in found.nodes if each.name is not None}
+        containers = {
+            clean(f"{each.namespace or '/'}/{each.name}"): each for each in found.nodes if each.name is not None
+        }
         jobs += [ros2_system.launched(types, each, containers) for each in found.nodes]
         arguments += found.arguments
         problems += found.problems

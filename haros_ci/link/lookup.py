@@ -115,8 +115,8 @@ def name(run: Run, frame: Frame, expression: Expression) -> Value:
         return cell.value
     if frame.source.program.language == "python":
         return python_name(run, frame, name)
-    key = ("name", name, frame.scope, frame.source.path)
-    if key not in run.found or frame.templates:
+    key = ("name", name, frame.scope, frame.source.path, run.numbered(frame.templates) if frame.templates else 0)
+    if key not in run.found:
         run.found[key] = _global_name(run, frame, name)
     value: Any = run.found[key]
     if isinstance(value, Macro):

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 from haros_ci.link import expressions, statements, static_types
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
 from haros_ci.link.state import certain, joined
-from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of
+from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
 from haros_ci.model.location import Location
 from haros_ci.model.program import Block, Expression, Statement
 
@@ -143,39 +144,48 @@ def _widened(
     *body* follows a turn. It is rehearsed until it changes nothing more that was known; then, if it *matters*, as it may
     make something, it is followed for what it makes (not in a rehearsal, which makes nothing).
     """
-    inner = Loop(run.state.mark())
-    ended, writes = NEXT, {}
-    for _ in range(1 if run.quiet else REHEARSALS):
+    is_real = matters and not run.quiet
+    begun = tick()
+    for left in reversed(range(1 if run.quiet else REHEARSALS + is_real)):
         inner = Loop(run.state.mark())
-        run.quiet += 1
-        run.turns *= NESTED
+        kept = run.kept() if is_real else None
+        run.turns *= 1 if is_real else NESTED
+        run.quiet += not is_real
         try:
             ended = _turn(run, frame, inner, body, after)
         finally:
-            run.quiet -= 1
-            run.turns //= NESTED
+            run.quiet -= not is_real
+            run.turns //= 1 if is_real else NESTED
         writes = run.state.undo(inner.mark)
-        changed = False
-        for cell, value in [item for way in (writes, *inner.breaks) for item in way.items()]:
-            then = joined(cell.value, value)
-            if then is cell.value or isinstance(then, (tuple, dict)) or opaque_of(then) is None:
-                continue
-            some = certain(then)
-            is_opaque = isinstance(cell.value, Opaque) and certain(cell.value) == some
-            if isinstance(then, (Known, Object, Sequence, Mapped)) or is_opaque:
-                continue
-            changed = True
-            told = Opaque("it changes in a loop", Location(frame.source.path, line), cell.type)
-            run.state.write(cell, Partial(told.reason, told.location, told.type, some) if some else told)
-        if not changed:
+        if is_real and not left:
             break
-    if matters and not run.quiet:
-        inner = Loop(run.state.mark())
-        ended = _turn(run, frame, inner, body, after)
-        writes = run.state.undo(inner.mark)
+        ways = [item for way in (writes, *inner.breaks) for item in way.items()]
+        if not _forgotten(run, frame, line, begun, ways):
+            break
+        if kept is not None:
+            run.go_back(kept)
     before = run.state.since(loop.mark)
     loop.breaks += [{**before, **way} for way in inner.breaks]
     run.state.merge([{}, writes] if ended == NEXT else [{}])
+
+
+def _forgotten(run: Run, frame: Frame, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
+    """Whether a turn has changed what was known before it; that is not known any more."""
+    changed = False
+    for cell, value in ways:
+        if cell.born > begun:  # of the turn itself
+            continue
+        then = joined(cell.value, value)
+        if then is cell.value or isinstance(then, (tuple, dict)) or opaque_of(then) is None:
+            continue
+        some = certain(then)
+        is_opaque = isinstance(cell.value, Opaque) and certain(cell.value) == some
+        if isinstance(then, (Known, Object, Sequence, Mapped)) or is_opaque:
+            continue
+        changed = True
+        told = Opaque("it changes in a loop", Location(frame.source.path, line), cell.type)
+        run.state.write(cell, Partial(told.reason, told.location, told.type, some) if some else told)
+    return changed
 
 
 def each(run: Run, frame: Frame, statement: Statement) -> str:

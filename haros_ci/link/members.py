@@ -31,12 +31,10 @@ def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
     """The cell of a data member; made where the class declares it (or Python may), None where there is none."""
     if isinstance(value, Pointer):
         value = value.cell.value
-    if isinstance(value, Module):
-        return lookup.module_frame(run, value.source).scopes[0].get(name)
-    if isinstance(value, ClassValue):
-        return static_cell(run, value.source, value.definition, name)
     if not isinstance(value, Object):
-        return None
+        if isinstance(value, Module):
+            return lookup.module_frame(run, value.source).scopes[0].get(name)
+        return static_cell(run, value.source, value.definition, name) if isinstance(value, ClassValue) else None
     cell = value.fields.get(name)
     if cell is None and value.definition is not None:
         source, definition = value.definition

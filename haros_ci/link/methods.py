@@ -29,6 +29,16 @@ def field_of(
     run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, Type], depth: int = 0
 ) -> Member | None:
     """The data member *name* of a class or its bases: where it is declared, and its resolved type."""
+    key = ("field", id(definition), name, run.numbered(templates) if templates else 0)
+    if key not in run.found:
+        run.found[key] = _field_of(run, source, definition, name, templates, depth)
+    found: Member | None = run.found[key]
+    return found
+
+
+def _field_of(
+    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, Type], depth: int
+) -> Member | None:
     for declared in definition.fields:
         if declared.name == name:
             return source, declared, run.resolved(declared.type, definition.name, source, templates)

@@ -92,6 +92,16 @@ def takes(function: Function, count: int) -> bool:
 
 def any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
     """*one*, or what stands for all that have its signature and another body."""
+    if len(candidates) == 1 and candidates[0][1] is one[1]:
+        return one
+    key = ("any of", id(one[1]), *(id(function) for _, function in candidates))
+    known: Found | None = run.found.get(key)
+    if known is None:
+        known = run.found[key] = _any_of(run, one, candidates)
+    return known
+
+
+def _any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
     wanted = signature(one[1])
     alike = [item for item in candidates if item is one or (item[1].body is not None and signature(item[1]) == wanted)]
     different = [one, *(item for item in alike if item[1] is not one[1] and not _same(item[1].body, one[1].body))]

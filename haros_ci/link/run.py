@@ -132,6 +132,18 @@ class Root:
     is_setup: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """What a run had told at some point."""
+
+    made: Mapping[Any, Made]
+    gaps: Mapping[str, Location]
+    #: Of callbacks, nodes and names.
+    counts: tuple[int, int, int]
+    #: The static variables, callbacks and plug-ins that there were.
+    sets: tuple[frozenset[Any], frozenset[Any], frozenset[Any]]
+
+
 @dataclass(slots=True)
 class Context:
     """What the node is given from outside: its names, its arguments, the parameter server, files of the workspace."""
@@ -253,12 +265,14 @@ class Run:
     turns: int = 1
     #: Steps spent in functions that make nothing, by function.
     spent: dict[int, int] = field(default_factory=dict)
-    types: dict[Any, tuple[Type, Any, Any]] = field(default_factory=dict)
+    #: By identity, what stands for template arguments in look-ups.
+    tuples: dict[int, tuple[Any, Any]] = field(default_factory=dict)
+    numbers: dict[int, tuple[int, Mapping[str, Type]]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only.
     found: dict[Any, Any] = field(init=False)
 
     def __post_init__(self) -> None:
-        self.found = self.index.caches.setdefault(self.files, {})
+        self.found = self.index.caches.setdefault((self.files, self.context.of_base is not None), {})
 
     def step(self) -> None:
         self.steps += 1
@@ -282,16 +296,38 @@ class Run:
             made.node and made.node.name,
         )
         known = self.made.get(key)
+        conditions, unknowns = made.conditions, made.unknowns
         if self.doubts:
-            made = replace(made, unknowns=(*made.unknowns, ("conditions", self.doubts[-1], made.location)))
-        made = replace(made, is_dead=self.dead > 0 and (known is None or known.is_dead))
+            unknowns = (*unknowns, ("conditions", self.doubts[-1], made.location))
         if known is not None:
-            conditions, is_all = either(known.conditions, made.conditions, self.pairs)
-            made = replace(made, conditions=conditions)
+            conditions, is_all = either(known.conditions, conditions, self.pairs)
             if not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
-                made = replace(made, unknowns=(*made.unknowns, ("conditions", SEVERAL, made.location)))
-            made = replace(made, unknowns=tuple(dict.fromkeys((*known.unknowns, *made.unknowns))))
+                unknowns = (*unknowns, ("conditions", SEVERAL, made.location))
+            unknowns = tuple(dict.fromkeys((*known.unknowns, *unknowns)))
+        is_dead = self.dead > 0 and (known is None or known.is_dead)
+        if is_dead != made.is_dead or conditions is not made.conditions or unknowns is not made.unknowns:
+            made = replace(made, conditions=conditions, unknowns=unknowns, is_dead=is_dead)
         self.made[key] = made
+
+    def kept(self) -> Kept:
+        """What the run has told so far, to go back to."""
+        counts = len(self.roots), len(self.nodes), len(self.names)
+        sets = frozenset(self.statics), frozenset(self.known_roots), frozenset(self.offered)
+        return Kept(dict(self.made), dict(self.gaps), counts, sets)
+
+    def go_back(self, kept: Kept) -> None:
+        """Take back what was told since *kept* was."""
+        self.made.clear()
+        self.made.update(kept.made)
+        self.gaps.clear()
+        self.gaps.update(kept.gaps)
+        roots, nodes, names = kept.counts
+        del self.roots[roots:], self.nodes[nodes:], self.names[names:]
+        statics, known_roots, offered = kept.sets
+        for key in self.statics.keys() - statics:
+            del self.statics[key]
+        self.known_roots &= known_roots
+        self.offered &= offered
 
     def forget_again(self, known: int) -> None:
         """Of what was made after the first *known*, drop what stands where the same was made before."""
@@ -370,25 +406,49 @@ class Run:
 
     def resolved(self, kind: Type, scope: str, source: Source, templates: Mapping[str, Type]) -> Type:
         """*kind* as written in a scope of a file, resolved; each once."""
-        names = id(templates) if templates else 0
-        key: Any = (id(kind) if kind[1] else kind[0], kind[2], scope, source.path, names)
-        known = self.types if templates else self.found
-        found: tuple[Type, Any, Any] | None = known.get(key)
+        inner = self.frozen(kind[1]) if kind[1] else ()
+        key = (kind[0], inner, kind[2], scope, source.path, self.numbered(templates) if templates else 0)
+        found: Type | None = self.found.get(key)
         if found is None:
-            resolved = resolve_type(self.index, kind, scope, source, self.files, templates)
-            found = known[key] = (resolved, templates, kind)  # which keeps identities from being used again
-        return found[0]
+            found = self.found[key] = resolve_type(self.index, kind, scope, source, self.files, templates)
+        return found
+
+    def frozen(self, facts: Any) -> Any:
+        """*facts* with tuples for lists, so that they can be keys of look-ups."""
+        try:
+            hash(facts)
+        except TypeError:
+            known = self.tuples.get(id(facts))
+            if known is None:
+                known = self.tuples[id(facts)] = (tuple(map(self.frozen, facts)), facts)
+            return known[0]
+        return facts
+
+    def numbered(self, templates: Mapping[str, Type]) -> int:
+        """What stands for *templates* and all that are the same, in the keys of look-ups."""
+        known = self.numbers.get(id(templates))
+        if known is None:
+            key = ("templates", *((name, self.frozen(kind)) for name, kind in templates.items()))
+            number: int = self.found.setdefault(key, len(self.found) + 1)
+            known = self.numbers[id(templates)] = (number, templates)  # which keeps its identity from being used again
+        return known[0]
 
     def opaque(self, reason: str, frame: Frame, line: int | None = None, kind: Type | None = None) -> Opaque:
         return Opaque(reason, Location(frame.source.path, line), kind)
 
     def bases(self, source: Source, definition: Class, templates: Mapping[str, Type]) -> list[Type]:
         """The resolved base types of a class of the workspace."""
+        if not definition.bases:
+            return []
         scope = definition.name.rpartition(source.separator)[0]
         return [self.resolved(base, scope, source, templates) for base in definition.bases]
 
     def class_of(self, name: str, source: Source) -> tuple[Source, Class] | None:
         """The workspace's class of that qualified name, as seen from *source*."""
-        found = self.index.near(self.index.classes, name, source, self.files)
-        with_body = [item for item in found if item[1].fields or item[1].bases]
-        return (with_body or found)[0] if found else None
+        key = ("class", name, source.path)
+        if key not in self.found:
+            found = self.index.near(self.index.classes, name, source, self.files)
+            with_body = [item for item in found if item[1].fields or item[1].bases]
+            self.found[key] = (with_body or found)[0] if found else None
+        known: tuple[Source, Class] | None = self.found[key]
+        return known

@@ -8,6 +8,8 @@ from typing import Any
 
 from haros_ci.link.values import NONE, Cell, Opaque, Partial, Value, join
 
+#: What ``join`` does not know: contents of sequences and maps.
+CONTENTS = frozenset((tuple, dict, Partial))
 #: What cells held (or hold), by cell.
 Writes = dict[Cell, Any]
 
@@ -52,15 +54,24 @@ class State:
             for cell, value in branches[0].items():
                 self.write(cell, value)
             return
+        first, *rest = branches
         for cell in dict.fromkeys(cell for branch in branches for cell in branch):
-            value = branches[0].get(cell, cell.value)
-            for branch in branches[1:]:
-                value = joined(value, branch.get(cell, cell.value))
-            self.write(cell, value)
+            held = cell.value
+            value = first.get(cell, held)
+            for branch in rest:
+                other = branch.get(cell, held)
+                if other is not value:
+                    value = joined(value, other)
+            self._log.append((cell, held))
+            cell.value = value
 
 
 def joined(one: Any, other: Any) -> Any:
     """``join``, also for the contents of sequences and maps (element by element, where they have the same shape)."""
+    if one is other:
+        return one
+    if one.__class__ not in CONTENTS and other.__class__ not in CONTENTS:
+        return join(one, other)
     if isinstance(one, tuple) and isinstance(other, tuple):
         if len(one) == len(other) and all(a is b for a, b in zip(one, other, strict=True)):
             return one

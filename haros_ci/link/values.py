@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import count
 from math import isfinite, prod
 from typing import Any, Union
 
@@ -72,15 +73,26 @@ class Choice:
     options: tuple[Value, ...]
 
 
-@dataclass(slots=True, eq=False)
+#: Counts the cells.
+tick = count().__next__
+
+
 class Cell:
     """A variable, member or element: it holds a Value, and may have a declared type.
 
     The content of a sequence or map is a cell, too: of a tuple of cells, of a dict. Written through ``State.write`` only.
+    *born* is less than that of every cell that is made later.
     """
 
-    value: Any
-    type: Type | None = None
+    __slots__ = ("born", "type", "value")
+
+    def __init__(self, value: Any, type: Type | None = None) -> None:  # noqa: A002
+        self.value = value
+        self.type = type
+        self.born = tick()
+
+    def __repr__(self) -> str:
+        return f"Cell({self.value!r}, {self.type!r})"
 
 
 @dataclass(slots=True, eq=False)
