@@ -93,6 +93,9 @@ def override_policies(options: Value | None) -> tuple[str, ...] | None:
         return ()
     if isinstance(options, Known) and isinstance(options.value, str):
         return tuple(word for word in options.value.split(",") if word in (*POLICIES, "liveliness_lease_duration"))
+    if isinstance(options, Sequence):  # {policies}, or {{policies}, callback, id}
+        inner = _braced(options, 0)
+        return _kinds(inner if isinstance(inner, Sequence) else options)
     if not isinstance(options, Object):
         return None
     if "qos_overriding_options" in options.fields:
@@ -100,8 +103,11 @@ def override_policies(options: Value | None) -> tuple[str, ...] | None:
     if "policies" not in options.fields:
         return () if options.name.endswith(("Options", "OptionsWithAllocator")) else None
     named = options.fields["policies"].value
-    if isinstance(named, Known):
-        return override_policies(named)
+    return override_policies(named) if isinstance(named, Known) else _kinds(named)
+
+
+def _kinds(named: Value) -> tuple[str, ...] | None:
+    """The policies of a list of QosPolicyKind."""
     content = named.content.value if isinstance(named, Sequence) else None
     if not isinstance(content, tuple) or not all(isinstance(cell.value, Library) for cell in content):
         return None
@@ -109,10 +115,18 @@ def override_policies(options: Value | None) -> tuple[str, ...] | None:
     return tuple(word.removeprefix("rmw_qos_policy_") for word in words)
 
 
+def _braced(value: Sequence, at: int) -> Value | None:
+    """One of the values that stand in braces."""
+    content = value.content.value
+    return content[at].value if isinstance(content, tuple) and at < len(content) else None
+
+
 def override_id(options: Value | None) -> str | None:
     """The ``id`` of overriding options, empty where there is none; None if it is not known."""
     if isinstance(options, Pointer):
         options = options.cell.value
+    if isinstance(options, Sequence) and isinstance(_braced(options, 0), Sequence):
+        options = Object("", fields={"id": Cell(_braced(options, 2) or Known(""))})
     if not isinstance(options, Object):
         return ""
     inner = options.fields.get("qos_overriding_options")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import conversions, forwarding, ros2_nodes, ros2_selectors
+from haros_ci.link import conversions, forwarding, qos_overrides, ros2_nodes, ros2_selectors
 from haros_ci.link.names import pattern
 from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
@@ -60,6 +60,11 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             qos, said = qos_of(profile)
             if said is not None:
                 unknowns.append(("qos", said[0], said[1] or applied.location))
+    place = forwarding.place(run, text, applied.location)
+    if qos is not None and node is not None and "options" in entry.values and entry.kind in qos_overrides.ENDS:
+        options = value_of(applied, entry.values["options"])
+        qos, said_of_it = qos_overrides.apply(applied, entry.kind, node, name, options, qos, place)
+        unknowns += said_of_it
     endpoint_type = interface_type(applied, entry, unknowns)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
@@ -68,7 +73,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             kind=entry.kind,
             name=name,
             type=endpoint_type,
-            location=forwarding.place(run, text, applied.location),
+            location=place,
             conditions=tuple(run.conditions),
             implicit=entry.implicit,
             is_exact=applied.is_exact,
