@@ -329,7 +329,8 @@ def library_call(
         return found
     if name in STRINGS or name in SEQUENCES or name in MAPS:
         return construct.create(run, frame, (name, kinds, ""), args, location)
-    modelled = library.instance(run, frame, (name, kinds, ""), args)
+    modelled = construct.made_by_its_class(run, frame, callee, kinds, args, location)
+    modelled = modelled or library.instance(run, frame, (name, kinds, ""), args)
     if modelled is not None:
         return modelled
     if callee[0] == "name" and "::" not in name and frame.source.separator == "::":

@@ -24,7 +24,10 @@ from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.link.values import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Function, Type
+from haros_ci.model.program import Class, Expression, Function, Type
+
+#: Classes of nodes that have functions to make them.
+NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))
 
 
 def declare(run: Run, frame: Frame, name: str, kind: Type, init: Any, line: int, column: int) -> None:
@@ -140,6 +143,27 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
             cells.append(Cell(start, inner))
         return Sequence(Cell(tuple(cells)), kind)
     return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
+
+
+def made_by_its_class(
+    run: Run,
+    frame: Frame,
+    callee: Expression,
+    kinds: tuple[Any, ...],
+    args: tuple[call_arguments.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """``C::make_shared(args)`` for a class of the workspace, as RCLCPP_SMART_PTR_DEFINITIONS defines it (rclcpp/macros.hpp).
+
+    A node's class has the one of ``rclcpp::Node``, which makes no object of it, unless it defines its own: None.
+    """
+    if callee[0] != "name" or not callee[1].endswith(("::make_shared", "::make_unique")):
+        return None
+    kind = run.type_in((callee[1].rpartition("::")[0], kinds, ""), frame)
+    owner = run.class_of(kind[0], frame.source)
+    if owner is None or any(base in NODES for base in methods.library_bases(run, *owner)):
+        return None
+    return create(run, frame, (kind[0], kind[1] or kinds, ""), args, location)
 
 
 def instance(

@@ -44,6 +44,8 @@ def called_in(item: Any, found: set[str], mentioned: set[str], source: Source) -
             if callee[0] == "name":
                 found.add(last(callee[1]))
                 found.add("::".join(callee[1].split("::")[-2:]))
+                if callee[1].endswith(("::make_shared", "::make_unique")):
+                    found.add(callee[1].split("::")[-2])
             elif callee[0] == "field":
                 found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2].rpartition('::')[2]}")
                 if callee[2] in COUNTED:

@@ -58,6 +58,8 @@ _PARAMETER = kinds(
     "parameter_declaration optional_parameter_declaration variadic_parameter_declaration"
     " explicit_object_parameter_declaration"
 )
+#: What RCLCPP_SMART_PTR_DEFINITIONS gives a class (rclcpp/macros.hpp).
+_MAKERS = ("make_shared", "make_unique")
 _PACK = kinds("variadic_parameter_declaration")
 _EQUALS = kinds("=")
 _TRAILING = kinds("trailing_return_type")
@@ -90,8 +92,9 @@ class Specifiers(NamedTuple):
 def path(unit: Unit, node: Node, depth: int, is_type: bool = False) -> tuple[str, tuple[Any, ...]]:
     """A possibly qualified name without template arguments, and the template arguments of its last part.
 
-    For ``std::numeric_limits<T>::max`` and ``InterProcessPollingSubscriber<T>::create_subscription`` they are those of
-    the class: its methods say nothing without them. So they are for a type that is a member of a class template.
+    For ``std::numeric_limits<T>::max``, ``InterProcessPollingSubscriber<T>::create_subscription`` and the functions that
+    make an object of a class (``C<T>::make_shared``) they are those of the class: its methods say nothing without them.
+    So they are for a type that is a member of a class template.
     """
     text = unit.text[node.start_byte : node.end_byte]
     if "<" not in text:
@@ -100,6 +103,7 @@ def path(unit: Unit, node: Node, depth: int, is_type: bool = False) -> tuple[str
             return (name if name.isidentifier() else "".join(name.split()) if "operator" not in name else name), ()
     parts: list[str] = []
     around: tuple[Any, ...] = ()
+    chosen: tuple[Any, ...] = ()
     while True:
         kind = node.kind_id
         if kind in _QUALIFIED:
@@ -123,7 +127,7 @@ def path(unit: Unit, node: Node, depth: int, is_type: bool = False) -> tuple[str
             return "::".join(parts), arguments(unit, children[-1], depth + 1)
         else:
             parts.append(" ".join(unit.cut(node).split()))
-            return "::".join(parts), around
+            return "::".join(parts), chosen if parts[-1] in _MAKERS else around
 
 
 def arguments(unit: Unit, node: Node, depth: int) -> tuple[Any, ...]:
