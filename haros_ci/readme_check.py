@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import json
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cache
 
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.package import Package
@@ -12,6 +15,8 @@ from haros_ci.report.node_interface import interfaces
 from haros_ci.report.readme_compare import Difference, Known, compare, known
 from haros_ci.report.readme_tables import rows
 
+#: A line of a parameter file with a key and a value.
+_SETTING = re.compile(r"""^[ \t]*["']?([\w./]+)["']?:[ \t]+("[^"\n]*"|'[^'\n]*'|[^#\n]*[^#\s])[ \t]*(?:#.*)?$""", re.M)
 NAMES = ("README.md", "Readme.md", "readme.md", "README.MD")
 
 
@@ -35,4 +40,33 @@ def _of(package: Package, facts: Known, workspace: Workspace) -> Iterator[Differ
     for name in NAMES:
         path = name if package.path == "." else f"{package.path}/{name}"
         if workspace.reports_on(path):
-            yield from compare(path, rows(workspace.text(path)), facts)
+            yield from compare(path, rows(workspace.text(path)), facts, _settings(package, workspace))
+
+
+def _settings(package: Package, workspace: Workspace) -> Callable[[str], Iterable[object]]:
+    """The scalars that the package's ROS 2 parameter files have for a key; read when they are first asked for."""
+
+    @cache
+    def every() -> Mapping[str, tuple[object, ...]]:
+        found: dict[str, list[object]] = {}
+        for file in workspace.files:
+            if file.package == package.name and file.path.endswith((".yaml", ".yml")):
+                text = workspace.text(file.path)
+                for key, value in _SETTING.findall(text) if "ros__parameters" in text else ():
+                    found.setdefault(key.rpartition(".")[2], []).append(_value(value))
+        return {key: tuple(values) for key, values in found.items()}
+
+    return lambda key: every().get(key, ())
+
+
+def _value(text: str) -> object:
+    if text[0] == text[-1] and text[0] in "\"'" and len(text) > 1:
+        return text[1:-1]
+    try:
+        return json.loads({"True": "true", "False": "false"}.get(text, text))
+    except (ValueError, RecursionError):
+        pass
+    try:
+        return float(text)  # 1. and .5
+    except ValueError:
+        return text

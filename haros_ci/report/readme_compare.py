@@ -6,6 +6,8 @@ Nothing is said where an unknown of the model could explain a row.
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -14,7 +16,7 @@ from haros_ci.model.architecture import Architecture, Endpoint, Node
 from haros_ci.model.location import Location
 from haros_ci.report.model_json import Places, is_known
 from haros_ci.report.node_interface import Entry, Interface, own_name
-from haros_ci.report.readme_names import fits, may_be, same_tail, spelt
+from haros_ci.report.readme_names import fits, is_group, may_be, same_tail, spelt
 from haros_ci.report.readme_tables import Row
 from haros_ci.report.readme_values import default_differs, is_value, type_differs
 
@@ -30,6 +32,10 @@ NOUNS = {
 }
 #: Kinds in which a row that speaks of a kind may be found, too: "Services" above a table may mean clients.
 _ALSO = {"servers": ("clients",)}
+#: The values that the parameter files of a package have for a key.
+Settings = Callable[[str], Iterable[object]]
+#: So many names that are not documented stand in one message.
+LISTED = 12
 _PARAMETER_KINDS = ("parameters", "getters", "setters")
 
 
@@ -44,7 +50,7 @@ class Difference:
     message: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class _End:
     """An endpoint with all the names that a document may give it; *forms* are those known in full, to be compared."""
 
@@ -59,37 +65,48 @@ class Known:
     """What the model knows of one package.
 
     *ends* are the endpoints of its nodes and those made in its files, *interfaces* its node types. *complete* says that
-    all that its nodes have was seen. *outside* are the names of parameters and arguments that launch files set.
+    all that its nodes have was seen. *outside* are the names of parameters and arguments that launch files set. *hosts*
+    are the endpoints of each node that some of its files make an endpoint for, *home* tells which package a place is in.
     """
 
     ends: tuple[_End, ...]
     interfaces: tuple[Interface, ...]
     complete: bool
     outside: frozenset[str]
+    hosts: tuple[tuple[_End, ...], ...]
+    home: Callable[[Location | None], str | None]
+    name: str
 
 
 def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, Known]:
     """What *architecture*, whose interfaces are *every*, knows of each package that it knows of at all."""
     home = _homes(architecture)
     ends: dict[str, dict[tuple[object, ...], _End]] = {}
+    every_end: dict[tuple[object, ...], _End] = {}
     unseen: set[str] = set()
     own: dict[str, list[Interface]] = {}
     outside: set[str] = set()
+    hosts: dict[str, list[tuple[_End, ...]]] = {}
     for configuration in architecture.configurations:
         outside.update(name for name, _ in configuration.arguments)
         outside.update(item.name.rpartition(":")[2] for item in configuration.parameters)
         for node in configuration.nodes:
             if not node.endpoints or any(why.field in ("endpoints", "package", "type") for why in node.unknowns):
                 unseen.add(node.package)
+            here: dict[_End, None] = {}
             for end in node.endpoints:
                 kind = "parameters" if end.kind in _PARAMETER_KINDS else end.kind
                 names = _names(node, end)
                 key = (kind, names, end.type, repr(end.value), repr(end.effective), end.location, end.unknowns)
+                item = every_end.get(key)
+                if item is None:
+                    forms = {spelt(name, kind == "parameters") for name in names if is_known(name)}
+                    item = every_end[key] = _End(kind, names, tuple(sorted(forms)), end)
+                here[item] = None
                 for package in {node.package, home(end.location)} - {None}:
-                    of_package = ends.setdefault(str(package), {})
-                    if key not in of_package:
-                        forms = {spelt(name, kind == "parameters") for name in names if is_known(name)}
-                        of_package[key] = _End(kind, names, tuple(sorted(forms)), end)
+                    ends.setdefault(str(package), {})[key] = item
+            for package in {home(end.location) for end in node.endpoints if not end.implicit} - {None, node.package}:
+                hosts.setdefault(str(package), []).append(tuple(here))
     for item in every:
         own.setdefault(item.package, []).append(item)
     return {
@@ -98,6 +115,9 @@ def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, K
             tuple(own.get(package, ())),
             package in own and package not in unseen,
             frozenset(outside),
+            tuple(hosts.get(package, ())),
+            home,
+            package,
         )
         for package, found in ends.items()
     }
@@ -110,8 +130,12 @@ def _homes(architecture: Architecture) -> Callable[[Location | None], str | None
     return lambda location: None if location is None else split(location.path)
 
 
-def compare(path: str, documented: Sequence[Row], facts: Known) -> Iterator[Difference]:
+def compare(
+    path: str, documented: Sequence[Row], facts: Known, files: Settings = lambda key: ()
+) -> Iterator[Difference]:
     """The differences between *documented*, the rows of the README at *path*, and *facts*.
+
+    *files* gives the values that the package's own parameter files have for a key: a default in the document may be one.
 
     A table of parameters none of which is in the code is taken to be about something else. An absolute name may be what
     a launch file outside the workspace makes of one that no row has.
@@ -121,9 +145,10 @@ def compare(path: str, documented: Sequence[Row], facts: Known) -> Iterator[Diff
     taken = {id(item) for found, _ in matches for item in found}
     left = [item for item in facts.ends if id(item) not in taken and not item.end.implicit]
     told: set[tuple[int, str]] = set()
-    for row, (found, exact) in zip(documented, matches, strict=True):
+    for row, (found, way) in zip(documented, matches, strict=True):
         if found:
-            said = list(_details(row, found, exact=exact))
+            agrees = way is not None and _is_said_elsewhere(row, found, documented)
+            said = [] if agrees or way is is_group else list(_details(row, found, files, exact=way is not same_tail))
         else:
             said = list(_missing(row, facts, left)) if row.table in about_code or row.kinds != ("parameters",) else []
         for level, rule, message in said:
@@ -146,16 +171,27 @@ def _names(node: Node, end: Endpoint) -> frozenset[str]:
     return frozenset(names)
 
 
-def _found(row: Row, facts: Known) -> tuple[list[_End], bool]:
-    """The endpoints that a row means, and whether its name is theirs in full rather than only at the end."""
+def _found(row: Row, facts: Known) -> tuple[list[_End], Callable[[str, str], bool] | None]:
+    """The endpoints that a row means, and in which way its name is theirs: in full, at the end, as that of a group."""
     kinds = _kinds(row)
     candidates = [item for item in facts.ends if item.kind in kinds]
     ways: tuple[Callable[[str, str], bool], ...] = (lambda a, b: a == b, fits, same_tail)
-    for way in ways:
+    for way in (*ways, is_group) if kinds == {"parameters"} else ways:
         found = [item for item in candidates if _named(row, item, way)]
         if found:
-            return found, way is not same_tail
-    return [], False
+            return found, way
+    return [], None
+
+
+def _is_said_elsewhere(row: Row, found: Sequence[_End], documented: Sequence[Row]) -> bool:
+    """Whether another row of that name has the default that the code or a launch file gives: this one is of another mode."""
+    same = (other for other in documented if other is not row and other.names == row.names and other.kinds == row.kinds)
+    values = [value for item in found for value in (item.end.value, item.end.effective) if value is not None]
+    return row.default is not None and any(
+        other.default is not None and other.default != row.default and default_differs(other.default, value) is False
+        for other in same
+        for value in values
+    )
 
 
 def _kinds(row: Row) -> set[str]:
@@ -169,6 +205,9 @@ def _missing(row: Row, facts: Known, left: Sequence[_End]) -> Iterator[tuple[str
         return
     if row.kinds == ("parameters",) and any(_tail_of(name, other) for other in facts.outside):
         return
+    hosted = [item for ends in facts.hosts for item in ends if item.kind in kinds]
+    if any(_named(row, item, way) for way in (fits, same_tail) for item in hosted):
+        return  # made for its plug-in, or with its functions, by the code of another package
     remapped = (item for item in left if item.kind in kinds and _type_fits(row, item))
     if any(given.startswith("/") for given in row.names) and any(remapped):
         return
@@ -178,7 +217,7 @@ def _missing(row: Row, facts: Known, left: Sequence[_End]) -> Iterator[tuple[str
     yield "warning", "missing", f"{what} {name} is documented, but is not in the code{hint}"
 
 
-def _details(row: Row, found: Sequence[_End], *, exact: bool) -> Iterator[tuple[str, str, str]]:
+def _details(row: Row, found: Sequence[_End], files: Settings, *, exact: bool) -> Iterator[tuple[str, str, str]]:
     """Another type or default of a row that was found; of several candidates one that agrees is enough."""
     if not exact and len({(item.end.type, _text(item.end.value)) for item in found}) > 1:
         return
@@ -200,6 +239,7 @@ def _details(row: Row, found: Sequence[_End], *, exact: bool) -> Iterator[tuple[
         not values
         or not is_value(row.default)
         or any(default_differs(row.default, value) is not True for value in values)
+        or any(default_differs(row.default, value) is False for value in files(_last(row.names[0])))
     ):
         return
     if coded:
@@ -224,17 +264,29 @@ def _undocumented(path: str, documented: Sequence[Row], facts: Known) -> Iterato
             for name in end.names if end.kind == kind else ():
                 by_name.setdefault(name, []).append(end)
         for item in facts.interfaces:
+            left: list[Entry] = []
             for entry in item.entries:
                 ends = by_name.get(entry.name, [])
-                if entry.kind == kind and is_known(entry.name) and not _is_documented(entry, of_kind, ends):
-                    type = f" ({entry.type})" if entry.type else ""
-                    what = f"{NOUNS[kind]} {entry.name}{type} of {item.type}"
-                    message = f"{what} is in the code, but not documented{_at(entry.ends[0].location)}"
-                    yield Difference(path, table, "note", RULES["undocumented"], message)
+                if all(facts.home(end.location) not in (facts.name, None) for end in entry.ends):
+                    continue  # made by the code of another package, which has a README of its own
+                if entry.kind == kind and is_known(entry.name) and not _is_documented(of_kind, ends):
+                    left.append(entry)
+            if len(left) == 1:
+                type = f" ({left[0].type})" if left[0].type else ""
+                what = f"{NOUNS[kind]} {left[0].name}{type} of {item.type}"
+                message = f"{what} is in the code, but not documented{_at(left[0].ends[0].location)}"
+                yield Difference(path, table, "note", RULES["undocumented"], message)
+            elif left:
+                names = list(dict.fromkeys(entry.name for entry in left))
+                more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
+                what = f"{len(left)} {NOUNS[kind]}s of {item.type}"
+                message = f"{what} are in the code, but not documented: {', '.join(names[:LISTED])}{more}"
+                yield Difference(path, table, "note", RULES["undocumented"], message)
 
 
-def _is_documented(entry: Entry, documented: Sequence[Row], ends: Sequence[_End]) -> bool:
-    return any(_named(row, item, way) for way in (fits, same_tail) for row in documented for item in ends)
+def _is_documented(documented: Sequence[Row], ends: Sequence[_End]) -> bool:
+    ways = (fits, same_tail, is_group) if any(item.kind == "parameters" for item in ends) else (fits, same_tail)
+    return any(_named(row, item, way) for way in ways for row in documented for item in ends)
 
 
 def _named(row: Row, item: _End, same: Callable[[str, str], bool]) -> bool:
@@ -257,11 +309,18 @@ def _tail_of(name: str, other: str) -> bool:
     return same_tail(spelt(name, True), spelt(other, True))
 
 
+def _last(name: str) -> str:
+    """The key that a parameter's name ends in."""
+    return re.split(r"[./]", name.rstrip("./"))[-1]
+
+
 def _vague(end: Endpoint) -> bool:
     return any(why.field in ("value", "default", "effective") for why in end.unknowns) and end.value is None
 
 
 def _text(value: object) -> str:
+    if isinstance(value, (list, tuple)):
+        return json.dumps(list(value), ensure_ascii=False, default=str)
     return str(value).lower() if isinstance(value, bool) else str(value) or '""'
 
 

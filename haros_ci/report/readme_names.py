@@ -35,6 +35,15 @@ def same_tail(documented: str, found: str) -> bool:
     return count > 0 and all(fits(a, b) for a, b in zip(ours[-count:], theirs[-count:], strict=True))
 
 
+def is_group(documented: str, found: str) -> bool:
+    """Whether *found*, the name of a parameter, lies below *documented*, or below something that ends so."""
+    ours, theirs = _segments(documented), _segments(found)
+    if not ours:
+        return False
+    starts = range(len(theirs) - len(ours))
+    return any(all(fits(a, b) for a, b in zip(ours, theirs[start:], strict=False)) for start in starts)
+
+
 def may_be(unknown: str, documented: str) -> bool:
     """Whether *unknown*, a name with ``?``, or any end of it, can be the end of *documented*, or the reverse."""
     ours, segments = _segments(documented), _segments(unknown)

@@ -205,6 +205,8 @@ def _read(table: _Table) -> Iterator[Row]:
     role_at = next((n for n, cell in enumerate(header) if cell in ("interface", "interface type", "direction")), None)
     about = next((n for n, cell in enumerate(header) if cell == "description"), None)
     kinds = _kinds(table, header[names[0]], type_at is not None)
+    if re.search(r"\blaunch\b", plain(table.headings[-1]).lower() if table.headings else ""):
+        default_at = None  # that of an argument of a launch file
     for line, cells in table.rows:
         if len(cells) <= names[0]:
             continue

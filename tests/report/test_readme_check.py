@@ -11,6 +11,8 @@ from interface_samples import BARE, BASE, CPP, LANE, RATE, SYSTEM, VAGUE, end
 
 from haros_ci.cli import main
 from haros_ci.model.architecture import Architecture, Endpoint, Node, Unknown
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.readme_check import differences
 from haros_ci.report.readme_names import fits, may_be, same_tail, spelt
@@ -112,7 +114,7 @@ DEFAULTS = "| Name | Type | Default |"
             page("Parameters", "| limits | list | [1.0, 3.0] |", columns=DEFAULTS),
             [
                 "5: warning: parameter limits has default [1.0, 3.0] in the document, "
-                f"but (1.0, 2.5) in the code ({CPP}:22:3) [readme-default]"
+                f"but [1.0, 2.5] in the code ({CPP}:22:3) [readme-default]"
             ],
         ),
     ],
@@ -220,12 +222,79 @@ def test_code_without_a_default_gives_a_note_on_what_launch_files_set() -> None:
 def test_what_is_not_documented_is_a_note_where_there_is_a_table_of_its_kind() -> None:
     assert told(page("Services", "| ~/reset | std_srvs/Trigger | |"), notes=True) == []
     assert told(page("Input", "| odom | nav_msgs/Odometry | |"), notes=True) == [
+        "3: note: 2 subscribers of lane_node are in the code, but not documented: /vehicle/status, echo "
+        "[readme-undocumented]"
+    ]
+    one = page("Input", "| odom | nav_msgs/Odometry | |", "| echo | std_msgs/Empty | |")
+    assert told(one, notes=True) == [
         "3: note: subscriber /vehicle/status (lane_msgs/msg/Status) of lane_node is in the code, "
         f"but not documented ({CPP}:12:3) "
         "[readme-undocumented]",
-        f"3: note: subscriber echo (std_msgs/msg/Empty) of lane_node is in the code, but not documented ({CPP}:19:3) "
-        "[readme-undocumented]",
     ]
+
+
+def elsewhere(item: Endpoint) -> Endpoint:
+    """The same, made in a file of the package ``base``."""
+    return replace(item, location=Location("src/base/src/helper.cpp", 3))
+
+
+def test_what_another_packages_code_makes_is_documented_there() -> None:
+    others = replace(
+        CLEAR,
+        endpoints=tuple(elsewhere(item) if item.kind == "subscribers" else item for item in CLEAR.endpoints),
+    )
+    assert told(page("Input", "| odom | nav_msgs/Odometry | |"), others, notes=True) == []
+    assert told(page("Input", "| odom | nav_msgs/Path | |"), others)  # what is documented is compared all the same
+
+
+def with_parameters(*given: tuple[str, object]) -> Node:
+    made = (end("parameters", f"/planning/lane:{name}", "double") for name, _ in given)
+    known = (replace(item, value=value, location=RATE.location) for item, (_, value) in zip(made, given, strict=True))
+    return replace(CLEAR, endpoints=(*CLEAR.endpoints, *known))
+
+
+def test_a_row_for_a_group_of_parameters() -> None:
+    node = with_parameters(("slow.car.speed", 1.0), ("slow.bus.speed", 2.0))
+    for name in ("slow", "slow.car", ".car"):
+        assert told(page("Parameters", "| rate | double | |", f"| {name} | struct | 3.0 |", columns=DEFAULTS), node) == []
+    rows = page("Parameters", "| rate | double | |", "| fast | struct | |", "| slow.speed | | |")
+    assert [line.split(":")[0] for line in told(rows, node)] == ["6", "7"]
+    group = page("Parameters", "| rate | double | |", "| slow | struct | |")
+    assert not any("slow" in line for line in told(group, node, notes=True))
+
+
+def test_a_row_of_another_mode_with_its_own_default() -> None:
+    one = page("Parameters", "| rate | double | 15.0 |", columns=DEFAULTS)
+    assert told(one)
+    assert told(one + page("Others", "| rate | double | 10.0 |", columns=DEFAULTS)) == told(one)  # no table of parameters
+    assert told(one + page("Parameters of the other", "| rate | double | 10.0 |", columns=DEFAULTS)) == []
+
+
+def test_defaults_of_launch_files_and_of_the_packages_own_parameter_files() -> None:
+    text = page("Parameters", "| rate | double | 15.0 |", columns=DEFAULTS)
+    assert told(text.replace("## Parameters", "## Launch file parameters")) == []
+    found = system(CLEAR)
+    config = SourceFile("src/lane/config/lane.param.yaml", "yaml", 1, "", "lane")
+    for content, is_told in (
+        ("/**:\n  ros__parameters:\n    rate: 15.0  # Hz\n", False),
+        ('/**:\n  ros__parameters:\n    a.rate: "15.0"\n', False),
+        ("/**:\n  ros__parameters:\n    rate: 10.0\n", True),
+        ("/**:\n  ros__parameters:\n    rates: 15.0\n", True),
+        ("rate: 15.0\n", True),
+    ):
+        pages = Pages({"src/lane/README.md": text, config.path: content})
+        workspace = Workspace(Path("/nowhere"), found.packages, (config,), pages)
+        assert any(item.rule == "readme-default" for item in differences(workspace, found)) is is_told, content
+
+
+def test_what_a_plugin_has_by_its_hosts_code() -> None:
+    """A host's code makes ``shared`` for the plug-in whose package documents it."""
+    own = replace(RATE, name="/host:rate", original_name="/host:rate")
+    shared = elsewhere(replace(RATE, name="/host:plugin.shared", original_name="/host:plugin.shared"))
+    host = replace(CLEAR, package="base", name="/host", endpoints=(own, shared))
+    script = replace(CLEAR, name="/script", type="script", endpoints=(replace(RATE, name="/script:other"),))
+    text = page("Parameters", "| rate | double | |", "| shared | double | |", "| gone | double | |")
+    assert [line.split(":")[0] for line in told(text, host, script)] == ["7"]
 
 
 def test_a_plugin_in_another_packages_node_is_known_by_where_it_is_written() -> None:
