@@ -33,7 +33,7 @@ def render(architecture: Architecture, package: str | None = None, descriptions:
     """The tables of the node types of *package*, or of all under a heading each, between ``BEGIN`` and ``END``.
 
     *descriptions*, Markdown as written in an earlier version of the tables, go into the last column. An empty table is
-    left out, as are implicit ends.
+    left out, as are implicit ends; of those whose name is not known at all it is said that there may be more.
     """
     lines = [BEGIN, ""]
     last = None
@@ -64,14 +64,15 @@ def code(text: str) -> str:
 
 
 def _node(item: Interface, descriptions: Descriptions) -> Iterator[str]:
-    title = code(item.type)
+    title = f"{code(item.type)}: {code(item.part)}" if item.part else code(item.type)
     yield from (f"### {title}", "")
-    if any(why.field == "endpoints" for node in item.nodes for why in node.unknowns):
+    told = [entry for entry in item.entries if entry.name.strip("?~/.")]
+    if len(told) < len(item.entries) or any(why.field == "endpoints" for node in item.nodes for why in node.unknowns):
         yield from ("There may be more than what stands here.", "")
-    elif not item.entries:
+    elif not told:
         yield from ("No endpoints.", "")
     for kind, heading in HEADINGS.items():
-        rows = [entry for entry in item.entries if entry.kind == kind]
+        rows = [entry for entry in told if entry.kind == kind]
         if not rows:
             continue
         columns = ["Name", "Type", *_third(kind, item.ros), "Description"]

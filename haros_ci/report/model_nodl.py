@@ -71,8 +71,9 @@ def _node(item: Interface) -> Iterator[str]:
         yield from (f"  {_comment(text)}" for text in left)
         return
     yield f"  <node name={_quoted(name)} executable={_quoted(item.type)}>"
-    if len(item.names) > 1:
-        yield f"    {_comment('also runs as ' + ', '.join(item.names[1:]))}"
+    others = [other for other in item.names[1:] if is_known(other)]
+    if others:
+        yield f"    {_comment('also runs as ' + ', '.join(others))}"
     for (element, spelt, type), roles in sorted(said.items(), key=lambda pair: (ORDER.index(pair[0][0]), pair[0])):
         role = f" role={_quoted(roles[0] if len(roles) == 1 else 'both')}" if roles != [""] else ""
         yield f"    <{element} name={_quoted(spelt)} type={_quoted(type)}{role} />"

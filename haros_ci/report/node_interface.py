@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from haros_ci.model.architecture import KINDS, Architecture, Endpoint, Node
+from haros_ci.model.location import Location
 from haros_ci.report.model_json import is_known
 
 #: The kinds of ends that are part of an interface; a ROS 1 node's getters stand for its parameters.
@@ -28,6 +29,10 @@ ABSOLUTE = frozenset(
 )
 
 
+#: What the configurations are called in which a node has every plug-in that it could load.
+EVERY_PLUGIN = " (plug-ins)"
+
+
 @dataclass(frozen=True, slots=True)
 class Entry:
     """One line of an interface: *kind* is one of ``INTERFACE``; *ends* are its endpoints in all configurations."""
@@ -42,6 +47,8 @@ class Entry:
 class Interface:
     """A node type: *names* are the last parts of its nodes' names, the most frequent known one first.
 
+    *part* is the name of a node that its process makes beside the first, empty for the first; one that the library
+    names itself counts as part of the first.
     *entries* are sorted by kind, name and type; a name or type that is not known in full has ``?`` or is None.
     """
 
@@ -51,6 +58,7 @@ class Interface:
     names: tuple[str, ...]
     entries: tuple[Entry, ...]
     nodes: tuple[Node, ...]
+    part: str = ""
 
 
 def interfaces(architecture: Architecture) -> tuple[Interface, ...]:
@@ -58,15 +66,28 @@ def interfaces(architecture: Architecture) -> tuple[Interface, ...]:
 
     A name below the node's own name is private (``~/x``), one below its namespace relative (``x``), any other absolute
     (design.ros2.org, topic and service names; ROS wiki, Names). In the root namespace ``x`` and ``/x`` are one name: it
-    is absolute if a node of the same type elsewhere has it so or it is one of ``ABSOLUTE``, else relative.
+    is absolute if a node of the same type elsewhere has it so or it is one of ``ABSOLUTE``, else relative. What a node has
+    with every plug-in of the workspace at once counts only where it is not seen in any other way.
     """
     ours = {package.name for package in architecture.packages}
-    found: dict[tuple[str, str], list[Node]] = {}
-    for configuration in sorted(architecture.configurations, key=lambda item: item.name):
+    found: dict[tuple[str, str, Location | None], list[Node]] = {}
+    seen: set[tuple[str, str]] = set()
+    for configuration in sorted(architecture.configurations, key=lambda item: (item.name.endswith(EVERY_PLUGIN), item.name)):
         for node in sorted(configuration.nodes, key=lambda item: item.name):
-            if node.package in ours and is_known(node.type):
-                found.setdefault((node.package, node.type), []).append(node)
-    return tuple(_interface(package, type, nodes) for (package, type), nodes in sorted(found.items()))
+            is_theirs = configuration.name.endswith(EVERY_PLUGIN) and (node.package, node.type) in seen
+            if node.package in ours and is_known(node.type) and not is_theirs:
+                place = node.location if _is_beside(node) else None
+                found.setdefault((node.package, node.type, place), []).append(node)
+        if not configuration.name.endswith(EVERY_PLUGIN):
+            seen |= {(node.package, node.type) for node in configuration.nodes}
+    every = (_interface(package, type, nodes, place is not None) for (package, type, place), nodes in found.items())
+    return tuple(sorted(every, key=lambda item: (item.package, item.type, item.part, item.names)))
+
+
+def _is_beside(node: Node) -> bool:
+    """Whether its process makes the node beside the one that is started, under a name that is known."""
+    is_made = node.ros == 2 and node.source == "source" and node.process not in (None, "", node.name)
+    return is_made and is_known(node.name.rpartition("/")[2])
 
 
 def own_name(node: str, name: str) -> str:
@@ -78,7 +99,7 @@ def own_name(node: str, name: str) -> str:
     return name[len(namespace) + 1 :] if name.startswith(f"{namespace}/") else name
 
 
-def _interface(package: str, type: str, nodes: list[Node]) -> Interface:
+def _interface(package: str, type: str, nodes: list[Node], is_beside: bool) -> Interface:
     counts = Counter(node.name.rpartition("/")[2] for node in nodes)
     names = sorted(counts, key=lambda name: (not is_known(name) or not name, -counts[name], name))
     ends = [(node, end) for node in nodes for end in node.endpoints if not end.implicit]
@@ -97,7 +118,7 @@ def _interface(package: str, type: str, nodes: list[Node]) -> Interface:
         if type is not None or kind != "parameters" or (kind, name) not in typed
     ]
     entries.sort(key=lambda entry: (KINDS.index(entry.kind), entry.name, entry.type or ""))
-    return Interface(package, type, nodes[0].ros, tuple(names), tuple(entries), tuple(nodes))
+    return Interface(package, type, nodes[0].ros, tuple(names), tuple(entries), tuple(nodes), names[0] if is_beside else "")
 
 
 def _spelt(node: Node, end: Endpoint, kind: str, absolute: Iterable[str]) -> str:

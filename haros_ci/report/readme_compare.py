@@ -107,8 +107,8 @@ def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, K
                     ends.setdefault(str(package), {})[key] = item
             for package in {home(end.location) for end in node.endpoints if not end.implicit} - {None, node.package}:
                 hosts.setdefault(str(package), []).append(tuple(here))
-    for item in every:
-        own.setdefault(item.package, []).append(item)
+    for interface in every:
+        own.setdefault(interface.package, []).append(interface)
     return {
         package: Known(
             tuple(found.values()),

@@ -615,3 +615,14 @@ def test_a_node_that_is_handed_on() -> None:
         "    def tick(self):\n        self.owner.create_client(SetBool, '~/z')\n",
     )
     assert nodes(found) == [("/s/a", "node", ["publishers /s/y", "clients /s/a/z"]), ("/b", "node", [])]
+
+
+def test_a_module_behind_an_entry_point_is_no_program_by_itself() -> None:
+    text = "#!/usr/bin/env python3\n" + HEAD + MAIN + "    rclpy.create_node('n')\nif __name__ == '__main__':\n    main()\n"
+    found = follow(files(text), 2)
+    assert [(node.type, node.name) for configuration in found.configurations for node in configuration.nodes] == [
+        ("n", "/n")
+    ]
+    installed = {"p/setup.py": SETUP.replace("packages", "scripts=['p/n.py'], packages")}
+    found = follow({**files(text), **installed}, 2)
+    assert sorted(node.type for configuration in found.configurations for node in configuration.nodes) == ["n", "n.py"]

@@ -202,3 +202,14 @@ def test_no_file_is_written_outside_the_directory(tmp_path: Path) -> None:
     with pytest.raises(UserError, match="cannot be the name of a file"):
         put(found, "nodl", tmp_path / "in", tmp_path)
     assert sorted(path.name for path in tmp_path.rglob("*")) == ["in"]
+
+
+def test_a_name_that_is_not_known_at_all_has_no_row() -> None:
+    blank = end("publishers", "/planning/lane/?", "a/msg/B", unknowns=(Unknown("name", "x"),))
+    part = end("publishers", "/planning/lane/?/b", "a/msg/B", unknowns=(Unknown("name", "x"),))
+    found = Architecture(
+        configurations=(Configuration(name="a", nodes=(replace(LANE, endpoints=(blank, part)),)),), packages=PACKAGES
+    )
+    text = model_interface_table.render(found, "lane")
+    assert "There may be more than what stands here." in text
+    assert [line for line in text.splitlines() if line.startswith("| `")] == ["| `~/?/b` | `a/msg/B` | ? | |"]

@@ -11,8 +11,9 @@ from interface_samples import BASE, CPP, LANE, ODOM, PACKAGES, PATH, SYSTEM, VAG
 from test_model_json import HOSTILE
 
 from haros_ci.model.architecture import Architecture, Configuration, Node, Unknown
-from haros_ci.report import model_nodl
-from haros_ci.report.node_interface import own_name
+from haros_ci.model.location import Location
+from haros_ci.report import model_interface_table, model_nodl
+from haros_ci.report.node_interface import interfaces, own_name
 
 WHY = "what read- -file returns is not known"  # XML has no two hyphens in a comment
 #: Element: its attributes, all required, with the values that they may have (v1.xsd of nodl_python).
@@ -126,7 +127,7 @@ def test_several_names_of_one_type() -> None:
     )
     root = valid(text)
     assert [node.get("name") for node in root] == ["lane"]
-    assert "<!-- also runs as left, ? -->" in text
+    assert "<!-- also runs as left -->" in text
 
 
 @pytest.mark.parametrize(
@@ -186,3 +187,38 @@ def test_order_does_not_depend_on_the_order_of_input() -> None:
         ),
     )
     assert model_nodl.render(turned) == model_nodl.render(SYSTEM)
+
+
+def beside(name: str, source: str = "source") -> Node:
+    """A node that the process of ``/lane`` makes beside it."""
+    made = replace(LANE, name=name, process="/lane", source=source, endpoints=(end("publishers", f"{name}/x", "a/msg/B"),))
+    return replace(made, location=Location("src/lane/src/b.cpp", 3))
+
+
+def test_nodes_of_one_process_stand_by_themselves() -> None:
+    main = replace(LANE, name="/lane", process="/lane", endpoints=(end("publishers", "/y", "a/msg/B"),))
+    found = of(main, beside("/costmap"), beside("/transform_listener_impl_?"))
+    text = model_nodl.render(found)
+    root = valid(text)
+    assert [(node.get("name"), node.get("executable"), [item.get("name") for item in node]) for node in root] == [
+        ("lane", "lane_node", ["y", "~/x"]),  # what the library makes for itself is the first node's
+        ("costmap", "lane_node", ["~/x"]),
+    ]
+    assert "also runs as" not in text
+    assert "### `lane_node`: `costmap`" in model_interface_table.render(found, "lane")
+    launched = beside("/costmap", source="launch")
+    assert len(valid(model_nodl.render(of(main, launched)))) == 1
+
+
+def test_what_every_plugin_makes_at_once_counts_where_nothing_else_is_seen() -> None:
+    every = replace(LANE, name="/lane", endpoints=(end("publishers", "/all", "a/msg/B"),))
+    one = replace(LANE, name="/lane", endpoints=(end("publishers", "/one", "a/msg/B"),))
+    loaded = Configuration(name="lane/lane_node (plug-ins)", nodes=(every,))
+    plain = Configuration(name="z", nodes=(one,))
+
+    def names(*configurations: Configuration) -> list[str]:
+        found = Architecture(configurations=configurations, packages=PACKAGES)
+        return [entry.name for item in interfaces(found) for entry in item.entries]
+
+    assert names(loaded) == ["all"]
+    assert names(loaded, plain) == ["one"]
