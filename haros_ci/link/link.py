@@ -9,13 +9,14 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
-from haros_ci.link import keeping, library_yaml, ros2_system, system
+from haros_ci.link import controllers, keeping, library_yaml, ros2_system, system
 from haros_ci.link.index import Source
 from haros_ci.link.keeping import Keeper
 from haros_ci.link.kept import Followed
 from haros_ci.link.launching.dialect import is_ros2_file
 from haros_ci.link.launching.entry import entry_files as ros2_entry_files
 from haros_ci.link.launching.evaluate import launch_system
+from haros_ci.link.launching.parameter_files import parameter_file
 from haros_ci.link.launching.places import Places
 from haros_ci.link.names import clean
 from haros_ci.link.node_types import path_name, types_of
@@ -101,10 +102,9 @@ def open_(
         problems += launched.problems
     if newer and ros2 is not None:
         found = launch_system(newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo)
-        containers = {
-            clean(f"{each.namespace or '/'}/{each.name}"): each for each in found.nodes if each.name is not None
-        }
-        jobs += [ros2_system.launched(types, each, containers) for each in found.nodes]
+        nodes = controllers.with_controllers(found.nodes, partial(parameter_file, ros2.places))
+        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in nodes if each.name is not None}
+        jobs += [ros2_system.launched(types, each, containers) for each in nodes]
         arguments += found.arguments
         problems += found.problems
     return Opened(tuple(jobs), parameters, tuple(arguments), tuple(problems))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
@@ -29,6 +28,7 @@ from haros_ci.link.run import Context, Made
 from haros_ci.link.system import PROGRAM, Job, Types, files_key, followed_in, incomplete, same
 from haros_ci.link.types import is_type
 from haros_ci.link.values import Known, Opaque, Value
+from haros_ci.link.words import shell_words
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.location import Location
@@ -114,10 +114,7 @@ def started_by(node: LaunchedNode) -> Started:
 
 
 def _words(text: str, first: str = "") -> list[str]:
-    try:
-        words = shlex.split(text)
-    except ValueError:
-        words = text.split()
+    words = shell_words(text)
     return [first, *words] if first and words and words[0] != first else words
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from dataclasses import dataclass
 from math import isfinite
@@ -18,12 +19,23 @@ class Words:
     rest: tuple[str, ...]
 
 
-def split(text: str) -> Words:
-    """*text* as a shell has it; where its quotes do not match, what is between spaces."""
+#: The path of a package, as paths in values begin with it: one word.
+_FOUND = re.compile(r"\$\([\w-]+ [\w-]+\)")
+
+
+def shell_words(text: str) -> list[str]:
+    """*text* as a shell has it; where its quotes do not match, what is between spaces. ``$(find p)/x`` is one word."""
+    text = _FOUND.sub(lambda found: found[0].replace(" ", "\0"), text)
     try:
         words = shlex.split(text)
     except ValueError:
         words = text.split()
+    return [word.replace("\0", " ") for word in words]
+
+
+def split(text: str) -> Words:
+    """The words of *text* (``shell_words``) by what they are."""
+    words = shell_words(text)
     private: list[tuple[str, str]] = []
     remaps: list[tuple[str, str]] = []
     special: list[tuple[str, str]] = []

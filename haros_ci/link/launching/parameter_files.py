@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from haros_ci.link.launching.context import Context
+from haros_ci.link.launching.context import Context, Exhausted
 from haros_ci.link.launching.parameter_yaml import (
     Items,
     Map,
@@ -19,6 +19,7 @@ from haros_ci.link.launching.parameter_yaml import (
     read_trees,
     size_of,
 )
+from haros_ci.link.launching.places import Places
 from haros_ci.link.launching.rewritten import rewrite, rewritten_names
 from haros_ci.link.launching.substitutions import perform
 from haros_ci.link.roslaunch_names import MARK, Text, literal, quoted
@@ -62,6 +63,14 @@ def file_rules(
                 context.spend(1)
                 found.append(_rule(pattern, name, value, location, file, component is not None))
     return tuple(found)
+
+
+def parameter_file(places: Places, path: str, location: Location) -> tuple[ParameterRule, ...]:
+    """``file_rules`` of the file at *path*, as arguments that a launch file performs have it."""
+    try:
+        return file_rules(Context(places, {}), literal(path), False, location)
+    except Exhausted:
+        return (missing(f"parameter file {quoted(path)}: it is too large", location),)
 
 
 def _for_nodes(tree: Tree) -> tuple[list[tuple[str, Tree]], str]:
