@@ -40,6 +40,36 @@ def started(body: str, config: str = BY_MANAGER) -> list[Node]:
     return [node for node in only(found).nodes if node.type != "ros2_control_node"]
 
 
+PYTHON = (
+    "from controller_manager.launch_utils import (generate_controllers_spawner_launch_description as every,\n"
+    "  generate_controllers_spawner_launch_description_from_dict as by_name, generate_load_controller_launch_description as one)\n"
+    "from ament_index_python.packages import get_package_share_directory\nfrom launch import LaunchDescription\n"
+    "FILE = get_package_share_directory('p') + '/config/c.yaml'\n"
+    "def generate_launch_description():\n    return LaunchDescription([{}])\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("every(['jsb', 'base'], controller_params_files=[FILE])", ["/base", "/jsb"]),
+        ("every(['jsb'], [FILE], ['--inactive'])", ["/jsb"]),
+        ("by_name({'jsb': FILE, 'base': [FILE]})", ["/base", "/jsb"]),
+        ("one('jsb', FILE)", ["/jsb"]),
+        ("one('jsb', controller_type='joint_state_broadcaster/JointStateBroadcaster')", ["/jsb"]),
+    ],
+)
+def test_functions_that_launch_spawners(call: str, expected: list[str]) -> None:
+    texts = {
+        "p/CMakeLists.txt": ROS2_CMAKE.format("p") + "ament_auto_package(INSTALL_TO_SHARE launch config)\n",
+        "p/launch/l.launch.py": PYTHON.format(call),
+        "p/config/c.yaml": BY_SECTION,
+    }
+    found = architecture(workspace(texts, 2), Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=True)
+    assert sorted(node.name for node in only(found).nodes if node.kind == "lifecycle") == expected
+    assert found.problems == ()
+
+
 def told(nodes: list[Node]) -> dict[str, str]:
     """The types by name, spawners left out."""
     return {node.name: node.type for node in nodes if node.type != "spawner"}

@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci.link.launch_python.assignments import forget_items
 from haros_ci.link.launch_python.builtin_functions import HARMLESS, Summary
 from haros_ci.link.launch_python.builtin_functions import SUMMARIES as PYTHON
+from haros_ci.link.launch_python.controller_launches import SUMMARIES as CONTROLLERS
 from haros_ci.link.launch_python.definitions import bound, call_function, instantiate
 from haros_ci.link.launch_python.imports import SUMMARISED
 from haros_ci.link.launch_python.launch_actions import SUMMARIES as LAUNCH
@@ -39,6 +40,7 @@ SUMMARIES: dict[str, Summary] = {
     **ROS,
     **MOVEIT,
     **MOVEIT_LAUNCHES,
+    **CONTROLLERS,
 }
 
 
