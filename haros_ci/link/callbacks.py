@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from haros_ci.link import call_arguments, library_objects, methods, partials
-from haros_ci.link.run import CHAIN, ROOTS, Frame, Root, Run
+from haros_ci.link.run import CHAIN, ROOTS, SEVERAL, Frame, Root, Run, either
 from haros_ci.link.values import (
     NONE,
     Callable,
@@ -19,6 +21,9 @@ from haros_ci.model.program import Expression
 #: The macros that name a signal or slot (QObject).
 QT = frozenset(("SLOT", "SIGNAL"))
 
+#: Why what a callback makes may not be made.
+ONE_OF = "one of several functions is called back"
+
 #: Transitions of managed nodes (design.ros2.org/articles/node_lifecycle.html): a launch file's manager brings them up.
 SETUP = frozenset(("on_configure", "on_activate"))
 TEARDOWN = frozenset(("on_deactivate", "on_cleanup", "on_shutdown", "on_error"))
@@ -30,10 +35,12 @@ def register(
     others: tuple[call_arguments.Argument, ...] = (),
     is_update: bool = False,
     is_setup: bool = False,
+    doubt: str | None = None,
 ) -> None:
     """*value* will be called back: remember it with the object among *others* that it is a method of.
 
-    With *is_update* that is when somebody sets parameters of the node or takes it down, with *is_setup* when it is brought up.
+    With *is_update* that is when somebody sets parameters of the node or takes it down, with *is_setup* when it is brought
+    up. *doubt* is why it may not be registered, where no statement says so.
     """
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -47,7 +54,7 @@ def register(
         value = found
     if isinstance(value, Choice):
         for option in value.options:
-            register(run, option, others, is_update)
+            register(run, option, others, is_update, doubt=ONE_OF)
         return
     if not isinstance(value, Callable):
         return
@@ -59,9 +66,34 @@ def register(
                 value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
                 break
     key = (id(value.function), id(value.this), len(value.bound))
-    if key not in run.known_roots and not _is_endless(run, value):
-        run.known_roots.add(key)
-        run.roots.append(Root(value, tuple(run.conditions), is_update=is_update, is_setup=is_setup))
+    root = Root(value, tuple(run.conditions), is_update=is_update, is_setup=is_setup, doubt=doubt)
+    if key in run.known_roots:
+        _again(run, run.known_roots[key], root)
+    elif not _is_endless(run, value):
+        run.known_roots[key] = len(run.roots)
+        run.roots.append(root)
+
+
+def _again(run: Run, number: int, other: Root) -> None:
+    """The root of that *number* is registered on an*other* way: what it makes stands under what both have in common.
+
+    If it has been called back already, it is so once more, for what it makes then.
+    """
+    if number >= len(run.roots) or run.roots[number].function.function is not other.function.function:
+        return
+    known = run.roots[number]
+    conditions, is_all = either(known.conditions, other.conditions, run.pairs)
+    certain = any(each.doubt is None and each.conditions == conditions for each in (known, other))
+    doubt = None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
+    if (conditions, doubt) == (known.conditions, known.doubt):
+        return
+    merged = replace(known, conditions=conditions, doubt=doubt)
+    if number not in run.called:
+        run.roots[number] = merged
+    elif not run.quiet:
+        key = next(key for key, each in run.known_roots.items() if each == number)
+        run.known_roots[key] = len(run.roots)
+        run.roots.append(merged)
 
 
 def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:

@@ -107,7 +107,8 @@ def _call_back(run: Run, frame: Frame) -> None:
                 continue
             mark, known, made = run.state.mark(), len(run.roots), len(run.made)
             _disturb(run, effects, number, together)
-            _invoke(run, frame, root)
+            run.called.add(number)
+            _invoke(run, frame, run.roots[number])
             _hand_on(run, known, run.state.undo(mark))
             if root.is_update:
                 run.forget_again(made)
@@ -121,6 +122,7 @@ def _set_up(run: Run, frame: Frame) -> None:
         root = run.roots[done]
         if root.is_setup:
             known = len(run.roots)
+            run.called.add(done)
             _invoke(run, frame, root)
             _hand_on(run, known, {})
         done += 1
@@ -207,7 +209,8 @@ def _invoke(run: Run, frame: Frame, root: Root) -> None:
     run.conditions[:] = root.conditions
     for cell, value in root.writes.items():
         run.state.write(cell, value)
-    activation.invoke(run, frame, root.function, _arguments(run, root, frame))
+    with run.doubted(root.doubt):
+        activation.invoke(run, frame, root.function, _arguments(run, root, frame))
     run.conditions[:] = before
 
 

@@ -86,7 +86,9 @@ def programs_of(programs: Programs, components: Mapping[tuple[str, str], Found])
     """All executables by package and name: with a ``main``, of a component, Python scripts and console scripts."""
     found = dict(executables(programs))
     for package, build in sorted(programs.builds.items()):
-        installed = {item.path for item in build.installed if item.kind == "program"}
+        installed = {each.path for each in build.installed if each.kind == "program"}
+        for path in {point.path for point in build.entry_points} - installed:  # a module, in spite of its shebang
+            found.pop((package, posixpath.basename(path)), None)
         for target in build.targets:
             if target.kind == "executable" and target.component:
                 entry = components.get((package, target.component))
@@ -100,8 +102,6 @@ def programs_of(programs: Programs, components: Mapping[tuple[str, str], Found])
             function = next((f for f in source.program.functions if f.name == name and f.body is not None), None)
             if function is not None:
                 found[package, point.name] = Entry(source, function), frozenset[str]()
-                if point.path not in installed:  # it is run by its entry point alone
-                    found.pop((package, posixpath.basename(point.path)), None)
         for path in build.scripts:
             if path.endswith(".launch.py") or posixpath.basename(path).endswith("_launch.py"):
                 found.pop((package, posixpath.basename(path)), None)

@@ -130,6 +130,8 @@ class Root:
     is_update: bool = False
     #: Whether a managed node is brought up by it, before anything else is called back.
     is_setup: bool = False
+    #: Why it may not be registered although the conditions hold, where no statement says so.
+    doubt: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,10 +140,12 @@ class Kept:
 
     made: Mapping[Any, Made]
     gaps: Mapping[str, Location]
-    #: Of callbacks, nodes and names.
-    counts: tuple[int, int, int]
-    #: The static variables, callbacks and plug-ins that there were.
-    sets: tuple[frozenset[Any], frozenset[Any], frozenset[Any]]
+    #: Of nodes and names.
+    counts: tuple[int, int]
+    #: The static variables and plug-ins that there were.
+    sets: tuple[frozenset[Any], frozenset[Any]]
+    #: The callbacks, and the number of each.
+    roots: tuple[tuple[Root, ...], Mapping[Any, int]]
 
 
 @dataclass(slots=True)
@@ -223,7 +227,10 @@ class Run:
     conditions: list[Condition] = field(default_factory=list)
     made: dict[Any, Made] = field(default_factory=dict)
     roots: list[Root] = field(default_factory=list)
-    known_roots: set[Any] = field(default_factory=set)
+    #: The number of each root by what is called back; of a root that is gone it is that of none or another.
+    known_roots: dict[Any, int] = field(default_factory=dict)
+    #: The numbers of those that have been called back, not in rehearsal.
+    called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded.
     offered: set[Location] = field(default_factory=set)
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
@@ -311,9 +318,9 @@ class Run:
 
     def kept(self) -> Kept:
         """What the run has told so far, to go back to."""
-        counts = len(self.roots), len(self.nodes), len(self.names)
-        sets = frozenset(self.statics), frozenset(self.known_roots), frozenset(self.offered)
-        return Kept(dict(self.made), dict(self.gaps), counts, sets)
+        counts = len(self.nodes), len(self.names)
+        sets = frozenset(self.statics), frozenset(self.offered)
+        return Kept(dict(self.made), dict(self.gaps), counts, sets, (tuple(self.roots), dict(self.known_roots)))
 
     def go_back(self, kept: Kept) -> None:
         """Take back what was told since *kept* was."""
@@ -321,12 +328,13 @@ class Run:
         self.made.update(kept.made)
         self.gaps.clear()
         self.gaps.update(kept.gaps)
-        roots, nodes, names = kept.counts
-        del self.roots[roots:], self.nodes[nodes:], self.names[names:]
-        statics, known_roots, offered = kept.sets
+        nodes, names = kept.counts
+        del self.nodes[nodes:], self.names[names:]
+        self.roots[:] = kept.roots[0]
+        self.known_roots = dict(kept.roots[1])
+        statics, offered = kept.sets
         for key in self.statics.keys() - statics:
             del self.statics[key]
-        self.known_roots &= known_roots
         self.offered &= offered
 
     def forget_again(self, known: int) -> None:

@@ -617,12 +617,17 @@ def test_a_node_that_is_handed_on() -> None:
     assert nodes(found) == [("/s/a", "node", ["publishers /s/y", "clients /s/a/z"]), ("/b", "node", [])]
 
 
-def test_a_module_behind_an_entry_point_is_no_program_by_itself() -> None:
-    text = "#!/usr/bin/env python3\n" + HEAD + MAIN + "    rclpy.create_node('n')\nif __name__ == '__main__':\n    main()\n"
-    found = follow(files(text), 2)
-    assert [(node.type, node.name) for configuration in found.configurations for node in configuration.nodes] == [
-        ("n", "/n")
-    ]
-    installed = {"p/setup.py": SETUP.replace("packages", "scripts=['p/n.py'], packages")}
-    found = follow({**files(text), **installed}, 2)
-    assert sorted(node.type for configuration in found.configurations for node in configuration.nodes) == ["n", "n.py"]
+@pytest.mark.parametrize(
+    ("setup", "shebang", "programs"),
+    (
+        (SETUP, "", ["p/n"]),
+        (SETUP, "#!/usr/bin/env python3\n", ["p/n"]),
+        (SETUP.replace("entry", "scripts=['p/n.py'], entry"), "#!/usr/bin/env python3\n", ["p/n", "p/n.py"]),
+        (SETUP.replace("n = p.n", "n.py = p.n"), "#!/usr/bin/env python3\n", ["p/n.py"]),
+        (SETUP.replace("n = p.n", "n = p.other"), "#!/usr/bin/env python3\n", ["p/n.py"]),
+    ),
+)
+def test_module_of_a_console_script_is_no_program(setup: str, shebang: str, programs: list[str]) -> None:
+    text = f"{shebang}{HEAD}{CLASS}{MAIN}    rclpy.spin(N())\n\nif __name__ == '__main__':\n    main()\n"
+    found = follow(files(text) | {"p/setup.py": setup}, 2)
+    assert [configuration.name for configuration in found.configurations] == programs

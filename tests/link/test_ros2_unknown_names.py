@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A name whose beginning is not known may be absolute: it is below no namespace."""
+
+from __future__ import annotations
+
+import pytest
+from follow_kit import explicit, ros2_main
+
+GIVEN = (
+    'std::string given = std::getenv("T");\nstd::string one = std::rand() > 1 ? "a" : "b";\n'
+    'std::string two = std::rand() > 1 ? "a" : "/b";\nauto node = std::make_shared<rclcpp::Node>("n", "s");\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "found"),
+    (
+        ("given", "/?"),
+        ('given + "_raw"', "/?_raw"),
+        ('given + "/raw"', "/?/raw"),
+        ("two", "/?"),
+        ("one", "/s/?"),
+        ('"a/" + given', "/s/a/?"),
+        ('"~/" + given', "/s/n/?"),
+        ('"/" + given', "/?"),
+        ('"/x/" + given', "/x/?"),
+        ('"a"', "/s/a"),
+    ),
+)
+def test_unknown_beginning(name: str, found: str) -> None:
+    (node,) = ros2_main(f"{GIVEN}auto p = node->create_publisher<String>({name}, 1);\n").nodes
+    (end,) = explicit(node)
+    assert (node.name, end.name) == ("/s/n", found)
+    assert [unknown.field for unknown in end.unknowns] == ["name"] * ("?" in found)
