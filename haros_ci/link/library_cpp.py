@@ -194,6 +194,9 @@ def method(
     if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
         if isinstance(receiver, (Known, Text, Sequence)) or (isinstance(receiver, Opaque) and _is_filled(cell)):
             return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
+    is_text = isinstance(receiver, Text) or (isinstance(receiver, Known) and isinstance(receiver.value, str))
+    if is_text and name == "append" and cell is None and args:  # of a temporary
+        return concatenate((receiver, texts.constructed(args)))
     if isinstance(receiver, Known):
         return _data(run, frame, receiver, cell, name, args)
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):

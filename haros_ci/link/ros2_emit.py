@@ -11,7 +11,19 @@ from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
 from haros_ci.link.state import Held
 from haros_ci.link.types import ros2_data_type, ros2_parameter_type
-from haros_ci.link.values import NONE, Choice, Known, Library, Object, Opaque, Pointer, Sequence, Value, data_of, opaque_of
+from haros_ci.link.values import (
+    NONE,
+    Choice,
+    Known,
+    Library,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Value,
+    data_of,
+    opaque_of,
+)
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS, Qos
 from haros_ci.model.location import Location
@@ -48,7 +60,8 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             unknowns.append(("name", why_not, applied.location))
         name = text if text.startswith("/") else f"/?/{text.removeprefix('~/')}"
     else:
-        name = node.expand(f"/{text}" if text.startswith("?") and not isinstance(given, Choice) else text)
+        is_open = why is not None and text.startswith("?") and not isinstance(given, Choice)  # it may begin with a slash
+        name = node.expand(f"/{text}" if is_open else text)
         if "?" in name and why is None and node.why is not None:
             unknowns.append(("name", *node.why))
     qos: Qos | None = None

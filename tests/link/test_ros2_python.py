@@ -93,7 +93,7 @@ FIRES = (
     case(
         "lambda",
         "self.create_subscription(String, 'a', lambda m: self.create_publisher(String, m.x and 'b', 1), 10)",
-        "publishers /s/?",
+        "publishers /?",
         "subscribers /s/a",
     ),
     case(
@@ -287,25 +287,25 @@ QUIET = (
         head="from rclpy.time import Time\nfrom tf2_ros import Buffer",
     ),
     case("diagnostics that are not added", "FunctionDiagnosticTask('x', 1)", head="from diagnostic_updater import *"),
-    case("an unknown name", "self.create_publisher(String, x(), 1)", "publishers /s/?"),
+    case("an unknown name", "self.create_publisher(String, x(), 1)", "publishers /?"),
     case("an unknown part", "self.create_publisher(String, 'a/' + x(), 1)", "publishers /s/a/?"),
     case(
         "a parameter without a value",
         "self.create_publisher(String, self.get_parameter('t').value, 1)",
-        "publishers /s/?",
+        "publishers /?",
     ),
     case(
         "a parameter of an unknown name",
         "self.create_publisher(String, self.declare_parameter(x(), 'a').value, 1)",
-        "publishers /s/?",
+        "publishers /?",
     ),
     case(
         "a default that is not known",
         "self.create_publisher(String, self.declare_parameter('t', x()).value, 1)",
-        "publishers /s/?",
+        "publishers /?",
     ),
-    case("unpacked arguments", "self.create_publisher(*x())", "publishers /s/?"),
-    case("unpacked keywords", "self.create_publisher(**x())", "publishers /s/?"),
+    case("unpacked arguments", "self.create_publisher(*x())", "publishers /?"),
+    case("unpacked keywords", "self.create_publisher(**x())", "publishers /?"),
 )
 
 NAMES = "the selectors of names stand for the process, not for the receiver's node"

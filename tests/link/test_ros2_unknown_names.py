@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A name whose beginning is not known may be absolute: it is below no namespace."""
+"""A name whose beginning is not known may be absolute: it is below no namespace. Texts that are put together keep what is known."""
 
 from __future__ import annotations
 
@@ -25,6 +25,9 @@ GIVEN = (
         ('"/" + given', "/?"),
         ('"/x/" + given', "/x/?"),
         ('"a"', "/s/a"),
+        ('std::string("a").append("_b").append("c")', "/s/a_bc"),
+        ('std::string("a/").append(given)', "/s/a/?"),
+        ("std::string(given).append(one)", "/?"),
     ),
 )
 def test_unknown_beginning(name: str, found: str) -> None:
