@@ -8,7 +8,7 @@ from haros_ci.link.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop,
 from haros_ci.link.state import Writes, joined
 from haros_ci.link.values import Cell, Known, Library, Object, Sequence, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Block, Statement
+from haros_ci.model.program import Block, Expression, Statement
 
 #: What holds in the script that is started, and in no other module: no condition at all.
 MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
@@ -145,19 +145,20 @@ def _switch(run: Run, frame: Frame, statement: Statement) -> str:
     branches: list[tuple[str, Writes]] = []
     live: list[int] = []
     default = None
-    known = isinstance(value, Known)
+    taken = _taken(run, frame, value, [label for label, _ in cases])
+    can_be = taken is None
     for index, (label, own) in enumerate(cases):
         if label is None:
             default = len(branches)
-        elif isinstance(value, Known):
-            wanted = expressions.evaluate(run, frame, label)
-            if not isinstance(wanted, Known):
-                known = False
-            elif wanted.value == value.value:
-                live.append(len(branches))
+        if taken is not None and index in taken:
+            can_be = True
+            live.append(len(branches))
         if not own and index + 1 < len(cases):  # the same as the next case
             continue
-        was_dead = frame.is_dead
+        was_dead, is_dead = frame.is_dead, not can_be
+        frame.is_dead = was_dead or is_dead
+        run.dead += is_dead
+        can_be = taken is None
         loop = Loop(run.state.mark(), is_switch=True)
         run.loops.append(loop)
         ended = NEXT
@@ -168,6 +169,7 @@ def _switch(run: Run, frame: Frame, statement: Statement) -> str:
                     break
         run.loops.pop()
         frame.is_dead = was_dead
+        run.dead -= is_dead
         ways = list(loop.breaks)
         if ended == NEXT:
             ways.append(run.state.since(loop.mark))
@@ -181,7 +183,21 @@ def _switch(run: Run, frame: Frame, statement: Statement) -> str:
         default = len(branches) - 1
     if not branches:
         return NEXT
-    return _merge(run, frame, branches, (live or [default]) if known else None)
+    return _merge(run, frame, branches, (live or [default]) if taken is not None else None)
+
+
+def _taken(run: Run, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
+    """The numbers of the cases that a switch over *value* goes to, else the default's; None if that is not known."""
+    if not isinstance(value, Known):
+        return None
+    found = set()
+    for number, label in enumerate(labels):
+        wanted = expressions.evaluate(run, frame, label) if label is not None else None
+        if wanted is not None and not isinstance(wanted, Known):
+            return None
+        if wanted is not None and wanted.value == value.value:
+            found.add(number)
+    return found or {number for number, label in enumerate(labels) if label is None}
 
 
 def _try(run: Run, frame: Frame, statement: Statement) -> str:
