@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from haros_ci.link import construct, dynamic
+from haros_ci.link import alternatives, construct, dynamic
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.trace import YAML_FILES
 from haros_ci.link.values import (
@@ -41,6 +41,7 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
             run.gaps.setdefault(ANY, location)
             with run.doubted(ANY):
                 loaded.append(construct.instance(run, frame, found, (), (), location))
+    alternatives.mark(run, loaded)
     return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
 
 

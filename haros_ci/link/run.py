@@ -233,6 +233,8 @@ class Run:
     called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded.
     offered: set[Location] = field(default_factory=set)
+    #: Groups of objects of which one exists.
+    alternatives: list[tuple[Object, ...]] = field(default_factory=list)
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
     #: Variables of functions that are made once.
     statics: dict[Any, Cell] = field(default_factory=dict)
@@ -365,8 +367,13 @@ class Run:
             if reason is not None:
                 self.doubts.pop()
 
-    def either_way(self, ways: Iterable[Function_[[], Value]], reason: str) -> Value:
-        """The join of values of which one is computed, each with its effects: there is no telling which."""
+    def either_way(
+        self, ways: Iterable[Function_[[], Value]], reason: str, settle: Function_[[list[Any]], None] | None = None
+    ) -> Value:
+        """The join of values of which one is computed, each with its effects: there is no telling which.
+
+        *settle* says of what they write, in their order, what holds whichever it is.
+        """
         result: Value | None = None
         branches = []
         mark = self.state.mark()
@@ -375,6 +382,8 @@ class Run:
                 value = way()
             branches.append(self.state.undo(mark))
             result = value if result is None else join(result, value)
+        if settle is not None:
+            settle(branches)
         if branches:
             self.state.merge(branches)
         return result if result is not None else NONE

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Objects of which one exists, and there is no telling which: plug-ins of one base class, loaded at one place.
+
+What is done to the one that exists is done to it for sure: there is no way on which the others are there without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from haros_ci.link import copies
+from haros_ci.link.values import Cell, Mapped, Object, Sequence, Value
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence as Sequence_
+
+    from haros_ci.link.run import Run
+    from haros_ci.link.state import Writes
+
+#: Objects inside objects that are looked into.
+NESTED = 3
+
+
+def mark(run: Run, options: Sequence_[Value]) -> None:
+    """Of the objects among *options* one exists."""
+    run.alternatives.append(tuple(option for option in options if isinstance(option, Object)))
+
+
+def are(run: Run, options: Sequence_[Value]) -> bool:
+    """Whether *options* are objects of which one exists."""
+    return any(
+        all(any(option is each for each in group) for option in options) for group in run.alternatives
+    )
+
+
+def certain(options: Sequence_[Value], branches: list[Writes]) -> None:
+    """Let what the branch of each of *options* writes to that object hold after every branch: it exists in its own alone."""
+    for option, branch in zip(options, branches, strict=True):
+        own = {cell: branch[cell] for cell in _cells(option, NESTED) if cell in branch}
+        for other in branches:
+            if other is not branch:
+                other.update(own)
+
+
+def _cells(value: Value, depth: int) -> Iterator[Cell]:
+    """The variables that are part of an object: its members, what is in them, no object that they point to."""
+    for cell in value.fields.values() if isinstance(value, Object) else ():
+        yield cell
+        inner = cell.value
+        if isinstance(inner, (Sequence, Mapped)):
+            yield inner.content
+        elif isinstance(inner, Object) and depth and copies.is_by_value(cell.type):
+            yield from _cells(inner, depth - 1)
