@@ -17,6 +17,7 @@ from haros_ci.link import (
     operators,
     statements,
     static_types,
+    text_methods,
     uncertain,
 )
 from haros_ci.link.run import Frame, Run
@@ -159,7 +160,8 @@ def _dereference(run: Run, frame: Frame, expression: Expression) -> Value:
         return value.cell.value
     if isinstance(value, Opaque) and value.type is not None and is_smart_pointer(value.type):
         return Opaque(value.reason, value.location, pointee(value.type))
-    return value
+    end = text_methods.end_of(expression[1], value) if isinstance(value, Object) and value.definition is None else None
+    return value if end is None else end
 
 
 def _cast(run: Run, frame: Frame, expression: Expression) -> Value:

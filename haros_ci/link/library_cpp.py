@@ -15,8 +15,10 @@ from haros_ci.link import (
     library_yaml,
     loaders,
     methods,
+    text_methods,
     texts,
 )
+from haros_ci.link.mentions import LOADERS
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import STRINGS, is_type, pointee
 from haros_ci.link.values import (
@@ -24,7 +26,6 @@ from haros_ci.link.values import (
     NONE,
     TRUE,
     Cell,
-    Character,
     Choice,
     Known,
     Library,
@@ -255,10 +256,10 @@ def _data(
             count = values[1] if len(values) > 1 else len(data)
             count = len(data) if count < 0 else count  # npos
             return Known(data[values[0] : values[0] + count]) if 0 <= values[0] <= len(data) else None
-        if name in ("find", "rfind") and len(values) == 1 and isinstance(values[0], (str, Character)):
-            wanted = values[0] if isinstance(values[0], str) else chr(values[0])
-            found = data.find(wanted) if name == "find" else data.rfind(wanted)
-            return Known(conversions.NPOS if found < 0 else found)
+        if "find" in name and cell is not None or name in ("find", "rfind"):
+            found = text_methods.found(data, name, args)
+            if found is not None:
+                return found
         if name == "compare" and len(values) == 1 and isinstance(values[0], str):
             return Known((data > values[0]) - (data < values[0]))
         if name in ("at",) and values and isinstance(values[0], int) and 0 <= values[0] < len(data):
@@ -284,7 +285,10 @@ def _data(
         if cell is not None and name in ("insert", "erase", "replace", "swap", "resize", "pop_back"):
             if name == "swap" and args and args[0].cell is not None:
                 run.state.write(args[0].cell, run.opaque("it is swapped", frame, None, args[0].cell.type))
-            run.state.write(cell, run.opaque(f"it is changed by {name}", frame, None, cell.type))
+            changed = text_methods.changed(data, name, args)
+            run.state.write(
+                cell, Known(changed) if changed is not None else run.opaque(f"it is changed by {name}", frame, None, cell.type)
+            )
             return cell.value
         return None
     if name in ("size",) and isinstance(data, (list, dict)):
@@ -320,9 +324,6 @@ def _data(
 
 LOADER = "pluginlib::ClassLoader"
 DESCRIPTOR = "rcl_interfaces::msg::ParameterDescriptor"
-LOADERS = frozenset(
-    "createInstance createSharedInstance createUnmanagedInstance createUniqueInstance createClassInstance".split()
-)
 
 
 def _object(

@@ -27,13 +27,13 @@ MOST = 32
 def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
     """What pluginlib loads by that name; where a node is followed for its plug-ins, it may be any of that base class.
 
-    These are loaded once at each place of the program, however often it is gone through.
+    These are loaded once at each place of the program for each base class, however often it is gone through.
     """
     named = _named(run, frame, loader, name, location)
     of_base, base = run.context.of_base, loader.arguments[0][0] if loader.arguments else ""
-    if of_base is None or run.quiet or location in run.offered:
+    if of_base is None or run.quiet or (location, base) in run.offered:
         return named
-    run.offered.add(location)
+    run.offered.add((location, base))
     loaded: list[Value] = [named] if isinstance(named, Object) else []
     there = {each.name for each in loaded if isinstance(each, Object)}
     for found in of_base.get(base, ())[:MOST]:

@@ -12,7 +12,7 @@ from haros_ci.link.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
 from haros_ci.link.state import certain, joined
 from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
 from haros_ci.model.location import Location
-from haros_ci.model.program import Block, Expression, Statement
+from haros_ci.model.program import Block, Expression, Statement, Type
 
 #: Turns that are tried to find what a loop changes.
 REHEARSALS = 3
@@ -20,6 +20,8 @@ REHEARSALS = 3
 LONG = 2_000
 #: Turns around a loop from which on it is widened: 2 for each loop that is gone through, all of them in a rehearsal.
 NESTED = 8
+#: Why an element of a list that is empty as things are may be there all the same.
+NAMED = "the list is a matter of parameters"
 
 
 def loop(run: Run, frame: Frame, statement: Statement) -> str:
@@ -127,6 +129,8 @@ def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) ->
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
     if _matters(run, frame, body, test):
         return run.turns < NESTED
+    if run.turns < NESTED and test is not None and run.relevance.edits(body, frame.source):
+        return True
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 
 
@@ -209,8 +213,12 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
     with run.under("for", text, frame, line, column):
         unknown: Value | None = None
         if not is_all:
-            kind_ = static_types.element_type(run, frame, iterable) if resolved[0] in ("", "auto") else resolved
+            kind_ = _element_type(run, frame, iterable, resolved)
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
+        doubt = None
+        if is_all and not items and run.context.of_base is not None and run.relevance.loads(body, frame.source):
+            doubt = NAMED
+            unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(run, frame, iterable, resolved))
         if items and (run.turns >= NESTED or len(items) > TURNS * 4):
             unknown = unknown or Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
             items = []
@@ -225,5 +233,10 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
                 return _leave(run, current, goes_on=False, ended=ended)
         if unknown is not None:
             current.turn = 0
-            _widened(run, frame, current, _matters(run, frame, body, None), line, partial(turn, unknown))
+            with run.doubted(doubt):
+                _widened(run, frame, current, _matters(run, frame, body, None), line, partial(turn, unknown))
     return _leave(run, current, goes_on=True)
+
+
+def _element_type(run: Run, frame: Frame, iterable: Expression, written: Type) -> Type | None:
+    return static_types.element_type(run, frame, iterable) if written[0] in ("", "auto") else written

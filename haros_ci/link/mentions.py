@@ -11,6 +11,12 @@ from haros_ci.model.program import Statement
 
 #: Methods that build a list, whose turns are worth following one by one.
 COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplace", "extend"))
+#: Methods of pluginlib's loaders that give an instance.
+LOADERS = frozenset(
+    "createInstance createUniqueInstance createSharedInstance createUnmanagedInstance createClassInstance".split()
+)
+#: Methods that change a text, as calls of them look.
+EDITING = frozenset((".erase", ".replace", ".pop_back"))
 #: Methods that leave what they are called on as it is.
 READING = frozenset(
     "size length empty c_str str find at begin end count get front back data isValid ok now toSec".split()

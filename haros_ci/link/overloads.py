@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.link.index import EITHER, Source
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import INTEGERS, REALS, STRINGS, is_type, pointee
-from haros_ci.link.values import Known
+from haros_ci.link.types import INTEGERS, REALS, STRINGS, is_smart_pointer, is_type, pointee
+from haros_ci.link.values import Known, Object
 from haros_ci.model.program import Function, Type
 
 if TYPE_CHECKING:
@@ -189,17 +189,36 @@ def _made(run: Run, functions: tuple[Function, ...], body: Any, guards: Any) -> 
 
 def _fit(run: Run, item: Found, written: Type, argument: Argument) -> int:
     source, function = item
-    if argument.type is None or not argument.type[0]:
-        if isinstance(argument.value, Known) and argument.value.value is None:
+    value, given = argument.value, argument.type
+    if given is None or not given[0]:
+        if isinstance(value, Known) and value.value is None:
             return EXACT if "*" in written[2] else PERHAPS
-        return PERHAPS
+        if source.separator != "::" or not isinstance(value, Object) or value.definition is None:
+            return PERHAPS
+        given = (value.name, value.arguments, "*")
     if written[0] in function.templates:
         return GENERIC
     kind = run.type_in(written, Frame(source, function.owner or function.name.rpartition("::")[0]))
     owner = run.class_of(function.owner, source) if function.owner else None
     if owner is not None and kind[0] in owner[1].templates:
         return GENERIC
-    return _conversion(run, source, kind, argument.type)
+    fits = _conversion(run, source, kind, given)
+    is_own = given is not argument.type and fits == PERHAPS and (is_smart_pointer(kind) or "*" in kind[2])
+    return NOT if is_own and _is_of_workspace(run, source, given[0]) and "void" not in pointee(kind)[0] else fits
+
+
+def _is_of_workspace(run: Run, source: Source, name: str) -> bool:
+    """Whether a class and all its bases are defined in the workspace: what it converts to is known."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        current = waiting.pop()
+        owner = run.class_of(current, source)
+        if owner is None or len(seen) > BASES:
+            return False
+        if current not in seen:
+            seen.add(current)
+            waiting += [kind[0] for kind in run.bases(owner[0], owner[1], {})]
+    return True
 
 
 def _conversion(run: Run, source: Source, kind: Type, given: Type) -> int:

@@ -38,6 +38,9 @@ def qos_of(value: Value) -> tuple[Qos, Why | None]:
         return _of_several(tuple(qos_of(option) for option in value.options))
     if isinstance(value, Library):
         profile = _profile(value.name)
+        number = _enumerator(value.name)
+        if number is not None:
+            return replace(DEFAULT, depth=number), None
         return (profile, _blank(profile)) if profile is not None else (UNKNOWN, _why(value))
     if isinstance(value, Object):
         return _of_object(value)
@@ -233,7 +236,17 @@ def _depth(value: Value) -> Any:
         return None
     if isinstance(value, Library) and value.name.endswith("RMW_QOS_POLICY_DEPTH_SYSTEM_DEFAULT"):
         return None
-    return "?"
+    number = _enumerator(value.name) if isinstance(value, Library) else None
+    return number if number is not None else "?"
+
+
+def _enumerator(name: str) -> int | None:
+    """The number that an enumerator of rmw's C headers is where it stands for a depth (rmw/types.h)."""
+    found = re.fullmatch(r"(?:::)?RMW_QOS_POLICY_(HISTORY|RELIABILITY|DURABILITY|LIVELINESS)_(\w+)", name)
+    policy, word = (found[1].lower(), found[2].lower()) if found is not None else ("", "")
+    if word not in WORDS.get(policy, ()):
+        return None
+    return next((number for number, each in NUMBERS[policy].items() if each == WORDS[policy][word]), None)
 
 
 def _duration(value: Value) -> Any:

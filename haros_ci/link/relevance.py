@@ -14,7 +14,9 @@ from haros_ci.link.mentions import (
     COLLECTING,
     CONTAINERS,
     COUNTED,
+    EDITING,
     ELEMENT,
+    LOADERS,
     callable_variables,
     called_in,
     function_types,
@@ -36,6 +38,8 @@ GIVEN = "(given)"
 #: Words for methods of all sorts of classes.
 EVERYDAY = frozenset("start add call create configure init del search".split())
 
+#: Stands for the view for which loading plug-ins matters.
+_LOADING = frozenset((0,))
 #: Functions of classes that have the names of others in namespaces.
 MAKERS = frozenset(("make_shared", "make_unique"))
 
@@ -121,6 +125,18 @@ class Relevance:
         """Whether *block* puts together a list or map."""
         names = self.names(block, source)
         return ELEMENT in names or not COLLECTING.isdisjoint(names)
+
+    def loads(self, block: Any, source: Source) -> bool:
+        """Whether a plug-in may be loaded by *block*."""
+        view = self._views.get(_LOADING)
+        if view is None:
+            view = self._views[_LOADING] = copy(self)
+            view._known, view._makes, view._api = {}, {}, frozenset(f".{name}" for name in LOADERS)
+        return any(map(view._name_matters, self.names(block, source)))
+
+    def edits(self, block: Any, source: Source) -> bool:
+        """Whether *block* may change a text by positions."""
+        return not EDITING.isdisjoint(self.names(block, source))
 
     def names(self, block: Any, source: Source, function: Function | None = None) -> frozenset[str]:
         """The last parts of all names that are called or constructed in *block* (of *function*), lambdas included."""

@@ -232,7 +232,7 @@ class Run:
     #: The numbers of those that have been called back, not in rehearsal.
     called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded.
-    offered: set[Location] = field(default_factory=set)
+    offered: set[tuple[Location, str]] = field(default_factory=set)
     #: Groups of objects of which one exists.
     alternatives: list[tuple[Object, ...]] = field(default_factory=list)
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)

@@ -64,6 +64,12 @@ _PACK = kinds("variadic_parameter_declaration")
 _EQUALS = kinds("=")
 _TRAILING = kinds("trailing_return_type")
 _DESCRIPTOR = kinds("type_descriptor")
+_IDENTIFIER = kinds("identifier")
+#: Templates of the standard library that take types alone.
+_OF_TYPES = frozenset(
+    "shared_ptr unique_ptr weak_ptr vector list deque set multiset unordered_set map multimap unordered_map optional pair "
+    "tuple variant function queue stack atomic future promise reference_wrapper initializer_list".split()
+)
 
 
 class Declared(NamedTuple):
@@ -138,9 +144,16 @@ def arguments(unit: Unit, node: Node, depth: int) -> tuple[Any, ...]:
     for child in node.children:
         if child.kind_id in _DESCRIPTOR:
             found.append(descriptor(unit, child, depth + 1))
+        elif child.kind_id in _IDENTIFIER and _takes_types(unit, node):
+            found.append((unit.cut(child), (), ""))  # the first parameter of a constructor outside of its class
         elif child.is_named and child.kind_id != ERROR:
             found.append(expressions.expression(unit, child, depth + 1))
     return tuple(found)
+
+
+def _takes_types(unit: Unit, node: Node) -> bool:
+    name = node.prev_sibling
+    return name is not None and unit.cut(name) in _OF_TYPES
 
 
 def descriptor(unit: Unit, node: Node, depth: int) -> Any:
