@@ -42,6 +42,8 @@ from haros_ci.model.program import Expression, Function, Type
 SPENT = 300
 #: Steps that may go into one function in rehearsals, even if it makes something.
 REHEARSED = 10_000
+#: Steps that callbacks may put into one function that could make something, and has made nothing so far.
+IDLE = 800
 #: Steps of rehearsals after which a function is rehearsed no longer than one that makes nothing is followed.
 MANY = 20_000
 
@@ -105,12 +107,15 @@ def invoke(
     given = _with_bound(function.bound, args)
     makes_nothing = not inert.may_make(run, function, given, inner.templates)
     spent = run.spent.get(id(definition), 0)
+    idle = run.idle.get(id(definition), 0) if run.is_called_back and not makes_nothing else 0
+    if idle > IDLE:
+        return inert.skipped(run, inner, function, definition, returns, given)
     if (makes_nothing and (spent > SPENT or inert.is_inert(run, function, definition, returns, given))) or (
         run.quiet and spent > (REHEARSED if run.quiet_steps < MANY else SPENT)
     ):
         return inert.skipped(run, inner, function, definition, returns, given)
     bind(run, frame, inner, definition, given)
-    before = run.steps
+    before, there = run.steps, run.extent()
     run.beyond += frame.is_dead
     try:
         value = conversions.converted(follow_body(run, inner, definition), returns)
@@ -119,6 +124,9 @@ def invoke(
     value = copies.returned(run, inner, definition, returns, value)
     if makes_nothing or run.quiet:
         run.spent[id(definition)] = run.spent.get(id(definition), 0) + run.steps - before
+    elif run.is_called_back:
+        is_idle = run.extent() == there and run.steps - before > 1
+        run.idle[id(definition)] = (run.idle.get(id(definition), 0) if is_idle else 0) + run.steps - before
     return value
 
 

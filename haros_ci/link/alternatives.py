@@ -22,16 +22,24 @@ if TYPE_CHECKING:
 NESTED = 3
 
 
-def mark(run: Run, options: Sequence_[Value]) -> None:
-    """Of the objects among *options* one exists."""
-    run.alternatives.append(tuple(option for option in options if isinstance(option, Object)))
+def mark(run: Run, base: str, options: Sequence_[Value]) -> None:
+    """Of the objects among *options*, plug-ins of the class *base*, one exists."""
+    run.alternatives.append((base, tuple(option for option in options if isinstance(option, Object))))
 
 
 def are(run: Run, options: Sequence_[Value]) -> bool:
     """Whether *options* are objects of which one exists."""
-    return any(
-        all(any(option is each for each in group) for option in options) for group in run.alternatives
-    )
+    return any(all(any(option is each for each in group) for option in options) for _, group in run.alternatives)
+
+
+def of_base(run: Run, base: str) -> tuple[Object, ...]:
+    """What an object of the class *base* may be that is not known: the plug-ins that have been loaded so far."""
+    return tuple(each for known, group in run.alternatives if known == base for each in group)
+
+
+def have(run: Run, this: Object | None) -> bool:
+    """Whether *this* is a plug-in, or of the class of one."""
+    return this is not None and any(this.name == each.name for _, group in run.alternatives for each in group)
 
 
 def certain(options: Sequence_[Value], branches: list[Writes]) -> None:

@@ -125,6 +125,10 @@ def method_call(
         kind = receiver.type or (cell.type if cell is not None else None)
         if kind is not None and kind[0]:
             kind = pointee(kind)
+            loaded = alternatives.of_base(run, kind[0]) if run.alternatives else ()
+            if loaded:
+                each = [partial(method_call, run, frame, one, None, name, args, targs, location) for one in loaded]
+                return run.either_way(each, "it is called on one of several objects")
             owner_class = run.class_of(kind[0], frame.source)
             if owner_class is not None:
                 summary = library_objects.summary_object(run, owner_class, kind, receiver)

@@ -8,7 +8,7 @@ from collections.abc import Sequence as Sequence_
 from dataclasses import dataclass, replace
 from typing import Any
 
-from haros_ci.link import activation, call_arguments, construct, inert, lookup, ros2_nodes
+from haros_ci.link import activation, alternatives, call_arguments, construct, inert, lookup, ros2_nodes
 from haros_ci.link.index import Source
 from haros_ci.link.run import ROOTS, Frame, OutOfSteps, Root, Run
 from haros_ci.link.state import Writes, joined
@@ -102,7 +102,7 @@ def _call_back(run: Run, frame: Frame) -> None:
             for number, root in enumerate(batch, start=done):
                 effects[number] = _rehearsed(run, frame, root, run.effects, number)
         together = _together(effects)
-        for number, root in sorted(enumerate(batch, start=done), key=lambda each: each[1].is_update):
+        for number, root in sorted(enumerate(batch, start=done), key=lambda each: _rank(run, each[1])):
             if root.is_setup or not inert.may_make(run, root.function, ()):
                 continue
             mark, known, made = run.state.mark(), len(run.roots), len(run.made)
@@ -113,6 +113,11 @@ def _call_back(run: Run, frame: Frame) -> None:
             if root.is_update:
                 run.forget_again(made)
         done += len(batch)
+
+
+def _rank(run: Run, root: Root) -> tuple[bool, bool]:
+    """Callbacks of plug-ins come first where a node is followed for these; those that change parameters come last."""
+    return root.is_update, bool(run.alternatives) and not alternatives.have(run, root.function.this)
 
 
 def _set_up(run: Run, frame: Frame) -> None:

@@ -41,7 +41,7 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
             run.gaps.setdefault(ANY, location)
             with run.doubted(ANY):
                 loaded.append(construct.instance(run, frame, found, (), (), location))
-    alternatives.mark(run, loaded)
+    alternatives.mark(run, base, loaded)
     return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
 
 

@@ -9,7 +9,7 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
-from haros_ci.link import controllers, keeping, library_yaml, ros2_system, system
+from haros_ci.link import controllers, keeping, library_yaml, ros2_hosts, ros2_system, system
 from haros_ci.link.index import Source
 from haros_ci.link.keeping import Keeper
 from haros_ci.link.kept import Followed
@@ -161,7 +161,7 @@ def link(
             if (package, name) not in started and types.executables[package, name][1] not in behind_links:
                 jobs.append(system.alone(types, package, name))
         jobs += ros2_alone(types, started)
-        jobs += ros2_system.hosts(types)
+        jobs += ros2_hosts.hosts(types)
         for described, _, _ in dict.fromkeys(types.nodelets.values()):
             if system.type_of(described.name, described) not in started:
                 jobs.append(system.standalone(types, described.name))

@@ -129,7 +129,7 @@ def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) ->
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
     if _matters(run, frame, body, test):
         return run.turns < NESTED
-    if run.turns < NESTED and test is not None and run.relevance.edits(body, frame.source):
+    if run.turns < NESTED and test is not None and test[0] == "op" and run.relevance.edits(body, frame.source):
         return True
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 

@@ -26,13 +26,11 @@ from haros_ci.link.ros2_process import (
 )
 from haros_ci.link.run import Context, Made
 from haros_ci.link.system import PROGRAM, Job, Types, files_key, followed_in, incomplete, same
-from haros_ci.link.types import is_type
 from haros_ci.link.values import Known, Opaque, Value
 from haros_ci.link.words import shell_words
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
 from haros_ci.model.workspace import Problem
 
 NOTHING = ParameterServer(())
@@ -159,33 +157,6 @@ def plugin(types: Types, package: str, name: str) -> Job:
         return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
 
     return Job(node, (id(entry), name), follow, _size(types, files))
-
-
-def hosts(types: Types) -> Iterable[Job]:
-    """The executables of packages with a pluginlib loader for plug-ins of the workspace, once more with all of these.
-
-    What a plug-in makes that no configuration loads is told there, and is not told of the node as it is started.
-    """
-    loading = {
-        source.package
-        for found in types.programs.cpp.classes.values()
-        for source, definition in found
-        for member in definition.fields
-        if any(f"::{base}".endswith(f"::{_loaded_base(member.type)}") for base in types.of_base)
-    }
-    seen: set[int] = set()
-    for package, name in sorted(types.ros2_programs):
-        entry = types.ros2_programs[package, name][0]
-        if package in loading and id(entry) not in seen and entry.source.separator == "::":
-            seen.add(id(entry))
-            yield alone(types, package, name, has_plugins=True)
-
-
-def _loaded_base(kind: Type) -> str:
-    """The base class of a loader's type, also behind a pointer to it; ``?`` if it is no loader."""
-    while kind[0] and kind[0].rpartition("::")[2] != "ClassLoader":
-        kind = kind[1][0] if kind[1] and is_type(kind[1][0]) else ("", (), "")
-    return str(kind[1][0][0]) if kind[1] and is_type(kind[1][0]) else "?"
 
 
 def _size(types: Types, files: frozenset[str]) -> int:

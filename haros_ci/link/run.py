@@ -23,6 +23,8 @@ from haros_ci.model.program import Class, Function, Type
 
 #: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
 STEPS = 60_000
+#: The same for a node that is followed with all plug-ins of the workspace.
+WITH_PLUGINS = 120_000
 #: Why not all conditions are told.
 SEVERAL = "it is made on several ways, each under conditions of its own"
 #: Calls inside calls.
@@ -140,8 +142,8 @@ class Kept:
 
     made: Mapping[Any, Made]
     gaps: Mapping[str, Location]
-    #: Of nodes and names.
-    counts: tuple[int, int]
+    #: Of nodes, names and alternatives.
+    counts: tuple[int, int, int]
     #: The static variables and plug-ins that there were.
     sets: tuple[frozenset[Any], frozenset[Any]]
     #: The callbacks, and the number of each.
@@ -233,8 +235,8 @@ class Run:
     called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded.
     offered: set[tuple[Location, str]] = field(default_factory=set)
-    #: Groups of objects of which one exists.
-    alternatives: list[tuple[Object, ...]] = field(default_factory=list)
+    #: Groups of plug-ins of which one exists, with the names of their base classes.
+    alternatives: list[tuple[str, tuple[Object, ...]]] = field(default_factory=list)
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
     #: Variables of functions that are made once.
     statics: dict[Any, Cell] = field(default_factory=dict)
@@ -272,8 +274,12 @@ class Run:
     steps: int = 0
     quiet_steps: int = 0
     turns: int = 1
+    #: Steps that the node may take, and as many in rehearsals.
+    most: int = STEPS
     #: Steps spent in functions that make nothing, by function.
     spent: dict[int, int] = field(default_factory=dict)
+    #: Steps that callbacks have put into functions that could make something, since they last did, by function.
+    idle: dict[int, int] = field(default_factory=dict)
     #: By identity, what stands for template arguments in look-ups.
     tuples: dict[int, tuple[Any, Any]] = field(default_factory=dict)
     numbers: dict[int, tuple[int, Mapping[str, Type]]] = field(default_factory=dict)
@@ -281,13 +287,18 @@ class Run:
     found: dict[Any, Any] = field(init=False)
 
     def __post_init__(self) -> None:
+        self.most = STEPS if self.context.of_base is None else WITH_PLUGINS
         self.found = self.index.caches.setdefault((self.files, self.context.of_base is not None), {})
 
     def step(self) -> None:
         self.steps += 1
         self.quiet_steps += self.quiet > 0
-        if self.quiet_steps > STEPS or self.steps - self.quiet_steps > STEPS:
+        if self.quiet_steps > self.most or self.steps - self.quiet_steps > self.most:
             raise OutOfSteps
+
+    def extent(self) -> tuple[int, int, int, int]:
+        """How much there is so far of what a function may make."""
+        return len(self.made), len(self.roots), len(self.nodes), len(self.gaps)
 
     def make(self, made: Made) -> None:
         """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
@@ -320,7 +331,7 @@ class Run:
 
     def kept(self) -> Kept:
         """What the run has told so far, to go back to."""
-        counts = len(self.nodes), len(self.names)
+        counts = len(self.nodes), len(self.names), len(self.alternatives)
         sets = frozenset(self.statics), frozenset(self.offered)
         return Kept(dict(self.made), dict(self.gaps), counts, sets, (tuple(self.roots), dict(self.known_roots)))
 
@@ -330,8 +341,8 @@ class Run:
         self.made.update(kept.made)
         self.gaps.clear()
         self.gaps.update(kept.gaps)
-        nodes, names = kept.counts
-        del self.nodes[nodes:], self.names[names:]
+        nodes, names, alternatives = kept.counts
+        del self.nodes[nodes:], self.names[names:], self.alternatives[alternatives:]
         self.roots[:] = kept.roots[0]
         self.known_roots = dict(kept.roots[1])
         statics, offered = kept.sets

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The ROS 2 executables that load plug-ins of the workspace: which of them are followed once more, with all of these."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from haros_ci.link.ros2_system import alone
+from haros_ci.link.system import Job, Types
+from haros_ci.link.types import is_type
+from haros_ci.model.program import Type
+
+
+def hosts(types: Types) -> Iterable[Job]:
+    """The executables of packages with a pluginlib loader for plug-ins of the workspace, once more with all of these.
+
+    What a plug-in makes that no configuration loads is told there, and is not told of the node as it is started. Of several
+    executables the one that has the loaders of the others, too, stands for them.
+    """
+    loading: dict[str, set[str]] = {}
+    packages: set[str | None] = set()
+    for found in types.programs.cpp.classes.values():
+        for source, definition in found:
+            for member in definition.fields:
+                base = next((each for each in types.of_base if f"::{each}".endswith(f"::{_loaded_base(member.type)}")), None)
+                if base is not None:
+                    loading.setdefault(source.path, set()).add(base)
+                    packages.add(source.package)
+    bases: dict[tuple[str, str], frozenset[str]] = {}
+    seen: set[int] = set()
+    for package, name in sorted(types.ros2_programs):
+        entry, files = types.ros2_programs[package, name]
+        if package not in packages or id(entry) in seen or entry.source.separator != "::":
+            continue
+        seen.add(id(entry))
+        reached = {each for path in (entry.source.path, *files) for each in (path, *types.programs.cpp.reach(path))}
+        own = frozenset(base for path in reached & loading.keys() for base in loading[path])
+        if not any(own <= other for other in bases.values()):
+            bases = {key: other for key, other in bases.items() if not other < own}
+            bases[package, name] = own
+    for package, name in bases:
+        yield alone(types, package, name, has_plugins=True)
+
+
+def _loaded_base(kind: Type) -> str:
+    """The base class of a loader's type, also behind a pointer to it; ``?`` if it is no loader."""
+    while kind[0] and kind[0].rpartition("::")[2] != "ClassLoader":
+        kind = kind[1][0] if kind[1] and is_type(kind[1][0]) else ("", (), "")
+    return str(kind[1][0][0]) if kind[1] and is_type(kind[1][0]) else "?"
