@@ -199,13 +199,14 @@ def initialise(
     arguments: tuple[call_arguments.Argument, ...],
     location: Location,
     depth: int = 0,
+    chosen: tuple[Source, Function] | None = None,
 ) -> None:
-    """Construct the part of *this* that *owner* declares."""
+    """Construct the part of *this* that *owner* declares, by the *chosen* constructor or else by the one that fits."""
     source, definition = owner
     if run.index.trace is not None:
         run.index.trace.paths.add(source.path)
     short = definition.name.rpartition("::")[2]
-    found = methods.class_method(run, source, definition, short, arguments, methods.BASES)
+    found = chosen or methods.class_method(run, source, definition, short, arguments, methods.BASES)
     where, function = found if found is not None else (source, None)
     inner = Frame(where, definition.name, function, this, templates=templates, mark=run.state.mark())
     inits: dict[str, Any] = {}

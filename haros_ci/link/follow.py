@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable as Function_
 from collections.abc import Iterable, Mapping
 from collections.abc import Sequence as Sequence_
 from dataclasses import dataclass, replace
@@ -26,18 +27,21 @@ CHEAP = 2_000
 class Entry:
     """Where a node begins: a function (``main``), a class that a framework loads, or a Python module.
 
-    *is_hosted* is a plug-in on the node of the program that loads it, which constructs it without options.
+    *is_hosted* is a plug-in on the node of the program that loads it, which constructs it without options. *begin* is how
+    what is made by others is made in their place; *label* tells that apart.
     """
 
     source: Source
     function: Function | None = None
     definition: Class | None = None
     is_hosted: bool = False
+    begin: Function_[[Run, Frame], None] | None = None
+    label: str = ""
 
     @property
     def key(self) -> tuple[str, str, str]:
         """The file and the names of the function and class: the same in the next run."""
-        function = self.function.name if self.function is not None else ""
+        function = self.function.name if self.function is not None else self.label
         return self.source.path, function, self.definition.name if self.definition is not None else ""
 
 
@@ -53,7 +57,9 @@ def follow(run: Run, entry: Entry) -> bool:
 
 
 def _start(run: Run, frame: Frame, entry: Entry) -> None:
-    if entry.definition is not None:
+    if entry.begin is not None:
+        entry.begin(run, frame)
+    elif entry.definition is not None:
         owner = (entry.source, entry.definition)
         args: tuple[call_arguments.Argument, ...] = _component_arguments(run, entry)
         construct.instance(run, frame, owner, (), args, Location(entry.source.path, entry.definition.line))

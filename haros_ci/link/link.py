@@ -9,7 +9,17 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
-from haros_ci.link import controllers, keeping, library_yaml, ros2_hosts, ros2_system, system
+from haros_ci.link import (
+    controllers,
+    keeping,
+    library_yaml,
+    ros2_hosts,
+    ros2_library,
+    ros2_library_classes,
+    ros2_library_modules,
+    ros2_system,
+    system,
+)
 from haros_ci.link.index import Source
 from haros_ci.link.keeping import Keeper
 from haros_ci.link.kept import Followed
@@ -21,12 +31,13 @@ from haros_ci.link.launching.places import Places
 from haros_ci.link.names import clean
 from haros_ci.link.node_types import path_name, types_of
 from haros_ci.link.parameters import ParameterServer
+from haros_ci.link.ros2_library import Library, Seen
 from haros_ci.link.roslaunch import evaluate
 from haros_ci.link.roslaunch_entry import entry_files
 from haros_ci.link.run import Exact
 from haros_ci.link.system import Job, KnownNodes, Types
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Architecture, Configuration, Node, Parameter
+from haros_ci.model.architecture import LIBRARY, Architecture, Configuration, Node, Parameter
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
@@ -170,8 +181,11 @@ def link(
     order = sorted(range(len(jobs)), key=lambda number: -jobs[number].size)  # large ones first: nobody waits at the end
     work = [partial(_worked, types, jobs[number]) for number in order]
     done = dict(zip(order, share(work, [jobs[number].group for number in order]), strict=True))
+    made = ros2_library.seen_in(node for (nodes, _), _ in done.values() for node in nodes)
+    more = [ros2_library.job(types, each) for each in _libraries(types, made)] if wanted is None else []
+    brought = share([partial(_worked, types, job) for job in more], [job.group for job in more])
     if keeper is not None:
-        keeping.hand_on(keeper, key, old, [each for _, fresh in done.values() for each in fresh])
+        keeping.hand_on(keeper, key, old, [each for _, fresh in (*done.values(), *brought) for each in fresh])
     results = (done[number][0] for number in range(len(jobs)))
     for item, each in opened:
         followed = list(islice(results, len(each.jobs)))
@@ -202,6 +216,10 @@ def link(
             name = f"{node.package}/{node.type}"
             taken = node.kind == "nodelet" and any(c.name == name for c in configurations)
             configurations.append(Configuration(name=f"{name} (nodelet)" if taken else name, nodes=nodes))
+    for (nodes, _), _ in brought:
+        if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
+            name = f"{nodes[0].package}/{nodes[0].type} ({LIBRARY})"
+            configurations.append(Configuration(name=name, nodes=nodes))
     for build in builds.values():
         problems.update(dict.fromkeys(build.problems))
     return Architecture(
@@ -215,6 +233,11 @@ def _worked(types: Types, job: Job) -> tuple[Result, list[tuple[Any, Followed]]]
     """What a job gives, and all that was followed for it."""
     before = len(types.fresh)
     return job.follow(), types.fresh[before:]
+
+
+def _libraries(types: Types, made: Seen) -> Iterator[Library]:
+    yield from ros2_library_classes.libraries(types, made)
+    yield from ros2_library_modules.libraries(types, made)
 
 
 def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:

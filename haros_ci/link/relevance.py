@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from copy import copy
 from typing import Any
 
@@ -233,6 +233,21 @@ class Relevance:
     def called(self, name: str) -> bool:
         """Whether a call of this spelling, as ``calls_of`` has it, may make something."""
         return name == GIVEN or self._name_matters(name)
+
+    def reaches(self, function: Function, source: Source, counts: Callable[[Function, Source], bool]) -> bool:
+        """Whether an API call stands in *function* or in anything that it calls, in a function that *counts*."""
+        waiting: list[tuple[Source, Function | Class]] = [(source, function)]
+        seen: set[int] = set()
+        while waiting:
+            where, item = waiting.pop()
+            if id(item) in seen:
+                continue
+            seen.add(id(item))
+            names = self._of(where, item)
+            if isinstance(item, Function) and any(n in self._api and n != CALLED for n in names) and counts(item, where):
+                return True
+            waiting += [found for name in names for found in self._named(name)]
+        return False
 
     def rules(self) -> tuple[Any, ...]:
         """What is relevant by itself, whatever is called: a change of it voids all that was followed."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.link import conversions, forwarding, qos_overrides, ros2_nodes, ros2_selectors
 from haros_ci.link.names import pattern
-from haros_ci.link.ros2_process import RosNode
+from haros_ci.link.ros2_process import GIVEN, RosNode
 from haros_ci.link.run import Made
 from haros_ci.link.state import Held
 from haros_ci.link.types import ros2_data_type, ros2_parameter_type
@@ -205,6 +205,8 @@ def _effective(
     found = parameter(applied, node, name, kind == "parameters")
     if kind == "getters" and found is not None and is_declared(applied, node, Known(name)) == Known(False):
         found = Opaque("it is given from outside, but the node is not seen to declare it", applied.location)
+    if kind == "getters" and found is None and node.whole.kind == GIVEN and node.why is not None:
+        found = Opaque(*node.why)  # it may have declared it
     value = found if found is not None else default
     if value is None:
         return None, None

@@ -26,6 +26,8 @@ NAMES, SPACES = frozenset(("__node", "__name")), frozenset(("__ns",))
 TAKES_ONE = frozenset(
     "-r --remap -p --param --params-file --log-level --log-config-file --log-file-name -e --enclave".split()
 )
+#: The kind of a node that a class of a library is given by whoever uses it.
+GIVEN = "given"
 #: What a rule's source begins with that is for topics, or for services, alone.
 TOPIC, SERVICE = "rostopic://", "rosservice://"
 

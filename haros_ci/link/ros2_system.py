@@ -87,7 +87,7 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
     return Job(
         basic,
         (id(entry), name),
-        lambda: _followed(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
+        lambda: nodes_of(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
         _size(types, files),
         started.parameters,
     )
@@ -135,7 +135,7 @@ def alone(types: Types, package: str, name: str, is_component: bool = False, has
     return Job(
         node,
         (id(entry), name),
-        lambda: _followed(types, entry, files, node, started, False),
+        lambda: nodes_of(types, entry, files, node, started, False),
         _size(types, files),
         label=PLUGINS if has_plugins else "",
     )
@@ -152,7 +152,7 @@ def plugin(types: Types, package: str, name: str) -> Job:
     started = Started((), Parameters(()), (), False)
 
     def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
-        nodes, problems = _followed(types, entry, files, node, started, False)
+        nodes, problems = nodes_of(types, entry, files, node, started, False)
         makes = any(not end.implicit for each in nodes for end in each.endpoints)
         return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
 
@@ -164,7 +164,7 @@ def _size(types: Types, files: frozenset[str]) -> int:
     return sum(len(sources[path].program.functions) for path in files if path in sources)
 
 
-def _followed(
+def nodes_of(
     types: Types, entry: Entry, files: frozenset[str], node: Node, started: Started, is_named: bool
 ) -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
     """The nodes of a process with what each has."""

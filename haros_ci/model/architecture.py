@@ -26,6 +26,9 @@ KINDS = (
     "parameters",
 )
 
+#: The kind of what a class of a library brings into the node of whoever uses it, and what its configuration is called besides.
+LIBRARY = "library"
+
 #: Where an entity was learned: the source, a launch file, a hint of the project file, the data on known nodes, or the
 #: exact second tier of the C++ front end.
 PROVENANCES = ("source", "launch", "hint", "known-node", "exact-tier")
@@ -100,6 +103,7 @@ class Endpoint:
 class Node:
     """A node of a running system. *kind* is node, nodelet, component or lifecycle; *ros* is 1 or 2; *type* the executable, or a nodelet's class as looked up.
 
+    Of the kind library is what a class of a library, its *type*, brings into the node of whoever uses it.
     *package* and *type* are ``kobuki_node`` and ``KobukiNodelet`` for ``kobuki_node/KobukiNodelet``; *class_name* is the C++
     class of a nodelet; *container* the manager's full name; *process* is shared by the nodes of one process.
     *remaps* are fully resolved pairs, *arguments* the text of the launch file's ``args``.

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-from haros_ci.model.architecture import Architecture, Endpoint, Node
+from haros_ci.model.architecture import LIBRARY, Architecture, Endpoint, Node
 from haros_ci.model.location import Location
 from haros_ci.report.model_json import Places, is_known
 from haros_ci.report.node_interface import Entry, Interface, own_name
@@ -91,7 +91,7 @@ def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, K
         outside.update(name for name, _ in configuration.arguments)
         outside.update(item.name.rpartition(":")[2] for item in configuration.parameters)
         for node in configuration.nodes:
-            if not node.endpoints or any(why.field in ("endpoints", "package", "type") for why in node.unknowns):
+            if node.kind != LIBRARY and not _is_complete(node):
                 unseen.add(node.package)
             here: dict[_End, None] = {}
             for end in node.endpoints:
@@ -108,6 +108,8 @@ def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, K
             for package in {home(end.location) for end in node.endpoints if not end.implicit} - {None, node.package}:
                 hosts.setdefault(str(package), []).append(tuple(here))
     for interface in every:
+        if any(node.kind == LIBRARY for node in interface.nodes):
+            continue  # its documentation is not that of a node
         own.setdefault(interface.package, []).append(interface)
     return {
         package: Known(
@@ -121,6 +123,10 @@ def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, K
         )
         for package, found in ends.items()
     }
+
+
+def _is_complete(node: Node) -> bool:
+    return bool(node.endpoints) and not any(why.field in ("endpoints", "package", "type") for why in node.unknowns)
 
 
 def _homes(architecture: Architecture) -> Callable[[Location | None], str | None]:
