@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import callbacks, harmless, havoc, library_cpp, library_python
+from haros_ci.link import callbacks, harmless, havoc, library_cpp, library_python, methods
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.values import NONE, Cell, Known, Mapped, Opaque, Sequence, Text, Value
+from haros_ci.link.values import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Type
 
@@ -27,6 +27,13 @@ def pointer_method(run: Run, cell: Cell, name: str, args: tuple[Argument, ...]) 
     return Opaque("the state of a smart pointer")
 
 
+def _pointed_to(run: Run, receiver: Object) -> Value | None:
+    """What ``get()`` of ``auto`` gives that a smart pointer was made for: the object itself, if it has no such method."""
+    if receiver.definition is None and receiver.node is None:
+        return None
+    return receiver if methods.method_of(run, receiver, "get") is None and "get" not in receiver.fields else None
+
+
 def method(
     run: Run,
     frame: Frame,
@@ -41,6 +48,8 @@ def method(
         found = library_python.method(run, frame, receiver, name, args)
     else:
         found = library_cpp.method(run, frame, receiver, cell, name, args, location)
+        if found is None and name == "get" and not args and isinstance(receiver, Object):
+            found = _pointed_to(run, receiver)
     if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:
         return found
     if isinstance(receiver, Known) and not isinstance(receiver.value, (str, list, dict)):

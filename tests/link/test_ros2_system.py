@@ -649,3 +649,24 @@ def test_mixed_workspaces() -> None:
         ("p/launch/l.launch.xml", [("/m", 2)]),
     ]
     assert names_of(found.configurations[0].nodes[0]) == ["/t"] and names_of(found.configurations[1].nodes[0]) == ["/t"]
+
+
+@pytest.mark.parametrize(
+    ("made", "expected"),
+    [
+        ('auto n = std::make_shared<rclcpp::Node>("two");', ["/two/x"]),
+        ('auto n = rclcpp::Node::make_shared("two");', ["/two/x"]),
+        ('auto n = std::make_unique<rclcpp::Node>("two");', ["/two/x"]),
+        ("auto n = std::make_shared<M>();", ["/m/x"]),
+        ("auto n = std::make_shared<G>();", ["/inner/x"]),  # a method of its own
+    ],
+)
+def test_the_pointer_in_a_variable_without_a_type(made: str, expected: list[str]) -> None:
+    classes = (
+        'struct M : rclcpp::Node { M() : Node("m") {} };\n'
+        'struct G { rclcpp::Node::SharedPtr get() { return std::make_shared<rclcpp::Node>("inner"); } };\n'
+    )
+    found = ros2_main(f'{made} auto p = n.get()->create_publisher<String>("~/x", 1);', classes)
+    if "G" in made:
+        found = ros2_main(f'{made} auto p = n->get()->create_publisher<String>("~/x", 1);', classes)
+    assert [end.name for node in found.nodes for end in explicit(node)] == expected
