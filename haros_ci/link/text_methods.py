@@ -23,7 +23,7 @@ OF = {
 
 def changed(text: str, name: str, args: tuple[Argument, ...]) -> str | None:
     """*text* after ``erase``, ``insert``, ``replace`` or ``resize`` with positions; None for all other forms."""
-    data = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+    data: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
     if not all(_is_count(item) or isinstance(item, (str, Character)) for item in data):
         return None
     counts = [item for item in data if _is_count(item)]
