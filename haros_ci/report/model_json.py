@@ -7,7 +7,7 @@ Beside nodes, endpoints and parameters each configuration lists what the endpoin
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from itertools import groupby
 from math import isfinite
@@ -88,7 +88,9 @@ def render(architecture: Architecture) -> str:
             for item in sorted(architecture.problems, key=lambda item: (item.path, item.line or 0, item.message))
         ],
     }
-    return "".join(_laid_out(document, 0)).replace("##[", r"##\u005b") + "\n"  # else a command to a GitHub runner
+    parts: list[str] = []
+    _lay_out(document, 0, parts)
+    return "".join(parts).replace("##[", r"##\u005b") + "\n"  # else a command to a GitHub runner
 
 
 def channels(configuration: Configuration) -> tuple[Channel, ...]:
@@ -146,13 +148,20 @@ def plain(value: object, depth: int = 0) -> Any:
 class Places:
     """Where packages are, to say a location by its package."""
 
-    __slots__ = ("_packages",)
+    __slots__ = ("_packages", "_split")
 
     def __init__(self, packages: Iterable[Package]) -> None:
         self._packages = {package.path: package.name for package in packages}
+        self._split: dict[str, tuple[str | None, str]] = {}
 
     def split(self, path: str) -> tuple[str | None, str]:
         """The innermost package around *path* and the path in it; None and *path* outside any."""
+        found = self._split.get(path)
+        if found is None:
+            found = self._split[path] = self._searched(path)
+        return found
+
+    def _searched(self, path: str) -> tuple[str | None, str]:
         whole = PurePosixPath(path)
         for folder in whole.parents:
             name = self._packages.get(str(folder))
@@ -310,15 +319,15 @@ def _place_key(location: Location | None) -> tuple[str, int, int, int, int]:
 _ENCODE = json.JSONEncoder(ensure_ascii=True, allow_nan=False).encode
 
 
-def _laid_out(value: Any, level: int) -> Iterator[str]:
+def _lay_out(value: Any, level: int, parts: list[str]) -> None:
     """JSON text with a line for each member of the upper levels, so that two models compare line by line."""
     if level >= _BROKEN_LEVELS or not value or not isinstance(value, (dict, list)):
-        yield _ENCODE(value)
+        parts.append(_ENCODE(value))
         return
     opening, closing = "{}" if isinstance(value, dict) else "[]"
     pairs = value.items() if isinstance(value, dict) else ((None, item) for item in value)
     for number, (key, item) in enumerate(pairs):
         head = "" if key is None else f"{_ENCODE(key)}: "
-        yield f"{',' if number else opening}\n{' ' * (level + 1)}{head}"
-        yield from _laid_out(item, level + 1)
-    yield f"\n{' ' * level}{closing}"
+        parts.append(f"{',' if number else opening}\n{' ' * (level + 1)}{head}")
+        _lay_out(item, level + 1, parts)
+    parts.append(f"\n{' ' * level}{closing}")
