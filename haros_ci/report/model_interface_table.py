@@ -66,6 +66,8 @@ def code(text: str) -> str:
 def _node(item: Interface, descriptions: Descriptions) -> Iterator[str]:
     title = f"{code(item.type)}: {code(item.part)}" if item.part else code(item.type)
     yield from (f"### {title}", "")
+    if item.is_library:
+        yield from ("A class: this is what it brings into the node of whoever uses it.", "")
     told = [entry for entry in item.entries if entry.name.strip("?~/.")]
     if len(told) < len(item.entries) or any(why.field == "endpoints" for node in item.nodes for why in node.unknowns):
         yield from ("There may be more than what stands here.", "")

@@ -59,7 +59,7 @@ def type_name(kind: str, type: str, ros: int) -> str:
 
 
 def _node(item: Interface) -> Iterator[str]:
-    known = [entry for entry in item.entries if is_known(entry.name) and is_known(entry.type)]
+    known = [] if item.is_library else [e for e in item.entries if is_known(e.name) and is_known(e.type)]
     said = dict(_elements(known, item.ros))
     left = [_left_out(entry, item.ros) for entry in item.entries if entry not in known]
     more = sorted({why.reason for node in item.nodes for why in node.unknowns if why.field == "endpoints"})
@@ -67,6 +67,7 @@ def _node(item: Interface) -> Iterator[str]:
     name = item.names[0]
     if not said or not is_known(name) or not name:
         what = "no entry is known" if not said else "the node's name is not known"
+        what = "a class of a library, for the node of whoever uses it" if item.is_library else what
         yield f"  {_comment(f'left out: {item.type}: {what}')}"
         yield from (f"  {_comment(text)}" for text in left)
         return

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from haros_ci.model.architecture import KINDS, Architecture, Endpoint, Node
+from haros_ci.model.architecture import KINDS, LIBRARY, Architecture, Endpoint, Node
 from haros_ci.model.location import Location
 from haros_ci.report.model_json import is_known
 
@@ -59,6 +59,11 @@ class Interface:
     entries: tuple[Entry, ...]
     nodes: tuple[Node, ...]
     part: str = ""
+
+    @property
+    def is_library(self) -> bool:
+        """Whether it is what a class of a library brings into the node of whoever uses it."""
+        return any(node.kind == LIBRARY for node in self.nodes)
 
 
 def interfaces(architecture: Architecture) -> tuple[Interface, ...]:

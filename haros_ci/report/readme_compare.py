@@ -108,7 +108,7 @@ def known(every: Iterable[Interface], architecture: Architecture) -> dict[str, K
             for package in {home(end.location) for end in node.endpoints if not end.implicit} - {None, node.package}:
                 hosts.setdefault(str(package), []).append(tuple(here))
     for interface in every:
-        if any(node.kind == LIBRARY for node in interface.nodes):
+        if interface.is_library:
             continue  # its documentation is not that of a node
         own.setdefault(interface.package, []).append(interface)
     return {

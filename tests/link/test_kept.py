@@ -229,6 +229,28 @@ def test_without_an_edit_nothing_is_followed(ros: int | None, followed: list[str
     assert again(files, files, followed, ros) == ([], False)
 
 
+def test_classes_of_libraries(followed: list[str]) -> None:
+    header, user = "p/include/p/tool.hpp", "p/src/u.cpp"
+    files = {
+        "p/CMakeLists.txt": ROS2_CMAKE.format("p")
+        + "ament_auto_add_library(l SHARED src/tool.cpp)\nament_auto_add_executable(u src/u.cpp)\nament_auto_package()\n",
+        header: "#include <rclcpp/rclcpp.hpp>\nclass Tool { public: Tool(rclcpp::Node & node, int count = 1);\n};\n",
+        "p/src/tool.cpp": f'#include <p/tool.hpp>\n{ROS2_HEAD}Tool::Tool(rclcpp::Node & node, int count) {{'
+        ' node.create_publisher<String>("t" + std::to_string(count), 1); }\n',
+        user: "#include <p/tool.hpp>\nint main(int argc, char ** argv) { rclcpp::init(argc, argv);\n"
+        'rclcpp::Node node("u");\n}\n',
+    }
+    assert "p/Tool (library)" in model(files, Cache(), 2)
+    assert again(files, files, followed, 2) == ([], False)
+    calls, is_changed = again(files, edited(files, "p/src/tool.cpp", '"t"', '"s"'), followed, 2)
+    assert header in calls and is_changed
+    assert again(files, edited(files, header, "= 1", "= 2"), followed, 2)[1]
+    used = edited(files, user, 'node("u");', 'node("u"); Tool tool(node);')
+    for before, after, is_told in ((files, used, False), (used, files, True)):
+        assert again(before, after, followed, 2)[1]
+        assert ("(library)" in model(after, Cache(), 2)) is is_told
+
+
 @pytest.mark.parametrize("path", ("p/src/new.cpp", "p/src/new.h", "p/src/lib/new.py"))
 def test_files_that_come_and_go(path: str, followed: list[str]) -> None:
     """A name may mean something else from then on: all is followed anew."""

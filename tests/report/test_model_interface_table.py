@@ -103,6 +103,7 @@ def test_nothing_and_no_endpoints() -> None:
         return model_interface_table.render(found, "lane").splitlines()[4]
 
     assert said(replace(LANE, endpoints=())) == "No endpoints."
+    assert said(replace(LANE, kind="library")) == "A class: this is what it brings into the node of whoever uses it."
     assert said(replace(LANE, unknowns=(Unknown("endpoints", "x"),))) == "There may be more than what stands here."
 
 

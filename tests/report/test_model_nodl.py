@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 from dataclasses import replace
 
 import pytest
-from interface_samples import BASE, CPP, LANE, ODOM, PACKAGES, PATH, SYSTEM, VAGUE, end
+from interface_samples import BASE, CPP, LANE, ODOM, PACKAGES, PATH, RESET, STATUS, SYSTEM, VAGUE, end
 from test_model_json import HOSTILE
 
 from haros_ci.model.architecture import Architecture, Configuration, Node, Unknown
@@ -150,6 +150,18 @@ def test_what_no_node_can_be_written_of_is_a_comment(node: Node, comments: list[
     assert "<node" not in text
     assert [line.strip() for line in text.splitlines() if "<!--" in line][1 : len(comments) + 1] == [
         f"<!-- {comment} -->" for comment in comments
+    ]
+
+
+def test_classes_of_libraries_are_no_nodes() -> None:
+    brought = (replace(RESET, name="/?/reset", original_name="/?/reset"), replace(STATUS, original_name="/vehicle/status"))
+    part = replace(LANE, name="/?", kind="library", type="lane::Tool", endpoints=brought)
+    text = model_nodl.render(of(part))
+    assert "<node" not in text
+    assert [line.strip() for line in text.splitlines() if "<!--" in line][1:] == [
+        "<!-- left out: lane::Tool: a class of a library, for the node of whoever uses it -->",
+        "<!-- left out: topic name=vehicle/status type=lane_msgs/msg/Status role=subscription -->",
+        "<!-- left out: service name=~/reset type=std_srvs/srv/Trigger role=server -->",
     ]
 
 

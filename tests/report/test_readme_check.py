@@ -52,6 +52,21 @@ def page(heading: str, *rows: str, columns: str = "| Name | Type | Description |
 DEFAULTS = "| Name | Type | Default |"
 
 
+def test_what_classes_of_libraries_bring() -> None:
+    """It may be what a row means, but rows of nodes are not about it, nor is a node's description not complete for it."""
+    topic = end("publishers", "/extra", "std_msgs/msg/Empty", 40)
+    more = (Unknown("endpoints", "its methods"),)
+    tool = replace(CLEAR, name="/?", kind="library", type="lane::Tool", endpoints=(topic,), unknowns=more)
+    text = page("Output", "| ~/output/path | nav_msgs/msg/Path | |", "| extra | std_msgs/msg/Bool | |", "| gone | a/msg/B | |")
+    assert [line.partition(",")[0] for line in told(text, CLEAR, tool)] == [
+        "6: warning: publisher extra has type std_msgs/msg/Bool in the document",
+        "7: warning: publisher gone is documented",
+    ]
+    text = page("Output", "| ~/output/path | nav_msgs/msg/Path | |")
+    assert told(text, CLEAR, tool, notes=True) == told(text, CLEAR, notes=True)
+    assert told(page("Output", "| gone | a/msg/B | |"), tool) == []
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
