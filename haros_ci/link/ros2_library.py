@@ -20,6 +20,7 @@ from haros_ci.link.ros2_process import GIVEN, Parameters, RosNode
 from haros_ci.link.ros2_system import Started
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.system import PROGRAM, Job, Types
+from haros_ci.link.types import pointee
 from haros_ci.link.values import Callable, Object
 from haros_ci.model.architecture import LIBRARY, Node, Unknown
 from haros_ci.model.location import Location
@@ -135,15 +136,28 @@ def _begin(each: Library, run: Run, frame: Frame) -> None:
         run.nodes.append(given)
     found = methods.with_body(run, [(source, each.constructor)]) if each.constructor is not None else None
     arguments = _arguments(run, each, found[1], given if each.method is None else None) if found is not None else ()
-    this = Object(definition.name, (), (source, definition), location=location)
+    templates = _templates(each, found[1] if found is not None else None)
+    this = Object(definition.name, (), (source, definition), location=location, templates=templates)
     if source.separator == ".":
         construct.python_construct(run, frame, this, arguments, location)
     else:
-        construct.initialise(run, frame, this, (source, definition), {}, arguments, location, chosen=found)
+        construct.initialise(run, frame, this, (source, definition), templates, arguments, location, chosen=found)
         callbacks.framework_entries(run, this)
     if each.method is not None:
         where, function = methods.with_body(run, [(source, each.method)])
         activation.invoke(run, frame, Callable(where, function, this), _arguments(run, each, function, given))
+
+
+def _templates(each: Library, constructor: Function | None) -> dict[str, Type]:
+    """What template parameters stand for: the node's for a node, all others for nothing that is known."""
+    own = constructor.templates if constructor is not None else ()
+    found: dict[str, Type] = {name: (name, (), "") for name in (*each.definition.templates, *own)}
+    taking = each.method or constructor
+    for number, kind in each.nodes.items():
+        name = pointee(taking.parameters[number].type)[0] if taking is not None else ""
+        if name in found:
+            found[name] = kind
+    return found
 
 
 def _arguments(run: Run, each: Library, function: Function, given: RosNode | None) -> tuple[Argument, ...]:

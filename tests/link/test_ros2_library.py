@@ -94,6 +94,16 @@ def test_templates_over_nodes() -> None:
     assert names(one) == names(other) == ["/a"]
 
 
+def test_other_template_parameters_stand_for_nothing_that_is_known() -> None:
+    node = made_by(
+        'template<typename NodeT, class Other> Tool(NodeT & node, Other other) {\n'
+        'node.template create_publisher<Message>("a", 1); node.template create_publisher<Other>("b", 1);\n'
+        'node.template create_publisher<String>("c", 1); }',
+        "using Message = std_msgs::msg::Bool; using Other = std_msgs::msg::Bool; class NodeT {};\ntemplate<class Message>",
+    )
+    assert types(node) == [("/a", None), ("/b", None), ("/c", "std_msgs/msg/String")]
+
+
 def test_parts_of_a_node() -> None:
     node = made_by(
         "Tool(rclcpp::node_interfaces::NodeTopicsInterface::SharedPtr topics,"
