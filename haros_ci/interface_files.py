@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import click
+
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
 from haros_ci.output import write
@@ -21,7 +23,7 @@ _FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,200}")
 def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:
     """*found* as ``nodl`` or ``readme`` to stdout, or to *path*.
 
-    Into a directory goes a file for each package with nodes. A file in a package of the workspace at *root* gets this
+    Into a directory goes a file for each package with nodes, of NoDL for those with a node that can be told. A file in a package of the workspace at *root* gets this
     package's interfaces only. In a Markdown file that is there, what stands between the two comments is replaced, and
     descriptions that people wrote into its tables are kept; UserError if it has no such comments.
     """
@@ -31,7 +33,10 @@ def put(found: Architecture, format: str, path: Path | None, root: Path) -> None
         for package in sorted({item.package for item in interfaces(found)}):
             if not _FILE_NAME.fullmatch(package):
                 raise UserError(f"package {package!r} cannot be the name of a file", help="rename it (REP 144)")
-            _file(found, format, path / f"{package}{SUFFIXES[format]}", package)
+            if format == "nodl" and not model_nodl.is_valid(found, package):
+                click.echo(f"note: no file for {package}: none of its nodes is known well enough for NoDL", err=True)
+            else:
+                _file(found, format, path / f"{package}{SUFFIXES[format]}", package)
     else:
         _file(found, format, path, _package(found, path, root))
 

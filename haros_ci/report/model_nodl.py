@@ -50,6 +50,11 @@ def render(architecture: Architecture, package: str | None = None) -> str:
     return "\n".join([*lines, "</interface>", ""])
 
 
+def is_valid(architecture: Architecture, package: str | None = None) -> bool:
+    """Whether the document is one by its schema, which wants a node in it."""
+    return "\n  <node " in render(architecture, package)
+
+
 def type_name(kind: str, type: str, ros: int) -> str:
     """A type as NoDL writes it: ``pkg/msg/T``; a parameter's ``string`` for ``str``."""
     if kind == "parameters":

@@ -85,8 +85,18 @@ def interfaces(architecture: Architecture) -> tuple[Interface, ...]:
                 found.setdefault((node.package, node.type, place), []).append(node)
         if not configuration.name.endswith(EVERY_PLUGIN):
             seen |= {(node.package, node.type) for node in configuration.nodes}
-    every = (_interface(package, type, nodes, place is not None) for (package, type, place), nodes in found.items())
-    return tuple(sorted(every, key=lambda item: (item.package, item.type, item.part, item.names)))
+    parts: dict[tuple[str, str, str], list[Node]] = {}
+    for (package, type, place), nodes in found.items():
+        own = _names(found.get((package, type, None), ()))[:1]
+        name = _names(nodes)[0]
+        parts.setdefault((package, type, "" if place is None or [name] == own else name), []).extend(nodes)
+    return tuple(_interface(package, type, nodes, part) for (package, type, part), nodes in sorted(parts.items()))
+
+
+def _names(nodes: Iterable[Node]) -> list[str]:
+    """The last parts of the nodes' names, known ones and frequent ones first."""
+    counts = Counter(node.name.rpartition("/")[2] for node in nodes)
+    return sorted(counts, key=lambda name: (not is_known(name) or not name, -counts[name], name))
 
 
 def _is_beside(node: Node) -> bool:
@@ -104,9 +114,7 @@ def own_name(node: str, name: str) -> str:
     return name[len(namespace) + 1 :] if name.startswith(f"{namespace}/") else name
 
 
-def _interface(package: str, type: str, nodes: list[Node], is_beside: bool) -> Interface:
-    counts = Counter(node.name.rpartition("/")[2] for node in nodes)
-    names = sorted(counts, key=lambda name: (not is_known(name) or not name, -counts[name], name))
+def _interface(package: str, type: str, nodes: list[Node], part: str) -> Interface:
     ends = [(node, end) for node in nodes for end in node.endpoints if not end.implicit]
     absolute = {name for node, end in ends if (name := own_name(node.name, end.original_name)).startswith("/")}
     absolute |= ABSOLUTE
@@ -123,7 +131,7 @@ def _interface(package: str, type: str, nodes: list[Node], is_beside: bool) -> I
         if type is not None or kind != "parameters" or (kind, name) not in typed
     ]
     entries.sort(key=lambda entry: (KINDS.index(entry.kind), entry.name, entry.type or ""))
-    return Interface(package, type, nodes[0].ros, tuple(names), tuple(entries), tuple(nodes), names[0] if is_beside else "")
+    return Interface(package, type, nodes[0].ros, tuple(_names(nodes)), tuple(entries), tuple(nodes), part)
 
 
 def _spelt(node: Node, end: Endpoint, kind: str, absolute: Iterable[str]) -> str:

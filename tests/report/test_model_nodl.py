@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ElementTree
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from interface_samples import BASE, CPP, LANE, ODOM, PACKAGES, PATH, RESET, STATUS, SYSTEM, VAGUE, end
 from test_model_json import HOSTILE
 
+from haros_ci.interface_files import put
 from haros_ci.model.architecture import Architecture, Configuration, Node, Unknown
 from haros_ci.model.location import Location
 from haros_ci.report import model_interface_table, model_nodl
@@ -234,3 +236,26 @@ def test_what_every_plugin_makes_at_once_counts_where_nothing_else_is_seen() -> 
 
     assert names(loaded) == ["all"]
     assert names(loaded, plain) == ["one"]
+
+
+def test_two_nodes_of_one_name_in_a_process_are_one() -> None:
+    main = replace(LANE, name="/lane", process="/lane", endpoints=(end("publishers", "/y", "a/msg/B"),))
+    again = replace(beside("/costmap"), location=Location("src/lane/src/b.cpp", 9), endpoints=(end("publishers", "/z", "a/msg/B"),))
+    same = replace(beside("/lane"), endpoints=(end("publishers", "/w", "a/msg/B"),))
+    root = valid(model_nodl.render(of(main, beside("/costmap"), again, same)))
+    assert [(node.get("name"), [item.get("name") for item in node]) for node in root] == [
+        ("lane", ["w", "y"]),
+        ("costmap", ["z", "~/x"]),
+    ]
+
+
+def test_a_document_without_a_node_is_not_valid() -> None:
+    assert model_nodl.is_valid(SYSTEM, "lane")
+    assert not model_nodl.is_valid(of(replace(LANE, endpoints=())), "lane")
+
+
+def test_a_package_without_a_document_gets_no_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    blank = replace(BASE, endpoints=())
+    put(of(LANE, blank), "nodl", tmp_path, Path("/nowhere"))
+    assert [path.name for path in tmp_path.iterdir()] == ["lane.nodl.xml"]
+    assert capsys.readouterr().err == "note: no file for base: none of its nodes is known well enough for NoDL\n"
