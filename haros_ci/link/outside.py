@@ -79,7 +79,9 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
         return "which program it is, is not known"
     build = programs.builds.get(package)
     if nodelet is None and name.startswith(f"{package}/"):  # a plug-in, such as a controller
-        return f"the code of {name} is not in the workspace" if build is None else f"{name} is not followed: no program has it"
+        if build is None:
+            return f"the code of {name} is not in the workspace"
+        return f"{name} is in the workspace, but what calls it is not: it is not followed"
     if nodelet is not None:
         described_ones = (each for made in programs.builds.values() for each in made.plugins)
         types = [each.type.strip() for each in described_ones if each.name == nodelet]

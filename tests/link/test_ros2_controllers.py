@@ -207,3 +207,10 @@ def test_a_package_in_words_is_one_word() -> None:
         "$(find-pkg-share q)/b",
     ]
     assert shell_words("a 'b $(find p)") == ["a", "'b", "$(find p)"]
+
+
+def test_a_controller_of_the_workspace_is_not_followed() -> None:
+    (node,) = (node for node in started(MANAGER.format("", "") + SPAWNER.format("own -t p/Own", "")) if node.type == "p/Own")
+    assert [unknown.reason for unknown in node.unknowns] == [
+        "p/Own is in the workspace, but what calls it is not: it is not followed"
+    ]
