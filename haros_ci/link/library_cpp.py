@@ -154,7 +154,7 @@ def function(
         return algorithms.found(run, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
         run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
-        return NONE
+        return run.opaque("whether a stream has more is not known", frame, None, ("bool", (), ""))
     if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
         return library_containers.swapped(run, args)
     if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
