@@ -8,7 +8,7 @@ from collections.abc import Callable as Function_
 from functools import partial
 from typing import TYPE_CHECKING
 
-from haros_ci.link import activation, call_arguments
+from haros_ci.link import activation, call_arguments, iterators
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
     NONE,
@@ -76,7 +76,7 @@ def found(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value | None:
     cells = every.content.value
     if not isinstance(cells, tuple) or len(cells) > SOUGHT:
         return None
-    for cell in cells:
+    for cell in cells[iterators.position(start) or 0 :]:
         fits = _fits(run, frame, args[2].value, cell)
         if fits is None:
             return None

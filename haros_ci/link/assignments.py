@@ -332,13 +332,3 @@ def element(run: Run, frame: Frame, container: Value, key: Value, kind: Type | N
             run.state.write(container.content, {**container.content.value, key.value: cell})
         return cell
     return None
-
-
-def first(expression: Expression, iterator: Object) -> Cell | None:
-    """The cell that ``*v.begin()`` is."""
-    container = iterator.fields["[of]"].value
-    cells = container.content.value if isinstance(container, Sequence) else ()
-    if expression[0] == "call" and expression[1][-1] == "begin" and isinstance(cells, tuple) and cells:
-        found: Cell = cells[0]
-        return found
-    return None

@@ -17,6 +17,7 @@ from haros_ci.link import (
     expressions,
     follow,
     forwarding,
+    iterators,
     library,
     library_objects,
     members,
@@ -61,6 +62,11 @@ def call(run: Run, frame: Frame, expression: Expression) -> Value:
             return library.pointer_method(run, receiver_cell, name, args)
         if isinstance(receiver, Pointer):
             receiver_cell, receiver = receiver.cell, receiver.cell.value
+        elif isinstance(receiver, Object) and receiver.name == iterators.ITERATOR:
+            of = iterators.pointed(receiver)
+            receiver_cell, receiver = (of, of.value) if of is not None else (receiver_cell, receiver)
+        if isinstance(receiver, Choice) and frame.source.separator == "::":
+            receiver = iterators.not_null(receiver)
         if isinstance(receiver, Choice):
             ways = [
                 partial(method_call, run, frame, option, cell, name, args, targs, location)
@@ -322,6 +328,8 @@ def library_call(
     if last == "__init__" and dot and args and base in run.rows and isinstance(args[0].value, Object):
         library_objects.construct_library(run, frame, args[0].value, (base, (), ""), args[1:], location)
         return NONE
+    if callee[0] == "name" and is_type(kind := frame.templates.get(callee[1])):  # what a template parameter stands for
+        return construct.of_template(run, frame, kind, args, location)
     if function.this is None and frame.this is not None and callee[0] == "name":  # an inherited method
         inherited = _inherited(run, frame, frame.this, callee[1], args, targs, location)
         if inherited is not None:

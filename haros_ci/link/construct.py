@@ -21,8 +21,8 @@ from haros_ci.link import (
 )
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, pointee
-from haros_ci.link.values import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
+from haros_ci.link.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, parameter_type, pointee
+from haros_ci.link.values import FALSE, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Expression, Function, Type
 
@@ -119,6 +119,21 @@ def create(
     if owner is None:
         return library_objects.library_object(run, frame, kind, arguments, location)
     return instance(run, frame, owner, kind[1], arguments, location)
+
+
+#: What ``T{}`` is of a scalar type (value initialisation).
+ZEROS = {"bool": FALSE, "int": Known(0), "double": Known(0.0)}
+
+
+def of_template(
+    run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
+) -> Value:
+    """``T{...}`` or ``T(...)`` of the type that a template parameter stands for."""
+    if "*" in kind[2]:
+        return arguments[0].value if arguments else NONE
+    if not arguments and call_arguments.is_scalar(kind):
+        return ZEROS.get(parameter_type(kind) or "", Opaque("its value is not known", location, kind))
+    return create(run, frame, kind, arguments, location)
 
 
 def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...]) -> Value:

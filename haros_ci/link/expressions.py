@@ -12,6 +12,7 @@ from haros_ci.link import (
     construct,
     conversions,
     copies,
+    iterators,
     lookup,
     members,
     operators,
@@ -64,7 +65,7 @@ def cell_of(run: Run, frame: Frame, expression: Expression) -> Cell | None:
         if isinstance(value, Pointer):
             return value.cell
         if isinstance(value, Object) and "[of]" in value.fields:
-            return assignments.first(expression[1], value)
+            return iterators.pointed(value)
         if isinstance(value, Object) and value.definition is not None:
             return Cell(value, (value.name, value.arguments, ""))
         return None if isinstance(value, Choice) else cell_of(run, frame, expression[1])
@@ -158,6 +159,12 @@ def _dereference(run: Run, frame: Frame, expression: Expression) -> Value:
     value = evaluate(run, frame, expression[1])
     if isinstance(value, Pointer):
         return value.cell.value
+    if isinstance(value, Object) and value.name == iterators.ITERATOR:
+        cell = iterators.pointed(value)
+        if cell is not None:
+            return cell.value
+        if not isinstance(value.fields["[of]"].value, Pointer):  # of a text
+            return run.opaque("an element that is not known", frame, None, iterators.kind(value))
     if isinstance(value, Opaque) and value.type is not None and is_smart_pointer(value.type):
         return Opaque(value.reason, value.location, pointee(value.type))
     end = text_methods.end_of(expression[1], value) if isinstance(value, Object) and value.definition is None else None

@@ -11,10 +11,11 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import TYPE_CHECKING
 
-from haros_ci.link.names import pattern
+from haros_ci.link import iterators
+from haros_ci.link.names import UNKNOWN, pattern
 from haros_ci.link.run import Run
 from haros_ci.link.types import STRINGS
-from haros_ci.link.values import Choice, Known, Opaque, Text
+from haros_ci.link.values import Choice, Known, Library, Opaque, Text
 from haros_ci.model.location import Location
 from haros_ci.model.program import Function
 
@@ -43,8 +44,9 @@ def through(
 
 @contextmanager
 def _outermost(run: Run, args: tuple[Argument, ...], location: Location) -> Iterator[None]:
-    texts = (pattern(each.value)[0] for each in args if isinstance(each.value, (Known, Text, Choice, Opaque)))
-    run.outer = location, frozenset(text for text in texts if text)
+    values = [each.value for each in args if isinstance(each.value, (Known, Text, Choice, Opaque, Library))]
+    texts = [pattern(each)[0] for value in values for each in (value, *iterators.options(value))]
+    run.outer = location, frozenset(text or UNKNOWN for text in texts)
     try:
         yield
     finally:

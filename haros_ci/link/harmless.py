@@ -118,7 +118,7 @@ READERS = frozenset(
     "at back begin bucket_count c_str capacity cbegin cend compare contains count crbegin crend data empty end "
     "equal_range find find_first_not_of find_first_of find_last_not_of find_last_of front get_allocator key_comp "
     "length lower_bound max_size rbegin rend rfind size starts_with ends_with str substr toString upper_bound value "
-    "string native generic_string filename stem extension parent_path getType valid hasMember Scalar as IsDefined "
+    "string native generic_string lock expired use_count filename stem extension parent_path getType valid hasMember Scalar as IsDefined "
     "IsMap IsScalar IsSequence IsNull Type Tag reserve shrink_to_fit toXml FindValue capitalize casefold center copy "
     "decode encode endswith expandtabs format format_map get has_key index isalnum isalpha isdecimal isdigit "
     "isidentifier islower isnumeric isspace istitle isupper items iteritems iterkeys itervalues join keys ljust lower "

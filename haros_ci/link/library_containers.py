@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import assignments, construct, conversions
+from haros_ci.link import assignments, construct, conversions, iterators
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.state import certain
+from haros_ci.link.state import certain, last, possible
 from haros_ci.link.values import (
     LIST_LIMIT,
     NONE,
@@ -59,13 +59,24 @@ def _added(
     return whole if isinstance(cells, tuple) else Partial(cells.reason, cells.location, cells.type, whole)
 
 
-def _range(first: Value, last: Value) -> list[Value] | None:
+def _grown(run: Run, frame: Frame, cells: Any, name: str, args: tuple[Argument, ...], inner: Type | None) -> Opaque:
+    """The content of a list that is not known with one more element: what is added behind the others is the last."""
+    told = run.opaque("the list is built in a way that is not followed", frame)
+    some, end = certain(cells), None
+    if not isinstance(cells, tuple) and name in ("push_back", "emplace_back") and len(args) == 1:
+        end = Cell(conversions.converted(construct.copied(run, args[0].value, inner), inner), inner)
+        some = (*some, end)[-LIST_LIMIT:]
+    others = possible(cells)
+    return Partial(told.reason, told.location, told.type, some, others, end) if some or others else told
+
+
+def _range(first: Value, end: Value) -> list[Value] | None:
     """The elements from the beginning to the end of one list or set."""
-    if not isinstance(first, Object) or not isinstance(last, Object) or last.name != "[end]":
+    if not isinstance(first, Object) or not isinstance(end, Object) or end.name != iterators.END:
         return None
-    owners = [each.fields["[of]"].value for each in (first, last) if "[of]" in each.fields]
+    owners = [each.fields["[of]"].value for each in (first, end) if "[of]" in each.fields]
     content = owners[0].content.value if len(owners) == 2 and isinstance(owners[0], Sequence) else None
-    if owners[0] is not owners[-1] or not isinstance(content, tuple):
+    if owners[0] is not owners[-1] or not isinstance(content, tuple) or iterators.position(first):
         return None
     return [cell.value for cell in content]
 
@@ -85,9 +96,7 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
             value = construct.create(run, frame, inner, args, Location(frame.source.path))
             run.state.write(receiver.content, (*cells, Cell(value, inner)))
         else:
-            told = run.opaque("the list is built in a way that is not followed", frame)
-            some = certain(cells)
-            run.state.write(receiver.content, Partial(told.reason, told.location, told.type, some) if some else told)
+            run.state.write(receiver.content, _grown(run, frame, cells, name, args, inner))
         return NONE
     if name == "clear":
         run.state.write(receiver.content, ())
@@ -115,17 +124,19 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
     if name in ("front", "back", "at"):
         if known and cells and name != "at":
             return cells[0 if name == "front" else -1].value
+        if name == "back" and (end := last(cells)) is not None:
+            return end.value
         if name == "at" and args:
             cell = assignments.element(run, frame, receiver, args[0].value)
             if cell is not None:
                 return cell.value
         return run.opaque("an element that is not known", frame, None, inner)
     if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
-        if receiver.end is None:
-            receiver.end = Object("[end]", fields={"[of]": Cell(receiver)})
         if name.endswith("end") or (known and not cells):
-            return receiver.end
-        return Object("[iterator]", fields={"[of]": Cell(receiver)})
+            return iterators.end_of(receiver)
+        if known and name != "rbegin":
+            return iterators.at(receiver, 0)
+        return Object(iterators.ITERATOR, fields={"[of]": Cell(receiver)})
     if name == "pop_back" and known and cells:
         run.state.write(receiver.content, cells[:-1])
         return NONE
@@ -152,6 +163,10 @@ def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argu
     if name in ("insert", "emplace", "erase", "clear", "swap"):
         run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
         return NONE
+    if name in ("begin", "cbegin", "end", "cend") and isinstance(pairs, dict):
+        return iterators.end_of(receiver) if name.endswith("end") else iterators.at(receiver, 0)
+    if name == "find" and len(args) == 1:
+        return iterators.found(receiver, args[0].value)
     if name == "at" and args:
         cell = assignments.element(run, frame, receiver, args[0].value)
         return cell.value if cell is not None else run.opaque("an entry that is not known", frame)

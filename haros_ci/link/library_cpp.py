@@ -15,6 +15,7 @@ from haros_ci.link import (
     library_yaml,
     loaders,
     methods,
+    ros2_selectors,
     text_methods,
     texts,
 )
@@ -198,6 +199,10 @@ def method(
     is_text = isinstance(receiver, Text) or (isinstance(receiver, Known) and isinstance(receiver.value, str))
     if is_text and name == "append" and cell is None and args:  # of a temporary
         return concatenate((receiver, texts.constructed(args)))
+    if name == "get_type" and not args and run.context.process is not None:  # of what a parameter holds
+        told = ros2_selectors.type_constant(receiver)
+        if told is not None or isinstance(receiver, (Known, Text, Sequence)):
+            return told or run.opaque("the type of a parameter is not known", frame, location.line)
     if isinstance(receiver, Known):
         return _data(run, frame, receiver, cell, name, args)
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
@@ -329,6 +334,8 @@ DESCRIPTOR = "rcl_interfaces::msg::ParameterDescriptor"
 def _object(
     run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...], location: Location
 ) -> Value | None:
+    if name == "get_type" and not args and receiver.name in ros2_selectors.PARAMETERS:
+        return ros2_selectors.type_constant(receiver)
     if receiver.name == LOADER and name in LOADERS and args:
         return library_yaml.plugin(run, frame, receiver, args[0].value, location)
     if receiver.name == "rclcpp::NodeOptions" and name == "arguments" and not args and name not in receiver.fields:

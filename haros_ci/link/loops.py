@@ -18,6 +18,8 @@ from haros_ci.model.program import Block, Expression, Statement, Type
 REHEARSALS = 3
 #: Steps after which the turns of a loop are no longer gone through one by one.
 LONG = 2_000
+#: Why a turn may not be taken.
+SOME_PATHS = "what it is made for is an element of the list on some paths only"
 #: Turns around a loop from which on it is widened: 2 for each loop that is gone through, all of them in a rehearsal.
 NESTED = 8
 #: Why an element of a list that is empty as things are may be there all the same.
@@ -194,7 +196,7 @@ def _forgotten(run: Run, frame: Frame, line: int, begun: int, ways: list[tuple[C
 
 def each(run: Run, frame: Frame, statement: Statement) -> str:
     _, line, column, text, name, kind, iterable, body = statement
-    items, is_all = static_types.some_elements(run, frame, iterable)
+    items, others = static_types.some_elements(run, frame, iterable)
     resolved = run.type_in(kind, frame)
 
     def turn(value: Value | Cell) -> str:
@@ -212,11 +214,11 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
     current = Loop(run.state.mark())
     with run.under("for", text, frame, line, column):
         unknown: Value | None = None
-        if not is_all:
+        if others is not None:
             kind_ = _element_type(run, frame, iterable, resolved)
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
         doubt = None
-        if is_all and not items and run.context.of_base is not None and run.relevance.loads(body, frame.source):
+        if others is None and not items and run.context.of_base is not None and run.relevance.loads(body, frame.source):
             doubt = NAMED
             unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(run, frame, iterable, resolved))
         if items and (run.turns >= NESTED or len(items) > TURNS * 4):
@@ -233,10 +235,24 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
                 return _leave(run, current, goes_on=False, ended=ended)
         if unknown is not None:
             current.turn = 0
+            matters = _matters(run, frame, body, None)
+            if others and matters and not run.quiet:
+                _possible(run, frame, current, [partial(turn, other) for other in others])
             with run.doubted(doubt):
-                _widened(run, frame, current, _matters(run, frame, body, None), line, partial(turn, unknown))
+                _widened(run, frame, current, matters, line, partial(turn, unknown))
     return _leave(run, current, goes_on=True)
 
 
 def _element_type(run: Run, frame: Frame, iterable: Expression, written: Type) -> Type | None:
     return static_types.element_type(run, frame, iterable) if written[0] in ("", "auto") else written
+
+
+def _possible(run: Run, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:
+    """Turns for elements that a list has on some paths: what these make and leave behind may be so."""
+    mark = run.state.mark()
+    for turn in turns:
+        with run.doubted(SOME_PATHS):
+            ended = _turn(run, frame, loop, turn)
+        writes = run.state.undo(mark)
+        run.state.merge([{}, writes] if ended == NEXT else [{}])
+        mark = run.state.mark()

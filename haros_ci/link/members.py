@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from haros_ci.link import expressions, library_python, lookup, methods, python_modules
+from haros_ci.link import expressions, iterators, library_python, lookup, methods, python_modules
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import pointee
@@ -31,6 +31,10 @@ def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
     """The cell of a data member; made where the class declares it (or Python may), None where there is none."""
     if isinstance(value, Pointer):
         value = value.cell.value
+    elif (
+        isinstance(value, Object) and value.name == iterators.ITERATOR and (of := iterators.pointed(value)) is not None
+    ):
+        value = of.value
     if not isinstance(value, Object):
         if isinstance(value, Module):
             return lookup.module_frame(run, value.source).scopes[0].get(name)

@@ -19,7 +19,8 @@ LOADERS = frozenset(
 EDITING = frozenset((".erase", ".replace", ".pop_back"))
 #: Methods that leave what they are called on as it is.
 READING = frozenset(
-    "size length empty c_str str find at begin end count get front back data isValid ok now toSec".split()
+    "size length empty c_str str find rfind substr compare at begin end count get front back data lock expired isValid "
+    "ok now toSec".split()
 )
 #: Methods of containers, texts and pointers: called on an object, they are taken for these.
 CONTAINERS = (

@@ -6,7 +6,7 @@ from __future__ import annotations
 from functools import reduce
 from typing import Any
 
-from haros_ci.link import handles, ros2_emit, ros2_nodes, ros2_process, selectors
+from haros_ci.link import handles, ros2_nodes, ros2_parameters, ros2_process, selectors
 from haros_ci.link.names import clean, pattern, resolve
 from haros_ci.link.parameters import Perhaps
 from haros_ci.link.values import FALSE, TRUE, Choice, Known, Object, Opaque, Text, Value, join
@@ -204,4 +204,4 @@ def declared(applied: selectors.Applied, selector: str) -> Value:
     """Whether the ROS 2 node that is the receiver has declared the parameter of that name."""
     node = ros2_nodes.of_value(applied.run, applied.receiver)
     value: Value | None = _first(applied, selector)
-    return ros2_emit.is_declared(applied, node, value if value is not None else Opaque("a name"))
+    return ros2_parameters.is_declared(applied, node, value if value is not None else Opaque("a name"))

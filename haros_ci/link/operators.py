@@ -13,6 +13,7 @@ from haros_ci.link import (
     conversions,
     expressions,
     formats,
+    iterators,
     methods,
     statements,
     texts,
@@ -29,6 +30,7 @@ from haros_ci.link.values import (
     Character,
     Choice,
     Known,
+    Library,
     Object,
     Opaque,
     Pointer,
@@ -106,7 +108,13 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
             if len(one) + len(other) > LIST_LIMIT:
                 return Sequence(Cell(run.opaque("it is a long list", frame)))
             return Sequence(Cell((*one, *other)))
+    if isinstance(left, Object) and symbol in ("+", "-") and isinstance(right, Known) and type(right.value) is int:
+        further = iterators.moved(left, right.value if symbol == "+" else -right.value)
+        if further is not None:
+            return further
     if symbol in ("==", "!="):
+        if (told := iterators.compared(symbol, left, right)) is not None:
+            return told
         if isinstance(left, Object) and isinstance(right, Object) and left is right:
             return TRUE if symbol == "==" else FALSE
         if (isinstance(left, Object) and right == NONE) or (isinstance(right, Object) and left == NONE):
@@ -116,6 +124,10 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
             for a, b in ((left, right), (right, left))
         ):
             return FALSE if symbol == "==" else TRUE  # an element, and what is behind the last one
+        if isinstance(left, Library) and isinstance(right, Library):
+            words = [each.name.rpartition("::")[2] for each in (left, right)]
+            if all(word.startswith("PARAMETER_") for word in words):  # constants of rclcpp::ParameterType
+                return TRUE if (words[0] == words[1]) is (symbol == "==") else FALSE
         known, one_data = data_of(left)
         also, other_data = data_of(right)
         if known and also:

@@ -78,7 +78,7 @@ def apply(
 
 def _given(applied: Applied, node: RosNode, name: str) -> Value | None:
     """What the parameter has by now: what another end has declared it with, else what the node is given; None for nothing."""
-    from haros_ci.link.ros2_emit import parameter
+    from haros_ci.link.ros2_parameters import parameter
 
     found = parameter(applied, node, name, is_declared=True)
     return None if isinstance(found, Perhaps) and name not in found.reason else found

@@ -5,14 +5,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import conversions, forwarding, qos_overrides, ros2_nodes, ros2_selectors
-from haros_ci.link.names import pattern
-from haros_ci.link.ros2_process import GIVEN, RosNode
+from haros_ci.link import conversions, forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
+from haros_ci.link.names import UNKNOWN, pattern
+from haros_ci.link.ros2_process import GIVEN, NO_NAME, RosNode
 from haros_ci.link.run import Made
-from haros_ci.link.state import Held
 from haros_ci.link.types import ros2_data_type, ros2_parameter_type
 from haros_ci.link.values import (
     NONE,
+    Cell,
     Choice,
     Known,
     Library,
@@ -32,25 +32,48 @@ if TYPE_CHECKING:
     from haros_ci.link.selectors import Applied
 
 Unknowns = list[tuple[str, str, Location | None]]
+#: What is in a list that is empty by default, of a parameter of which the name is not known.
+MORE = "names that parameters may add"
+#: Why a name is not known that is empty as things are, in a branch that is not taken.
+NOT_EMPTY = "as things are it is empty, and this is not made"
+#: Why it is not known whether something is made under a name.
+ONE_OF_NAMES = "its name is one of several"
 PARAMETERS = frozenset(("getters", "setters", "parameters"))
 
 
 def emit(applied: Applied, entry: Entry) -> Value | None:
     """Make one endpoint; for what reads or declares a parameter, the value that it has is returned."""
-    from haros_ci.link.emit import interface_type
     from haros_ci.link.selectors import value_of
 
     if entry.kind not in KINDS:
         return None
     run = applied.run
-    unknowns: Unknowns = []
     node, why_not = ros2_nodes.of_entry(applied, entry)
     given = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    if isinstance(given, Choice) and entry.kind not in PARAMETERS:
+        names = [option for option in given.options if option != Known("")]
+        if any(isinstance(option, Known) for option in names):
+            for option in names:
+                with run.doubted(ONE_OF_NAMES):
+                    _named(applied, entry, option, node, why_not)
+            return None
+    return _named(applied, entry, given, node, why_not)
+
+
+def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why_not: str) -> Value | None:
+    """Make the endpoint that has the name *given*."""
+    from haros_ci.link.emit import interface_type
+    from haros_ci.link.selectors import value_of
+
+    run = applied.run
+    unknowns: Unknowns = []
     text, why, where = pattern(given if given is not None else Opaque("it is not given", applied.location))
     if entry.kind in PARAMETERS and entry.each is not None:
         text = text.removeprefix(".")
     if why is None and not text and entry.kind not in PARAMETERS:
-        return None  # no name, no topic: a filter's subscriber that is to be told later
+        if given != Known("") or not (run.dead or applied.frame.is_dead):
+            return None  # no name, no topic: a filter's subscriber that is to be told later
+        text, why, where = UNKNOWN, NOT_EMPTY, applied.location
     if entry.kind in PARAMETERS:
         return _parameter(applied, entry, node, why_not, (text, why, where))
     if why is not None:
@@ -60,7 +83,9 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             unknowns.append(("name", why_not, applied.location))
         name = text if text.startswith("/") else f"/?/{text.removeprefix('~/')}"
     else:
-        is_open = why is not None and text.startswith("?") and not isinstance(given, Choice)  # it may begin with a slash
+        is_open = (
+            why is not None and text.startswith("?") and not isinstance(given, Choice)
+        )  # it may begin with a slash
         name = node.expand(f"/{text}" if is_open else text)
         if "?" in name and why is None and node.why is not None:
             unknowns.append(("name", *node.why))
@@ -148,7 +173,8 @@ def _parameter(
         declared = ros2_parameter_type((str(kind.value), (), "")) or str(kind.value)
     if declared is None and default is not None:
         declared = ros2_data_type(data) if data is not None else ros2_parameter_type(conversions.value_type(default))
-    value, effective = _effective(applied, node, text if why is None else None, default, entry.kind)
+    is_told = why is None or ros2_parameters.is_telling(text)
+    value, effective = _effective(applied, node, text if is_told else None, default, entry.kind)
     if declared is None and entry.kind == "parameters":
         declared = ros2_data_type(effective)
     if declared is None and ("type" in entry.values or "value" in entry.values):
@@ -179,7 +205,7 @@ def _parameter(
     )
     if entry.kind == "setters" or entry.kind == "parameters":
         stored = default if entry.kind == "setters" else value
-        _remember(applied, full, stored if stored is not None else NONE)
+        ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
     return value
 
 
@@ -201,71 +227,23 @@ def _effective(
     Where it is declared now, what other ways have declared does not count; one that is not declared cannot be read.
     """
     if name is None or node is None:
-        return Opaque("the parameter's name is not known", applied.location), None
-    found = parameter(applied, node, name, kind == "parameters")
-    if kind == "getters" and found is not None and is_declared(applied, node, Known(name)) == Known(False):
+        return Opaque(NO_NAME, applied.location), None
+    found = ros2_parameters.parameter(applied, node, name, kind == "parameters")
+    is_read = kind == "getters" and "?" not in name
+    if is_read and found is not None and ros2_parameters.is_declared(applied, node, Known(name)) == Known(False):
         found = Opaque("it is given from outside, but the node is not seen to declare it", applied.location)
     if kind == "getters" and found is None and node.whole.kind == GIVEN and node.why is not None:
         found = Opaque(*node.why)  # it may have declared it
     value = found if found is not None else default
     if value is None:
         return None, None
+    if found is None and kind == "parameters" and _is_empty(value) and "?" in name:
+        assert isinstance(value, Sequence)  # of what is an element of a list itself, a list may have any
+        value = Sequence(Cell(Opaque(MORE, applied.location)), value.type)
     known, data = data_of(value)
     if known and isinstance(value, Sequence):
         value = Known(data)  # of each reading it is a copy
     return value, data if known else None
-
-
-def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = False) -> Value | None:
-    """What *node* has for a parameter: what it has declared or set itself, else what it is given; None if nothing.
-
-    Where it *is_declared* now, only what it has for certain counts: of the rest this is the first declaration.
-    """
-    own: Any = applied.run.server.value
-    if isinstance(own, Opaque):
-        return own
-    held: Held | None = own.get(f"{node.whole.name}:{name}")
-    if held is not None and (held.is_certain or not is_declared):
-        return None if held.value == NONE else held.value
-    return given(applied, node, name)
-
-
-def given(applied: Applied, node: RosNode, name: str) -> Value | None:
-    """What *node* is given for a parameter from outside."""
-    own = node.whole.given
-    if name in own:
-        return own[name]
-    is_alone = node.whole.options.get(ros2_nodes.ALONE)
-    found = None if is_alone else applied.run.context.parameter(f"{node.whole.name}:{name}")
-    if "?" not in own:
-        return found
-    return own["?"] if found is None else Opaque("a parameter file in the node's options may set it", node.location)
-
-
-def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
-    """Whether the node has declared the parameter of that name."""
-    text, why, _ = pattern(name)
-    own: Any = applied.run.server.value
-    if node is None or why is not None or isinstance(own, Opaque):
-        return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
-    held: Held | None = own.get(f"{node.whole.name}:{text}")
-    if held is not None and held.value != NONE:
-        said = "whether the parameter is declared"
-        return Known(True) if held.is_certain else applied.run.opaque(said, applied.frame, applied.location.line)
-    if node.whole.options.get("automatically_declare_parameters_from_overrides"):
-        found = given(applied, node, text)
-        return Known(found is not None) if not isinstance(found, Opaque) else found
-    return Known(False)
-
-
-def _remember(applied: Applied, full: str, value: Value) -> None:
-    run = applied.run
-    own: Any = run.server.value
-    if isinstance(own, Opaque):
-        return
-    if "?" in full.partition(":")[2]:
-        return  # one more under a name that is not known; the others stay as they are
-    run.state.write(run.server, {**own, full: Held(value)})
 
 
 def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[bool | None, Any]:

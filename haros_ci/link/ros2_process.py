@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
-from haros_ci.link.names import clean
+from haros_ci.link.names import UNKNOWN, clean
 from haros_ci.link.parameters import Perhaps
 from haros_ci.link.values import Known, Opaque, Value
 from haros_ci.link.words import scalar
@@ -28,6 +28,8 @@ TAKES_ONE = frozenset(
 )
 #: The kind of a node that a class of a library is given by whoever uses it.
 GIVEN = "given"
+#: Why the value of a parameter is not known of which the name is not.
+NO_NAME = "the parameter's name is not known"
 #: What a rule's source begins with that is for topics, or for services, alone.
 TOPIC, SERVICE = "rostopic://", "rosservice://"
 
@@ -246,6 +248,8 @@ class Parameters:
         """The value that a node is given for a parameter; None if none, Opaque if it is not known, Perhaps if it may not be."""
         if name == EVERY:
             return self.every(node, under)
+        if UNKNOWN in name:
+            return self._like(node, name)
         found: list[ParameterRule] = []
         for pattern, section in self._sections.items():
             if name in section and matches(pattern, node):
@@ -267,6 +271,17 @@ class Parameters:
         if last.unknowns or last.value is None:
             return Opaque(reason(last), last.origin or last.location)
         return Known(last.value)
+
+    def _like(self, node: str, shape: str) -> Value | None:
+        """None if a node is given no parameter of a name that is known in parts; of which it may be is not told else."""
+        if self.unread is not None:
+            return Perhaps(f"it may be set: {reason(self.unread)}", self.unread.location)
+        for pattern, section in self._sections.items():
+            if matches(pattern, node):
+                for name in section:
+                    if fits(name, shape):
+                        return Opaque(NO_NAME, section[name][-1].location)
+        return None
 
 
 class InContainer(Parameters):
@@ -291,6 +306,21 @@ class InContainer(Parameters):
 
     def get(self, node: str, name: str, under: tuple[Condition, ...] = ()) -> Value | None:
         return super().get(node, name, under) if self._is_own(node) else self._around.get(node, name, under)
+
+
+def fits(name: str, shape: str) -> bool:
+    """Whether a name may be the one of which *shape* tells parts, with ``?`` for those that are not known."""
+    first, *rest = shape.split(UNKNOWN)
+    if not rest:
+        return name == shape
+    if not name.startswith(first) or not name.endswith(rest[-1]) or len(name) < len(first) + len(rest[-1]):
+        return False
+    place, end = len(first), len(name) - len(rest[-1])
+    for part in rest[:-1]:
+        place = name.find(part, place, end) + len(part)
+        if place < len(part):
+            return False
+    return True
 
 
 def reason(rule: ParameterRule) -> str:

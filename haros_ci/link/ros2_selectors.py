@@ -6,15 +6,31 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import ros2_nodes
+from haros_ci.link import conversions, ros2_nodes
 from haros_ci.link.ros2_process import RosNode
-from haros_ci.link.values import Cell, Known, Library, Mapped, Object, Opaque, Pointer, Sequence, Text, Value
+from haros_ci.link.types import ros2_data_type, ros2_parameter_type
+from haros_ci.link.values import (
+    NONE,
+    Cell,
+    Known,
+    Library,
+    Mapped,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Text,
+    Value,
+    data_of,
+)
 
 if TYPE_CHECKING:
     from haros_ci.link.selectors import Applied
 
 #: What rclpy calls the option that rclcpp calls ``arguments``.
 _OPTIONS = {"cli_args": "arguments"}
+#: Classes of rclcpp that hold a parameter's value.
+PARAMETERS = ("rclcpp::ParameterValue", "rclcpp::Parameter")
 #: Members of rcl_interfaces/msg/ParameterType and of rclpy's Parameter.Type, without their prefix.
 TYPES = {
     "BOOL": "bool",
@@ -111,3 +127,16 @@ def type_word(value: Any) -> str | None:
         return None
     last = value.name.rpartition("::")[2].rpartition(".")[2].removeprefix("PARAMETER_")
     return TYPES.get(last)
+
+
+def type_constant(value: Any) -> Library | None:
+    """``get_type()`` of a ParameterValue or Parameter, or of what it holds: the constant of that type; None if not known."""
+    if isinstance(value, Object):
+        held = value.fields.get("value")
+        value = held.value if held is not None and value.name in PARAMETERS else None
+    if value is None or isinstance(value, Library) or value == NONE:
+        return None
+    known, data = data_of(value)
+    word = (ros2_data_type(data) if known else None) or ros2_parameter_type(conversions.value_type(value))
+    constant = next((name for name, each in TYPES.items() if each == word), None)
+    return Library(f"rclcpp::ParameterType::PARAMETER_{constant}") if constant is not None else None

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +11,8 @@ from haros_ci.link.values import NONE, Cell, Opaque, Partial, Value, join
 
 #: What ``join`` does not know: contents of sequences and maps.
 CONTENTS = frozenset((tuple, dict, Partial))
+#: Elements of a sequence on some paths that are kept; the latest count.
+OTHERS = 16
 #: What cells held (or hold), by cell.
 Writes = dict[Cell, Any]
 
@@ -58,12 +61,43 @@ class State:
         for cell in dict.fromkeys(cell for branch in branches for cell in branch):
             held = cell.value
             value = first.get(cell, held)
-            for branch in rest:
-                other = branch.get(cell, held)
-                if other is not value:
-                    value = joined(value, other)
+            if value.__class__ is tuple or value.__class__ is Partial:
+                value = _content(branches, cell)
+            else:
+                for branch in rest:
+                    other = branch.get(cell, held)
+                    if other is not value:
+                        value = joined(value, other)
             self._log.append((cell, held))
             cell.value = value
+
+
+def _content(branches: list[Writes], cell: Cell) -> Any:
+    """The content of a sequence after one branch or another; where all have added an element, that is one or the other."""
+    contents = [branch.get(cell, cell.value) for branch in branches]
+    if all(content is contents[0] for content in contents):
+        return contents[0]
+    if all(isinstance(content, tuple) and len(content) == len(contents[0]) for content in contents):
+        return tuple(_element(branches, cells) for cells in zip(*contents, strict=True))
+    value = contents[0]
+    for content in contents[1:]:
+        value = joined(value, content)
+    ends = [end for content in contents if (end := last(content)) is not None]
+    if isinstance(value, Opaque) and len(ends) == len(contents) and not set(certain(value)) & set(ends):
+        end = _element(branches, ends)
+        return Partial(value.reason, value.location, value.type, (*certain(value), end), possible(value), end)
+    return value
+
+
+def _element(branches: list[Writes], cells: Iterable[Cell]) -> Cell:
+    """An element that is another cell after each branch: one that holds what any of these do."""
+    every = tuple(cells)
+    if all(cell is every[0] for cell in every):
+        return every[0]
+    value = branches[0].get(every[0], every[0].value)
+    for branch, cell in zip(branches[1:], every[1:], strict=True):
+        value = joined(value, branch.get(cell, cell.value))
+    return Cell(value, every[0].type)
 
 
 def joined(one: Any, other: Any) -> Any:
@@ -106,8 +140,22 @@ def certain(content: Any) -> tuple[Cell, ...]:
     return content if isinstance(content, tuple) else content.some if isinstance(content, Partial) else ()
 
 
+def possible(content: Any) -> tuple[Cell, ...]:
+    """Elements that a sequence of that content has on some paths."""
+    return content.others if isinstance(content, Partial) else ()
+
+
+def last(content: Any) -> Cell | None:
+    """The last element of a sequence of that content, as far as that is known."""
+    if isinstance(content, tuple):
+        return content[-1] if content else None
+    return content.last if isinstance(content, Partial) else None
+
+
 def partial(reason: str, one: Any, other: Any) -> Opaque:
-    """The content of a sequence that has one or the other: what both have is in it."""
-    second = certain(other)
-    some = tuple(cell for cell in certain(one) if any(cell is each for each in second))
-    return Partial(reason, some=some) if some else Opaque(reason)
+    """The content of a sequence that has one or the other: what both have is in it, what one has may be."""
+    first, second = certain(one), certain(other)
+    some = tuple(cell for cell in first if any(cell is each for each in second))
+    rest = dict.fromkeys((*first, *possible(one), *second, *possible(other)))
+    others = tuple(cell for cell in rest if isinstance(cell, Cell) and cell not in some)[-OTHERS:]
+    return Partial(reason, some=some, others=others) if some or others else Opaque(reason)

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link import conversions, expressions
+from haros_ci.link import conversions, expressions, iterators
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.state import certain
+from haros_ci.link.state import certain, possible
 from haros_ci.link.types import SEQUENCES
 from haros_ci.link.values import (
     LIST_LIMIT,
@@ -25,19 +25,29 @@ from haros_ci.model.program import Expression, Type
 
 def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
     """The elements that a loop goes through; None if they are not known."""
-    found, is_all = some_elements(run, frame, expression)
-    return found if is_all else None
+    found, others = some_elements(run, frame, expression)
+    return found if others is None else None
 
 
-def some_elements(run: Run, frame: Frame, expression: Expression) -> tuple[list[Value | Cell], bool]:
-    """Elements that a loop goes through for sure, and whether they are all."""
+def some_elements(run: Run, frame: Frame, expression: Expression) -> tuple[list[Value | Cell], tuple[Cell, ...] | None]:
+    """Elements that a loop goes through for sure, and objects that are elements on some paths: None if these are all."""
     value = expressions.evaluate(run, frame, expression)
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
-        return list(certain(value.content.value)), False
+        return list(certain(value.content.value)), objects(value.content.value)
     found = _all_elements(frame, value)
-    return ([], False) if found is None else (found, True)
+    return ([], ()) if found is None else (found, None)
+
+
+def objects(content: Opaque) -> tuple[Cell, ...]:
+    """Of the possible elements of a list those that are objects of the workspace."""
+    every = ((cell, iterators.options(cell.value)) for cell in possible(content))
+    return tuple(
+        cell
+        for cell, options in every
+        if all(isinstance(each, Object) and each.definition is not None for each in options)
+    )
 
 
 def _all_elements(frame: Frame, value: Value) -> list[Value | Cell] | None:

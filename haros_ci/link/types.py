@@ -49,6 +49,14 @@ ROS2_POINTERS = frozenset(
     for kind in ("Shared", "Unique", "Weak")
     for last in ("Ptr", "PtrWithInfo")
 )
+#: What an action is made of, by its name inside of ``Impl`` (rosidl_generator_cpp and rosidl_generator_py: action templates).
+INSIDE_ACTIONS = {
+    "SendGoalService": "_SendGoal",
+    "GetResultService": "_GetResult",
+    "FeedbackMessage": "_FeedbackMessage",
+    "CancelGoalService": "action_msgs/srv/CancelGoal",
+    "GoalStatusMessage": "action_msgs/msg/GoalStatusArray",
+}
 #: The ROS 2 parameter types of lists, by that of their elements (rcl_interfaces/msg/ParameterType).
 _ARRAYS = {"bool": "bool[]", "int": "int[]", "double": "double[]", "str": "str[]"}
 _BYTES = frozenset(("uint8_t", "std::uint8_t", "unsigned char", "std::byte"))
@@ -318,10 +326,18 @@ def ros2_type(kind: Type | None) -> str | None:
             rest = parts[index + 1 :]
             if rest[0].startswith("_") and len(rest) > 1:  # Python's pkg.msg._string.String
                 rest = rest[1:]
+            if parts[index] == "action" and rest[1:2] == ["Impl"]:
+                return _of_action(f"{parts[index - 1]}/action/{rest[0]}", rest[2:])
             if rest[1:] and rest[1] not in ROS2_POINTERS | {"Request", "Response", "Goal", "Result", "Feedback"}:
                 return None
             return f"{parts[index - 1]}/{parts[index]}/{rest[0].removesuffix('_')}"
     return None
+
+
+def _of_action(action: str, inner: list[str]) -> str | None:
+    """The interface behind an action's ``Impl::FeedbackMessage`` and its kin; None if it is none of these."""
+    last = INSIDE_ACTIONS.get(inner[0]) if inner and set(inner[1:]) <= ROS2_POINTERS | {"Request", "Response"} else None
+    return last if last is None or "/" in last else f"{action}{last}"
 
 
 def ros2_parameter_type(kind: Type | None) -> str | None:

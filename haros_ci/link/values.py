@@ -54,9 +54,14 @@ class Opaque:
 
 @dataclass(frozen=True, slots=True)
 class Partial(Opaque):
-    """The content of a sequence that is not known but for *some* cells, which are elements of it for sure."""
+    """The content of a sequence that is not known but for *some* cells, which are elements of it for sure.
+
+    Of the *others* each is an element on some paths. *last* is the last element, where that is known.
+    """
 
     some: tuple[Any, ...] = ()
+    others: tuple[Any, ...] = ()
+    last: Any = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +131,8 @@ class Mapped:
     """A dict or map: one cell that holds a mapping from keys to cells, or an Opaque."""
 
     content: Cell
+    #: What its ``end()`` is, so that it is equal to itself.
+    end: Object | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

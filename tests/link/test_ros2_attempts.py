@@ -29,7 +29,9 @@ def test_what_a_handler_puts_in_its_place_counts(handler: str, rest: str) -> Non
     members = f'std::string name() {{ std::string t = "a"; try {{ t = outside(); t = "a"; }} catch (...) {{ {handler} }} {rest} }}\n'
     (node,) = ros2_cpp("create_publisher<String>(name(), 1);", members).nodes
     names = [end.name for end in explicit(node)]
-    assert names == (["/a"] if "throw" in handler else ["/?"])
+    assert names == (["/a"] if "throw" in handler else ["/a", "/b"])
+    unsure = [[unknown.field for unknown in end.unknowns] for end in explicit(node)]
+    assert unsure == ([[]] if "throw" in handler else [["conditions"], ["conditions"]])
 
 
 def test_what_a_handler_makes_is_told() -> None:

@@ -133,7 +133,11 @@ def test_callbacks_that_declare_a_parameter_with_other_values() -> None:
         'create_wall_timer(1s, [this]() { declare_parameter("topic", "else"); });'
         "create_wall_timer(1s, [this]() { one(); });"
     )
-    assert [end.name for end in explicit(component(timers, LATER))] == ["/?"]
+    found = explicit(component(timers, LATER))
+    assert [(end.name, [unknown.field for unknown in end.unknowns]) for end in found] == [
+        ("/else", ["conditions"]),
+        ("/out", ["conditions"]),
+    ]
 
 
 @pytest.mark.parametrize(

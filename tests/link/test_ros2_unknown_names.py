@@ -12,14 +12,19 @@ GIVEN = (
 )
 
 
+@pytest.mark.parametrize(("name", "found"), (("one", ["/s/a", "/s/b"]), ("two", ["/b", "/s/a"])))
+def test_one_of_several(name: str, found: list[str]) -> None:
+    (node,) = ros2_main(f"{GIVEN}auto p = node->create_publisher<String>({name}, 1);\n").nodes
+    assert sorted(end.name for end in explicit(node)) == found
+    assert [[unknown.field for unknown in end.unknowns] for end in explicit(node)] == [["conditions"]] * 2
+
+
 @pytest.mark.parametrize(
     ("name", "found"),
     (
         ("given", "/?"),
         ('given + "_raw"', "/?_raw"),
         ('given + "/raw"', "/?/raw"),
-        ("two", "/?"),
-        ("one", "/s/?"),
         ('"a/" + given', "/s/a/?"),
         ('"~/" + given', "/s/n/?"),
         ('"/" + given', "/?"),
