@@ -96,8 +96,8 @@ def _component_arguments(run: Run, entry: Entry) -> tuple[call_arguments.Argumen
 
 def _call_back(run: Run, frame: Frame) -> None:
     """Follow the callbacks: each from the state after initialisation, joined with what the others leave behind."""
+    _set_up(run, frame)  # which is part of the beginning
     run.is_called_back = True
-    _set_up(run, frame)
     done = 0
     effects: list[Writes] = []
     while done < min(len(run.roots), ROOTS):
