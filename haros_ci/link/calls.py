@@ -135,6 +135,8 @@ def method_call(
             if loaded:
                 each = [partial(method_call, run, frame, one, None, name, args, targs, location) for one in loaded]
                 return run.either_way(each, "it is called on one of several objects")
+            if run.alternatives and (held := alternatives.element(run, kind, name)) is not None:
+                return Opaque(receiver.reason, receiver.location, held)
             owner_class = run.class_of(kind[0], frame.source)
             if owner_class is not None:
                 summary = library_objects.summary_object(run, owner_class, kind, receiver)

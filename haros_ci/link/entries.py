@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.link.follow import Entry
-from haros_ci.link.index import Index, Source, aliased
+from haros_ci.link.index import Index, Source, aliased, is_test
 from haros_ci.model.build import Build, PluginClass, Target
 from haros_ci.model.program import Class
 
@@ -65,9 +65,11 @@ def plugins(programs: Programs) -> dict[str, tuple[Source, Class]]:
 
 
 def plugins_of_base(programs: Programs) -> dict[str, tuple[tuple[Source, Class], ...]]:
-    """The classes that plug-in descriptions name by their base class, in the order of their names."""
+    """The classes that plug-in descriptions name by their base class, in the order of their names, but for tests' own."""
     found: dict[str, dict[str, tuple[Source, Class]]] = {}
     for described, source, definition, _ in described_classes(programs):
+        if is_test(source.path):
+            continue
         base = described.base.replace(" ", "").removeprefix("::")
         found.setdefault(base, {}).setdefault(definition.name, (source, definition))
     return {base: tuple(each for _, each in sorted(classes.items())) for base, classes in found.items()}

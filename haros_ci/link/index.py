@@ -179,7 +179,7 @@ class Index:
         """The files of a package that are no headers, and not for tests."""
         if not self.by_package:
             for source in self.sources.values():
-                if not source.path.endswith(HEADERS) and not _is_test(source.path):
+                if not source.path.endswith(HEADERS) and not is_test(source.path):
                     self.by_package.setdefault(source.package, []).append(source.path)
         return self.by_package.get(package, [])
 
@@ -275,7 +275,8 @@ class Index:
         return any(where.path == source.path or where.path in self.reach(source.path) for where, _ in entities)
 
 
-def _is_test(path: str) -> bool:
+def is_test(path: str) -> bool:
+    """Whether a file is in a folder for tests."""
     return any(part in ("test", "tests") for part in path.split("/"))
 
 
