@@ -15,18 +15,11 @@ def hosts(types: Types) -> Iterable[Job]:
     """The executables of packages with a pluginlib loader for plug-ins of the workspace, once more with all of these.
 
     What a plug-in makes that no configuration loads is told there, and is not told of the node as it is started. Of several
-    executables the one that has the loaders of the others, too, stands for them.
+    executables the one that has the loaders of the others, too, stands for them; of those alike the one of most files,
+    a component before a program.
     """
-    loading: dict[str, set[str]] = {}
-    packages: set[str | None] = set()
-    for found in types.programs.cpp.classes.values():
-        for source, definition in found:
-            for member in definition.fields:
-                base = next((each for each in types.of_base if f"::{each}".endswith(f"::{_loaded_base(member.type)}")), None)
-                if base is not None:
-                    loading.setdefault(source.path, set()).add(base)
-                    packages.add(source.package)
-    bases: dict[tuple[str, str], frozenset[str]] = {}
+    loading, packages = _loaders(types)
+    candidates: list[tuple[frozenset[str], int, bool, tuple[str, str]]] = []
     seen: set[int] = set()
     for package, name in sorted(types.ros2_programs):
         entry, files = types.ros2_programs[package, name]
@@ -35,11 +28,27 @@ def hosts(types: Types) -> Iterable[Job]:
         seen.add(id(entry))
         reached = {each for path in (entry.source.path, *files) for each in (path, *types.programs.cpp.reach(path))}
         own = frozenset(base for path in reached & loading.keys() for base in loading[path])
-        if not any(own <= other for other in bases.values()):
-            bases = {key: other for key, other in bases.items() if not other < own}
-            bases[package, name] = own
-    for package, name in bases:
-        yield alone(types, package, name, has_plugins=True)
+        candidates.append((own, len(files), entry.definition is None, (package, name)))
+    chosen: list[frozenset[str]] = []
+    for own, _, _, (package, name) in sorted(candidates, key=lambda each: (-len(each[0]), -each[1], *each[2:])):
+        if own and not any(own <= other for other in chosen):
+            chosen.append(own)
+            yield alone(types, package, name, has_plugins=True)
+
+
+def _loaders(types: Types) -> tuple[dict[str, set[str]], set[str | None]]:
+    """The files with classes that have loaders for plug-ins of the workspace: of which bases; and the packages of these."""
+    loading: dict[str, set[str]] = {}
+    packages: set[str | None] = set()
+    for found in types.programs.cpp.classes.values():
+        for source, definition in found:
+            for member in definition.fields:
+                wanted = f"::{_loaded_base(member.type)}"
+                base = next((each for each in types.of_base if f"::{each}".endswith(wanted)), None)
+                if base is not None:
+                    loading.setdefault(source.path, set()).add(base)
+                    packages.add(source.package)
+    return loading, packages
 
 
 def _loaded_base(kind: Type) -> str:
