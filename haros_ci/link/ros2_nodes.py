@@ -73,6 +73,8 @@ def construct(applied: Applied, entry: Entry, target: Object) -> None:
             )
         return
     name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    if "anonymous" in entry.values and value_of(applied, entry.values["anonymous"]) != Known(False):
+        name = Opaque(UNIQUE, applied.location)
     space = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
     options = value_of(applied, entry.values["options"]) if "options" in entry.values else None
     is_managed = value_of(applied, entry.values["lifecycle"]) == Known(True) if "lifecycle" in entry.values else False

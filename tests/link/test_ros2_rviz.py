@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pytest
 from follow_kit import ROS2_CMAKE, ROS2_HEAD, explicit, follow
 
 from haros_ci.model.architecture import Configuration
@@ -83,3 +84,20 @@ def test_what_makes_nothing_and_what_others_load_is_no_configuration() -> None:
     assert plugins(VIEW, ("View", "rviz_common::ViewController")) == []
     assert plugins(OTHER, ("Other", "elsewhere::Base")) == []
     assert plugins(PANEL) == []
+
+
+CLIENT = """
+int main(int argc, char ** argv) {
+  auto client = std::make_unique<rviz_common::ros_integration::RosClientAbstraction>();
+  auto node = client->init(argc, argv, "viewer", %s);
+  node.lock()->get_raw_node()->create_publisher<String>("a", 1);
+}
+"""
+
+
+@pytest.mark.parametrize(("flag", "name"), (("false", "/viewer"), ("true", "/?"), ("std::rand() > 1", "/?")))
+def test_a_program_that_makes_its_node_as_rviz_does(flag: str, name: str) -> None:
+    cmake = ROS2_CMAKE.format("p") + "ament_auto_add_executable(n src/n.cpp)\nament_auto_package()\n"
+    files = {"p/CMakeLists.txt": cmake, "p/src/n.cpp": ROS2_HEAD + CLIENT % flag}
+    found = follow(files, 2).configurations[0]
+    assert [(node.name, [end.name for end in explicit(node)]) for node in found.nodes] == [(name, ["/a"])]

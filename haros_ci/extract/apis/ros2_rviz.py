@@ -71,6 +71,11 @@ ROWS: tuple[Mapping[str, Any], ...] = (
     {"call": f"{ABSTRACTION}::lock", "args": [0], "transparent": "{this}"},
     {"call": f"{ABSTRACTION}::get_raw_node", "args": [0], "returns": "rclcpp::Node", "fills": {"node": "{this}"}},
 
+    # rviz_common/ros_integration/ros_client_abstraction.hpp: arguments, the node's name, whether a number is put behind it.
+    {"call": "rviz_common::ros_integration::RosClientAbstraction::init", "args": [4],
+     "makes": [{"kind": "node", "name": "{2}", "anonymous": "{3}"}], "returns": "rclcpp::Node"},
+    {"call": "rclcpp::Node::get_raw_node", "args": [0], "transparent": "{this}"},
+
     # rviz_common/properties
     *(row for name in (PROPERTIES + " " + TOPICS).split() for row in _property(f"rviz_common::properties::{name}")),
     *({"call": f"QString::{name}", "args": [1], "transparent": "{0}"} for name in ("fromStdString", "fromUtf8")),
