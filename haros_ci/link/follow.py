@@ -107,12 +107,12 @@ def _call_back(run: Run, frame: Frame) -> None:
         if run.rehearsed < CHEAP:  # what one leaves behind may change what another does
             for number, root in enumerate(batch, start=done):
                 effects[number] = _rehearsed(run, frame, root, run.effects, number)
-        together = _together(effects)
+        together = _disturbed(_together(effects))  # each of the batch begins with what holds now
         for number, root in sorted(enumerate(batch, start=done), key=lambda each: _rank(run, each[1])):
             if root.is_setup or not inert.may_make(run, root.function, ()):
                 continue
             mark, known, made = run.state.mark(), len(run.roots), len(run.made)
-            _disturb(run, effects, number, together)
+            _disturb_all(run, effects, number, together)
             run.called.add(number)
             _invoke(run, frame, run.roots[number])
             _hand_on(run, known, run.state.undo(mark))
@@ -182,28 +182,35 @@ def interlude(run: Run, frame: Frame) -> None:
     _disturb(run, run.effects, -1)
 
 
-def _disturb(run: Run, effects: Sequence_[Writes], own: int, all_of_them: Mapping[Cell, Any] | None = None) -> None:
-    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only.
+def _disturb(run: Run, effects: Sequence_[Writes], own: int) -> None:
+    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
+    _disturb_all(run, effects, own, _disturbed(_together(effects)))
 
-    *all_of_them* is what ``_together`` makes of *effects*.
-    """
+
+def _disturb_all(run: Run, effects: Sequence_[Writes], own: int, together: Mapping[Cell, Any]) -> None:
+    """The same where *together* is what holds after one or another of them, of the cells that this changes."""
     mine = effects[own] if 0 <= own < len(effects) else {}
-    for cell, value in (_together(effects) if all_of_them is None else all_of_them).items():
+    for cell, value in together.items():
         if cell in mine and not isinstance(mine[cell], (Known, Text)):
             for number, writes in enumerate(effects):
                 if number != own and cell in writes:
-                    _join(run, cell, writes[cell])
+                    after = _joined(cell.value, writes[cell])
+                    if after is not cell.value:
+                        run.state.write(cell, after)
         else:
-            _join(run, cell, value)
+            run.state.write(cell, value)
 
 
-def _join(run: Run, cell: Cell, value: Any) -> None:
-    held = cell.value
+def _disturbed(together: Mapping[Cell, Any]) -> dict[Cell, Any]:
+    """Of what callbacks may leave behind, joined with what holds: the cells that hold something else then."""
+    after = {cell: _joined(cell.value, value) for cell, value in together.items()}
+    return {cell: value for cell, value in after.items() if value is not cell.value}
+
+
+def _joined(held: Any, value: Any) -> Any:
     if held is value or (held.__class__ is Opaque and held.reason not in UNSETS):
-        return
-    after = joined(held, value)
-    if after is not held:
-        run.state.write(cell, after)
+        return held
+    return joined(held, value)
 
 
 def _together(effects: Iterable[Writes]) -> dict[Cell, Any]:
