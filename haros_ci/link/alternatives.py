@@ -61,6 +61,12 @@ def certain(options: Sequence_[Value], branches: list[Writes]) -> None:
                 other.update(own)
 
 
+def own(run: Run, writes: Writes) -> Writes:
+    """What a way writes to plug-ins, which are there on this way only: it holds wherever they are."""
+    objects = (each for _, group in run.alternatives for each in group)
+    return {cell: writes[cell] for each in objects for cell in _cells(each, NESTED) if cell in writes}
+
+
 def _cells(value: Value, depth: int) -> Iterator[Cell]:
     """The variables that are part of an object: its members, what is in them, no object that they point to."""
     for cell in value.fields.values() if isinstance(value, Object) else ():

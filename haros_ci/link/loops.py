@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from haros_ci.link import expressions, statements, static_types
+from haros_ci.link import alternatives, expressions, statements, static_types
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
 from haros_ci.link.state import certain, joined
 from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
@@ -172,7 +172,7 @@ def _widened(
             run.go_back(kept)
     before = run.state.since(loop.mark)
     loop.breaks += [{**before, **way} for way in inner.breaks]
-    run.state.merge([{}, writes] if ended == NEXT else [{}])
+    run.state.merge([alternatives.own(run, writes), writes] if ended == NEXT else [{}])
 
 
 def _forgotten(run: Run, frame: Frame, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
@@ -218,7 +218,8 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
             kind_ = _element_type(run, frame, iterable, resolved)
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
         doubt = None
-        if others is None and not items and run.context.of_base is not None and run.relevance.loads(body, frame.source):
+        loads = run.context.of_base is not None and run.relevance.loads(body, frame.source)
+        if others is None and not items and loads:
             doubt = NAMED
             unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(run, frame, iterable, resolved))
         if items and (run.turns >= NESTED or len(items) > TURNS * 4):
@@ -239,7 +240,7 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
             if others and matters and not run.quiet:
                 _possible(run, frame, current, [partial(turn, other) for other in others])
             with run.doubted(doubt):
-                _widened(run, frame, current, matters, line, partial(turn, unknown))
+                _widened(run, frame, current, loads or matters, line, partial(turn, unknown))
     return _leave(run, current, goes_on=True)
 
 

@@ -84,3 +84,49 @@ def test_no_loader_no_configuration_of_plug_ins() -> None:
     text = ROS2_HEAD + "int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::Node node(\"n\"); }"
     cmake = ROS2_CMAKE.format("p") + "ament_auto_add_executable(n src/n.cpp)\nament_auto_package()\n"
     assert list(told(follow({"p/CMakeLists.txt": cmake, "p/src/n.cpp": text}, 2))) == ["p/n"]
+
+
+CONTEXT = """
+struct Context { rclcpp::Node * node; };
+namespace core { class Task { public: void give(Context * c) { context_ = c; } virtual void start() = 0; Context * context_; }; }
+class Quick : public core::Task {
+public:
+  void start() override { context_->node->create_publisher<std_msgs::msg::String>("quick", 1); }
+};
+class Slow : public core::Task {
+public:
+  void start() override {
+    std::string topic;
+    context_->node->create_publisher<std_msgs::msg::String>("slow", 1);
+    if (!topic.empty()) { context_->node->create_publisher<std_msgs::msg::String>(topic, 1); }
+  }
+};
+class Host : public rclcpp::Node {
+public:
+  Host() : rclcpp::Node("host"), loader_("core", "core::Task") {
+    context_.node = this;
+    for (const auto & name : declare_parameter("tasks", std::vector<std::string>{})) {
+      auto task = loader_.createSharedInstance(name);
+      task->give(&context_);
+      tasks_.push_back(task);
+    }
+    for (auto & task : tasks_) { task->start(); }
+  }
+  Context context_;
+  std::vector<std::shared_ptr<core::Task>> tasks_;
+  pluginlib::ClassLoader<core::Task> loader_;
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Host>()); }
+"""
+
+
+def test_plug_ins_of_a_list_that_is_empty_have_what_their_host_gives_them() -> None:
+    cmake = ROS2_CMAKE.format("p") + (
+        "ament_auto_add_executable(n src/n.cpp)\nament_auto_add_executable(other src/n.cpp)\n"
+        "pluginlib_export_plugin_description_file(p plugins.xml)\nament_auto_package()\n"
+    )
+    found = follow({"p/CMakeLists.txt": cmake, "p/src/n.cpp": ROS2_HEAD + CONTEXT, "p/plugins.xml": XML}, 2)
+    publishers = told(found)
+    assert publishers["p/n"] == []
+    assert {"/?", "/quick", "/slow"} <= {name for name, _ in publishers["p/n (plug-ins)"]}
+    assert "p/other (plug-ins)" not in publishers
