@@ -42,6 +42,8 @@ OTHERS = Perhaps("it may be set in the node's options, which are not known")
 SIM_TIME = "use_sim_time"
 #: Fields of an object that hold its node, or the object that has it.
 HOLDING = ("node", "node_")
+#: The field of a node that holds the options that it was constructed with.
+GIVEN = "(options)"
 UNKNOWN_NODE = "which node it belongs to is not known"
 
 
@@ -77,6 +79,8 @@ def construct(applied: Applied, entry: Entry, target: Object) -> None:
         name = Opaque(UNIQUE, applied.location)
     space = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
     options = value_of(applied, entry.values["options"]) if "options" in entry.values else None
+    if isinstance(options, Object) or len(applied.args) == 1:
+        target.fields[GIVEN] = Cell(options if isinstance(options, Object) else Object("rclcpp::NodeOptions"))
     is_managed = value_of(applied, entry.values["lifecycle"]) == Known(True) if "lifecycle" in entry.values else False
     target.node = made(run, target, name, space, options, applied.location, is_managed)
 
@@ -151,6 +155,20 @@ def options_for(run: Run) -> Object:
         CONTAINED: Cell(Known(True)),
     }
     return Object("rclcpp::NodeOptions", fields=fields)
+
+
+def options_of(run: Run, node: Value | None) -> Value | None:
+    """A copy of the options that a node was constructed with (``rclcpp::Node::get_node_options``); None if not known."""
+    held = _field(node.cell.value if isinstance(node, Pointer) else node, GIVEN)
+    if not isinstance(held, Object):
+        return None
+    fields = {name: Cell(cell.value, cell.type) for name, cell in held.fields.items()}
+    words = _field(held, "arguments")
+    if isinstance(words, Sequence):
+        content = words.content.value
+        cells = tuple(Cell(cell.value, cell.type) for cell in content) if isinstance(content, tuple) else content
+        fields["arguments"] = Cell(Sequence(Cell(cells), words.type))
+    return Object(held.name, held.arguments, fields=fields)
 
 
 def _field(value: Any, name: str) -> Value | None:

@@ -8,7 +8,16 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import conversions, handles, members, methods, name_selectors, ros2_listed, ros2_selectors
+from haros_ci.link import (
+    conversions,
+    handles,
+    members,
+    methods,
+    name_selectors,
+    ros2_listed,
+    ros2_nodes,
+    ros2_selectors,
+)
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_type, parameter_type
 from haros_ci.link.values import (
@@ -148,6 +157,8 @@ def select_value(applied: Applied, selector: str) -> Any:
         return applied.parameter
     context = run.context
     if context.process is not None:
+        if selector == "node.options":
+            return ros2_nodes.options_of(run, applied.receiver)
         if selector.startswith("node."):
             return ros2_selectors.node_name(applied, selector[5:])
         if selector == "keywords":

@@ -82,6 +82,11 @@ ROWS: tuple[Mapping[str, object], ...] = (
     {"call": "bond::Bond::setFormedCallback", "args": [1], "calls": ["0"]},
     {"call": "bond::Bond::setBrokenCallback", "args": [1], "calls": ["0"]},
 
+    # ament_index_cpp: a text that stands for the directory, wherever it is.
+    {"call": "ament_index_cpp::get_package_share_directory", "args": [1], "returns": "$(find-pkg-share {0})"},
+    {"call": "ament_index_cpp::get_package_share_path", "args": [1], "returns": "$(find-pkg-share {0})"},
+    {"call": "ament_index_cpp::get_package_prefix", "args": [1], "returns": "$(find-pkg-prefix {0})"},
+
     # realtime_tools/realtime_publisher.hpp, realtime_buffer.hpp: wrap what was made before.
     {"call": "realtime_tools::RealtimePublisher", "args": [1]},
     {"call": "realtime_tools::RealtimeBuffer", "args": [0, 1]},
