@@ -25,7 +25,7 @@ from haros_ci.link.launching.dialect import description_reader
 from haros_ci.link.launching.places import Places
 from haros_ci.link.link import Ros2Launch, Wanted, link
 from haros_ci.link.system import KnownNodes
-from haros_ci.link.trace import YAML_FILES
+from haros_ci.link.trace import XML_FILES, YAML_FILES
 from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
@@ -108,6 +108,8 @@ def keeper(workspace: Workspace, store: Store) -> Keeper:
     """Where what nodes make is kept between runs: in *store*, beside the facts of the files."""
     files = {file.path: file.digest for file in workspace.files if file.language in ("cpp", "python")}
     files[YAML_FILES] = digest_of([(file.path, file.digest) for file in workspace.files if file.language == "yaml"])
+    known = [(file.path, file.digest if file.path.endswith(".xml") else "") for file in workspace.files]
+    files[XML_FILES] = digest_of(known)  # directories are listed, too
     languages = {file.path: file.language for file in workspace.files}
 
     def program(path: str, digest: str) -> Program | None:
@@ -235,14 +237,14 @@ def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: M
 
 
 def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:
-    """A function from a root-relative path to the launch file's tags, None if there is no such file."""
+    """A function from a root-relative path, or a line feed and the text itself, to the tags; None if there is no such file."""
     from haros_ci.extract.launch.xml import read_launch
 
     read: dict[str, LaunchFile | None] = {}
 
     def load(path: str) -> LaunchFile | None:
         if path not in read:
-            text = workspace.text(path)
+            text = path[1:] if path.startswith("\n") else workspace.text(path)
             read[path] = read_launch(text) if text else None
         return read[path]
 

@@ -8,7 +8,17 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import callbacks, conversions, handles, library_objects, ros2_nodes, ros2_selectors, selectors
+from haros_ci.link import (
+    behavior_tree_ports,
+    behavior_trees,
+    callbacks,
+    conversions,
+    handles,
+    library_objects,
+    ros2_nodes,
+    ros2_selectors,
+    selectors,
+)
 from haros_ci.link.emit import emit
 from haros_ci.link.names import clean
 from haros_ci.link.run import Frame, Run
@@ -64,6 +74,10 @@ def call(
     row = select(run, name, args)
     if row is None:
         return None
+    if name.startswith(behavior_trees.SPACE):
+        modelled = behavior_trees.call(run, frame, name, receiver, args, targs, location)
+        if modelled is not None:
+            return modelled
     if types is None:
         types = tuple(run.type_in(t, frame) if is_type(t) else t for t in targs)
     made: Object | None = None
@@ -109,6 +123,8 @@ def construct(run: Run, frame: Frame, this: Object, kind: Type, args: tuple[Argu
     row = select(run, kind[0], args)
     if row is not None:
         _apply(selectors.Applied(run, frame, row, this, args, kind[1], location), this)
+    elif kind[0].startswith(behavior_trees.SPACE):
+        behavior_tree_ports.configured(this, args)
 
 
 def _filled(

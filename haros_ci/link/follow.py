@@ -147,7 +147,7 @@ def _rehearse_all(run: Run, frame: Frame) -> None:
 
 def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
     """What a callback writes, from a state that the *others* have disturbed."""
-    if root.is_update or root.is_setup:
+    if root.is_update or root.is_setup or root.is_tick:
         return {}
     start = run.state.mark()
     _disturb(run, others, number)

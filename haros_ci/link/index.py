@@ -24,6 +24,8 @@ ALIASES = 8
 EITHER = "it is defined more than once"
 #: What macros that declare smart pointers to a class put after its name, the longest first.
 POINTERS = ("ConstUniquePtr", "ConstWeakPtr", "UniquePtr", "WeakPtr", "ConstPtr", "Ptr")
+#: What makes behaviour trees includes this; what is loaded for them is of this base.
+TREES, BEHAVIOR_TREE_NODE = "/bt_factory.h", "TreeNode"
 HEADERS = (".h", ".hh", ".hpp", ".hxx", ".H", ".inl", ".ipp", ".tpp")
 
 
@@ -163,7 +165,8 @@ class Index:
                 found |= more
                 waiting += sorted(more)
             if not waiting and is_loading:
-                bases = {
+                bases = {BEHAVIOR_TREE_NODE} if any(self._ticks(each) for each in found) else set()
+                bases |= {
                     each.name.rpartition("::")[2]
                     for p in found
                     if p in self.sources
@@ -185,7 +188,11 @@ class Index:
 
     def _loads(self, path: str) -> bool:
         source = self.sources.get(path)
-        return source is not None and any("class_loader" in each for each in source.program.includes)
+        return source is not None and any("class_loader" in each or TREES in each for each in source.program.includes)
+
+    def _ticks(self, path: str) -> bool:
+        source = self.sources.get(path)
+        return source is not None and any(TREES in each for each in source.program.includes)
 
     def reach(self, path: str) -> frozenset[str]:
         """The workspace's files that a C++ file includes, and those that they include."""

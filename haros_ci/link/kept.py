@@ -21,7 +21,7 @@ from haros_ci.link.kept_json import Unfit, from_json, to_json
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
-from haros_ci.link.trace import YAML_FILES, Trace
+from haros_ci.link.trace import XML_FILES, YAML_FILES, Trace
 from haros_ci.link.values import Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Function, Program
@@ -122,7 +122,7 @@ def change_of(
     for path in sorted(now):
         if before[path] == now[path]:
             continue
-        if path == YAML_FILES:
+        if path in (YAML_FILES, XML_FILES):
             change.paths.add(path)
             continue
         old, new = source_before(path, before[path]), source_now(path)

@@ -12,6 +12,7 @@ from haros_ci.link import (
     library_bind,
     library_containers,
     library_numbers,
+    library_xml,
     library_yaml,
     loaders,
     methods,
@@ -59,6 +60,8 @@ MAKERS = frozenset(
     for space in ("boost", "std")
     for name in ("make_shared", "make_unique", "shared_ptr", "unique_ptr")
 )
+#: Parts of a path.
+PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_path"))
 TRANSPARENT = frozenset(
     (
         "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
@@ -113,6 +116,8 @@ def function(
         return library_bind.bind(args)
     if name.startswith(LIMITS) and len(targs) == 1 and is_type(targs[0]) and not args:
         return library_numbers.limit(name.removeprefix(LIMITS), run.type_in(targs[0], frame))
+    if name.endswith("::directory_iterator") and args:
+        return library_xml.directory(run, args[0].value)
     if name == "std::make_pair" and len(args) == 2:
         return Object("std::pair", fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
     if name.startswith(("std::", "boost::")):
@@ -247,6 +252,8 @@ def _data(
     run: Run, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[Argument, ...]
 ) -> Value | None:
     data = receiver.value
+    if name == "has_value" and not args and isinstance(data, bool):
+        return receiver  # what BT::TreeNode::getInput says
     if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
         return receiver
     if isinstance(data, str):
@@ -255,6 +262,10 @@ def _data(
         if name == "empty":
             return Known(not data)
         values: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+        if not args and name in PARTS:
+            return Known(library_xml.part(data, name))
+        if name in ("starts_with", "ends_with") and len(values) == 1 and isinstance(values[0], str):
+            return Known(data.startswith(values[0]) if name == "starts_with" else data.endswith(values[0]))
         if name == "substr" and not args:
             return receiver
         if name == "substr" and values and all(isinstance(v, int) for v in values):
@@ -338,6 +349,8 @@ def _object(
         return ros2_selectors.type_constant(receiver)
     if receiver.name == LOADER and name in LOADERS and args:
         return library_yaml.plugin(run, frame, receiver, args[0].value, location)
+    if receiver.name in library_xml.CLASSES:
+        return library_xml.method(run, frame, receiver, name, args)
     if receiver.name == "rclcpp::NodeOptions" and name == "arguments" and not args and name not in receiver.fields:
         return Sequence(Cell(()), ("std::vector", (("std::string", (), ""),), ""))
     if receiver.name == "nodelet::Loader" and name == "load" and len(args) > 1:

@@ -10,6 +10,7 @@ from itertools import islice
 from typing import Any
 
 from haros_ci.link import (
+    behavior_trees,
     controllers,
     keeping,
     library_yaml,
@@ -144,7 +145,7 @@ def link(
     tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes. *keeper* has what
     earlier runs followed, *ros2* reads launch files of ROS 2.
     """
-    types = types_of(workspace, sources, builds, rows, known or (lambda package, name, ros: None), exact)
+    types = types_of(workspace, sources, builds, rows, known or (lambda package, name, ros: None), exact, load)
     problems: dict[Problem, None] = {}
     configurations: list[Configuration] = []
     if wanted is None:
@@ -208,8 +209,9 @@ def link(
         )
     for (nodes, said), job in zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True):
         node = nodes[0]
-        if job.label == ros2_system.PLUGINS:
-            if any(unknown.reason == library_yaml.ANY for unknown in node.unknowns):
+        if job.label:
+            reason = library_yaml.ANY if job.label == ros2_system.PLUGINS else behavior_trees.ANY
+            if any(unknown.reason == reason for unknown in node.unknowns):
                 configurations.append(Configuration(name=f"{node.package}/{node.type} ({job.label})", nodes=nodes))
         elif node.kind != system.PROGRAM:
             problems.update(dict.fromkeys(said))

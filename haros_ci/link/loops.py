@@ -50,7 +50,7 @@ def loop(run: Run, frame: Frame, statement: Statement) -> str:
         for item in first:
             statements.STATEMENTS[item[0]](run, frame, item)
         with run.under(keyword, text, frame, line, column):
-            before = run.steps
+            before = run.steps - run.aside
             worthwhile = _worthwhile(run, frame, body, test)
             for turn in range(TURNS):
                 if turn or keyword != "do":
@@ -59,7 +59,7 @@ def loop(run: Run, frame: Frame, statement: Statement) -> str:
                         return _leave(run, current, goes_on=True)
                     if holds is None:
                         break
-                if not worthwhile or run.steps - before > LONG:
+                if not worthwhile or run.steps - run.aside - before > LONG:
                     break
                 run.turns *= 2
                 current.turn = turn

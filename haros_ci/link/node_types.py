@@ -3,19 +3,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
-from haros_ci.link import api_rows, ros2_entries
+from haros_ci.link import api_rows, behavior_tree_files, ros2_entries
+from haros_ci.link.behavior_tree_files import TreeFiles
 from haros_ci.link.entries import Programs, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.link.follow import Entry
-from haros_ci.link.index import Source, build_index
+from haros_ci.link.index import BEHAVIOR_TREE_NODE, Source, build_index
 from haros_ci.link.parameters import yaml_reader
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.roslaunch_files import files_of
 from haros_ci.link.run import Exact
 from haros_ci.link.system import KnownNodes, Types
+from haros_ci.link.xml_files import Reader
 from haros_ci.model.api import Row
 from haros_ci.model.build import Build
+from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Workspace
 
 
@@ -26,6 +29,7 @@ def types_of(
     rows: Mapping[tuple[str, int], Iterable[Row]],
     known: KnownNodes,
     exact: Exact | None = None,
+    load: Callable[[str], LaunchFile | None] = lambda path: None,
 ) -> Types:
     """The node types of a workspace, ready to be followed."""
     by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
@@ -54,7 +58,9 @@ def types_of(
         )
         for version, table in tables.items()
     }
-    reader = yaml_reader(files_of(workspace))
+    files = files_of(workspace)
+    reader, xml = yaml_reader(files), Reader(load, files)
+    tree_libraries = behavior_tree_files.library_files(cpp, builds)
     versions = {package.name: package.ros for package in workspace.packages}
     ordinary = of_version(executables(programs), versions, 1)
     every = of_version({**linked(workspace, programs), **executables(programs, tests=True)}, versions, 1)
@@ -67,7 +73,7 @@ def types_of(
         nodelets(programs),
         tables,
         plugins(programs),
-        plugin_files(programs),
+        [*plugin_files(programs), *((BEHAVIOR_TREE_NODE, found) for found in tree_libraries)],
         relevance,
         configs,
         reader,
@@ -77,6 +83,8 @@ def types_of(
         ros2_programs=of_version(ros2_entries.programs_of(programs, loadable), versions, 2),
         components=loadable,
         hosted=of_version(ros2_entries.hosted(programs, tables.get(("cpp", 2), {})), versions, 2),
+        trees=TreeFiles(xml, cpp, builds) if behavior_tree_files.users(cpp) else None,
+        xml=xml,
         versions=versions,
     )
 

@@ -98,6 +98,8 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
             if isinstance(value, Known) and not isinstance(value.value, (str, Character)):
                 return run.opaque("a number is added to a text", frame)
         return concatenate((left, right))
+    if symbol == "/" and _is_text(left) and _is_text(right) and frame.source.separator == "::":  # std::filesystem::path
+        return concatenate((left, Known("/"), right))
     if symbol == "%" and isinstance(left, Known) and isinstance(left.value, str):
         return formats.percent(run, frame, left.value, right)
     if isinstance(left, Known) and isinstance(right, Known):
@@ -116,6 +118,8 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
         if (told := iterators.compared(symbol, left, right)) is not None:
             return told
         if isinstance(left, Object) and isinstance(right, Object) and left is right:
+            return TRUE if symbol == "==" else FALSE
+        if isinstance(left, Library) and left == right and left.this is None:  # a library's constant
             return TRUE if symbol == "==" else FALSE
         if (isinstance(left, Object) and right == NONE) or (isinstance(right, Object) and left == NONE):
             return FALSE if symbol == "==" else TRUE

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from copy import copy
 from typing import Any
 
+from haros_ci.link import behavior_tree_files
 from haros_ci.link.index import Index, Source
 from haros_ci.link.mentions import (
     CALL,
@@ -52,6 +53,8 @@ class Relevance:
         self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row)) | {CALLED}
         if any("<nodelet/loader.h>" in source.program.includes for source in index.sources.values()):
             self._api |= {".load"}
+        if behavior_tree_files.users(index):
+            self._api |= behavior_tree_files.CALLS
         opened = {space for source in index.sources.values() for _, space in source.program.scopes}
         for space, _, name in (row.call.rpartition("::") for row in rows if _makes(row)):
             self._api |= {name} if space in opened else set()

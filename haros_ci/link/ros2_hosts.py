@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The ROS 2 executables that load plug-ins of the workspace: which of them are followed once more, with all of these."""
+"""The ROS 2 executables that load plug-ins or create behaviour trees: which are followed once more, with all of these."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from haros_ci.link.ros2_system import alone
+from haros_ci.link import behavior_tree_files
+from haros_ci.link.ros2_system import PLUGINS, TREES, alone
 from haros_ci.link.system import Job, Types
 from haros_ci.link.types import is_type
 from haros_ci.model.program import Type
@@ -33,7 +34,21 @@ def hosts(types: Types) -> Iterable[Job]:
     for own, _, _, (package, name) in sorted(candidates, key=lambda each: (-len(each[0]), -each[1], *each[2:])):
         if own and not any(own <= other for other in chosen):
             chosen.append(own)
-            yield alone(types, package, name, has_plugins=True)
+            yield alone(types, package, name, label=PLUGINS)
+    yield from tree_hosts(types)
+
+
+def tree_hosts(types: Types) -> Iterable[Job]:
+    """The executables that create behaviour trees, once more with the nodes of all trees of the workspace."""
+    cpp = types.programs.cpp
+    using = behavior_tree_files.users(cpp) if types.trees is not None else frozenset[str]()
+    seen: set[int] = set()
+    for package, name in sorted(types.ros2_programs) if using else ():
+        entry, files = types.ros2_programs[package, name]
+        is_new = id(entry) not in seen and entry.source.separator == "::"
+        if is_new and behavior_tree_files.runs_trees(cpp, using, (entry.source.path, *files)):
+            seen.add(id(entry))
+            yield alone(types, package, name, label=TREES)
 
 
 def _loaders(types: Types) -> tuple[dict[str, set[str]], set[str | None]]:

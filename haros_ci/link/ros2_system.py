@@ -38,6 +38,8 @@ NOTHING = ParameterServer(())
 SERVICES = ("servers", "clients")
 #: What a configuration is called besides in which a node is followed with every plug-in.
 PLUGINS = "plug-ins"
+#: And in which it is followed with the nodes of every behaviour tree.
+TREES = "behaviour trees"
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +54,8 @@ class Started:
     around: tuple[Rule, ...] = ()
     #: Whether every plug-in that it could load is followed.
     has_plugins: bool = False
+    #: Whether, of a behaviour tree that is not known, the nodes of every tree of the workspace are.
+    has_trees: bool = False
 
 
 def launched(types: Types, node: LaunchedNode, containers: Mapping[str, LaunchedNode]) -> Job:
@@ -116,8 +120,11 @@ def _words(text: str, first: str = "") -> list[str]:
     return [first, *words] if first and words and words[0] != first else words
 
 
-def alone(types: Types, package: str, name: str, is_component: bool = False, has_plugins: bool = False) -> Job:
-    """A node type started by itself, under the name that it gives itself; perhaps with every plug-in of the workspace."""
+def alone(types: Types, package: str, name: str, is_component: bool = False, label: str = "") -> Job:
+    """A node type started by itself, under the name that it gives itself; perhaps with every plug-in of the workspace.
+
+    *label* is ``PLUGINS`` then, or ``TREES``.
+    """
     entry, files = (types.components if is_component else types.ros2_programs)[package, name]
     line = entry.function.line if entry.function else entry.definition.line if entry.definition else 1
     chosen = f"/{name.rpartition('::')[2]}"
@@ -131,13 +138,13 @@ def alone(types: Types, package: str, name: str, is_component: bool = False, has
         class_name=name if is_component else None,
         ros=2,
     )
-    started = Started((), Parameters(()), (), is_component, has_plugins=has_plugins)
+    started = Started((), Parameters(()), (), is_component, has_plugins=label == PLUGINS, has_trees=label == TREES)
     return Job(
         node,
         (id(entry), name),
         lambda: nodes_of(types, entry, files, node, started, False),
         _size(types, files),
-        label=PLUGINS if has_plugins else "",
+        label=label,
     )
 
 
@@ -257,7 +264,7 @@ def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str],
 
 def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
     """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again."""
-    kinds = (started.is_component, started.has_plugins, started.around)
+    kinds = (started.is_component, started.has_plugins, started.has_trees, started.around)
     key = (2, entry.key, files_key(files), started.rules, started.words, *kinds)
     earlier = types.followed.setdefault(key, [])
 
@@ -282,6 +289,9 @@ def run_process(types: Types, entry: Entry, files: frozenset[str], started: Star
         arguments=words,
         plugins=types.plugins,
         of_base=types.of_base if started.has_plugins else None,
+        trees=types.trees,
+        any_tree=started.has_trees,
+        xml=types.xml,
         parameter=ask,
         read_yaml=types.read_yaml,
         process=Process(

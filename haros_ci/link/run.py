@@ -9,12 +9,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from haros_ci.link.behavior_tree_files import TreeFiles
 from haros_ci.link.index import Index, Source
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.ros2_process import Process, RosNode
 from haros_ci.link.state import State
 from haros_ci.link.types import NO_TYPE, resolve_type
 from haros_ci.link.values import NONE, Callable, Cell, Known, Object, Opaque, Value, join
+from haros_ci.link.xml_files import Reader
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Condition, Qos
 from haros_ci.model.build import ConfigFile
@@ -132,6 +134,8 @@ class Root:
     is_update: bool = False
     #: Whether a managed node is brought up by it, before anything else is called back.
     is_setup: bool = False
+    #: Whether a behaviour tree calls it: what it changes is not seen elsewhere.
+    is_tick: bool = False
     #: Why it may not be registered although the conditions hold, where no statement says so.
     doubt: str | None = None
 
@@ -161,6 +165,12 @@ class Context:
     plugins: Mapping[str, tuple[Source, Class]]
     #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.
     of_base: Mapping[str, tuple[tuple[Source, Class], ...]] | None = field(default=None, kw_only=True)
+    #: Behaviour trees in files of the workspace; None where nothing makes any.
+    trees: TreeFiles | None = field(default=None, kw_only=True)
+    #: The workspace's XML files and directories; None in ROS 1.
+    xml: Reader | None = field(default=None, kw_only=True)
+    #: Whether all of them are followed where it is not known which is created.
+    any_tree: bool = field(default=False, kw_only=True)
     #: The value of a parameter that the configuration sets (a Choice if under a condition), None if it does not.
     parameter: Function_[[str], Value | None]
     #: The data of a YAML file by the path as values have it; None if it is not in the workspace.
@@ -233,8 +243,8 @@ class Run:
     known_roots: dict[Any, int] = field(default_factory=dict)
     #: The numbers of those that have been called back, not in rehearsal.
     called: set[int] = field(default_factory=set)
-    #: The places where every plug-in of a base class has been loaded.
-    offered: set[tuple[Location, str]] = field(default_factory=set)
+    #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
+    offered: set[Any] = field(default_factory=set)
     #: Groups of plug-ins of which one exists, with the names of their base classes.
     alternatives: list[tuple[str, tuple[Object, ...]]] = field(default_factory=list)
     globals: dict[tuple[str, str], Cell] = field(default_factory=dict)
@@ -273,6 +283,8 @@ class Run:
     beyond: int = 0
     steps: int = 0
     quiet_steps: int = 0
+    #: Steps that went into the nodes of behaviour trees: loops around them are no longer for that.
+    aside: int = 0
     turns: int = 1
     #: Steps that the node may take, and as many in rehearsals.
     most: int = STEPS

@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci.link import outside
+from haros_ci.link.behavior_tree_files import TreeFiles
 from haros_ci.link.ends import ANONYMOUS, UNNAMED, by, endpoints
 from haros_ci.link.entries import Programs
 from haros_ci.link.follow import Entry, follow
@@ -23,6 +24,7 @@ from haros_ci.link.run import Context, Exact, Made, Renamed, Run
 from haros_ci.link.trace import Trace
 from haros_ci.link.values import Known, Value
 from haros_ci.link.words import scalar, split
+from haros_ci.link.xml_files import Reader
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
@@ -74,6 +76,9 @@ class Types:
     hosted: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
     #: The plug-ins of the workspace by base class.
     of_base: Mapping[str, tuple[tuple[Source, Class], ...]] = field(default_factory=dict)
+    #: Behaviour trees in files of the workspace; None where nothing makes any.
+    trees: TreeFiles | None = None
+    xml: Reader | None = None
     #: The ROS version of each package, None where it does not tell.
     versions: Mapping[str, int | None] = field(default_factory=dict)
 

@@ -9,6 +9,8 @@ from typing import Any
 
 #: Stands for all YAML files of the workspace among paths.
 YAML_FILES = "*.yaml"
+#: Stands for all XML files, and for what directories have.
+XML_FILES = "*.xml"
 
 
 @dataclass(slots=True)

@@ -422,3 +422,31 @@ def test_includes_of_files_that_a_node_can_reach(followed: list[str]) -> None:
     for before, after in ((files, more), (more, files)):
         calls, is_changed = again(before, after, followed, 2)
         assert N in calls and not is_changed
+
+
+TREE = '<root BTCPP_format="4"><BehaviorTree ID="Main"><Say topic="a"/></BehaviorTree></root>'
+SAID = """#include "behaviortree_cpp/bt_factory.h"
+class Say : public BT::SyncActionNode {
+public:
+  Say(const std::string & name, const BT::NodeConfig & conf, rclcpp::Node::SharedPtr node)
+  : BT::SyncActionNode(name, conf) {
+    std::string topic; getInput("topic", topic);
+    node->create_publisher<std_msgs::msg::String>(topic, 1);
+  }
+};
+"""
+
+
+def test_files_of_behaviour_trees(followed: list[str]) -> None:
+    """What makes trees is followed anew where one of them has changed, come or gone; all else is not."""
+    body = 'BT::BehaviorTreeFactory factory; factory.registerNodeType<Say>("Say", m);\nfactory.createTreeFromFile(%s);\n}'
+    for file, paths in (
+        ('ament_index_cpp::get_package_share_directory("p") + "/tree.xml"', ("p/tree.xml",)),
+        ("argv[1]", ("p/tree.xml", "p/other.xml")),
+    ):
+        text = "#include <rclcpp/rclcpp.hpp>\n" + SAID + NEWER[M].partition("\n")[2].replace("}", body % file)
+        files = {**NEWER, M: text, "p/tree.xml": TREE}
+        for path in paths:
+            after = {**files, path: TREE.replace('"a"', '"b"')}
+            assert again(files, after, followed, 2) == ([M, M], True)  # as it is started, and with all trees
+        assert again(files, edited(files, "p/src/names.hpp", '"t"', '"x"'), followed, 2) == ([N], True)

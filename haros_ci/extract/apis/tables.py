@@ -45,6 +45,7 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
             "ros2_autoware",
             "threads",
             "ros2_rviz",
+            "ros2_behavior_trees",
         ),
     ),
     ("python", 2, ("ros2_rclpy", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "ros2_rclpy_qos")),
