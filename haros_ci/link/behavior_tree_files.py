@@ -27,6 +27,17 @@ REGISTER = "BT_REGISTER_NODES"
 KINDS = frozenset(("Action", "Condition", "Control", "Decorator"))
 SUBTREES = frozenset(("SubTree", "SubTreePlus"))
 TREE = "BehaviorTree"
+#: The nodes that the library itself registers, in version 3 or 4 (bt_factory.cpp); they make nothing.
+BUILT_IN = frozenset(
+    (
+        "AlwaysFailure AlwaysSuccess AsyncFallback AsyncSequence BlackboardCheckBool BlackboardCheckDouble "
+        "BlackboardCheckInt BlackboardCheckString Delay Fallback ForceFailure ForceSuccess IfThenElse Inverter "
+        "KeepRunningUntilFailure LoopBool LoopDouble LoopInt LoopString ManualSelector Parallel ParallelAll "
+        "Precondition ReactiveFallback ReactiveSequence Repeat RetryUntilSuccesful RetryUntilSuccessful RunOnce Script "
+        "ScriptCondition Sequence SequenceStar SequenceWithMemory SetBlackboard SkipUnlessUpdated Sleep Switch2 "
+        "Switch3 Switch4 Switch5 Switch6 Timeout TryCatch UnsetBlackboard WaitValueUpdate WasEntryUpdated WhileDoElse"
+    ).split()
+)
 #: Longer files, and files of more trees, are not read.
 LONGEST = 1_000_000
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.link import activation, behavior_tree_nodes, behavior_tree_ports
-from haros_ci.link.behavior_tree_files import CREATING, LOADING, READING, REGISTERING, Tag, Trees
+from haros_ci.link.behavior_tree_files import BUILT_IN, CREATING, LOADING, READING, REGISTERING, Tag, Trees
 from haros_ci.link.behavior_tree_ports import text_of
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.trace import XML_FILES
@@ -148,6 +148,8 @@ def _create(
     if OPEN in factory.fields:
         factory = Object(FACTORY, fields=dict(factory.fields))
         registered_by(run, factory, None)
+        for elsewhere in sorted({tag.type for tag in tags} - factory.fields.keys() - BUILT_IN):
+            run.gaps.setdefault(f"the node {elsewhere[:200]} of a behaviour tree is not in the workspace", location)
     behavior_tree_nodes.construct_all(run, frame, factory, board, tags, location)
     if is_whole:
         return

@@ -353,9 +353,14 @@ def test_plug_ins_of_libraries_that_are_not_known() -> None:
 """
     known = found(MAIN % (load + FROM_TEXT % tree('<Say topic="a"/>')), LIBRARIES, src__say_dot_cpp=LIBRARY)
     assert told(known) == {"p/n": [("/a", [])]}
+    assert known.configurations[0].nodes[0].unknowns == ()
+    other = tree('<Sequence><Say topic="a"/><Else/><Inverter/></Sequence>')
+    elsewhere = found(MAIN % (load + FROM_TEXT % other), LIBRARIES, src__say_dot_cpp=LIBRARY)
+    (unknown,) = elsewhere.configurations[0].nodes[0].unknowns
+    assert unknown.reason == "the node Else of a behaviour tree is not in the workspace"
     files = {"src__say_dot_cpp": LIBRARY, "t_dot_xml": tree('<Say topic="a"/>')}
-    unknown = found(MAIN % (load + UNKNOWN), LIBRARIES, **files)
-    assert told(unknown) == {"p/n": [], "p/n (behaviour trees)": [("/a", ["conditions"])]}
+    made = found(MAIN % (load + UNKNOWN), LIBRARIES, **files)
+    assert told(made) == {"p/n": [], "p/n (behaviour trees)": [("/a", ["conditions"])]}
 
 
 def test_two_libraries_with_nodes_of_one_name() -> None:
