@@ -126,7 +126,7 @@ def invoke(
         run.spent[id(definition)] = run.spent.get(id(definition), 0) + run.steps - before
     elif run.is_called_back:
         is_idle = run.extent() == there and run.steps - before > 1
-        run.idle[id(definition)] = (run.idle.get(id(definition), 0) if is_idle else 0) + run.steps - before
+        run.idle[id(definition)] = run.idle.get(id(definition), 0) + run.steps - before if is_idle else 0
     return value
 
 
