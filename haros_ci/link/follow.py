@@ -227,6 +227,8 @@ def _invoke(run: Run, frame: Frame, root: Root) -> None:
     run.conditions[:] = root.conditions
     for cell, value in root.writes.items():
         run.state.write(cell, value)
+    if root.is_tick:
+        run.idle.clear()  # what one node of a tree makes, others may have made
     with run.doubted(root.doubt):
         activation.invoke(run, frame, root.function, _arguments(run, root, frame))
     run.conditions[:] = before

@@ -29,8 +29,8 @@ ABSOLUTE = frozenset(
 )
 
 
-#: What the configurations are called in which a node has every plug-in that it could load.
-EVERY_PLUGIN = " (plug-ins)"
+#: What the configurations are called in which a node has every plug-in, or behaviour tree, that it could load.
+EVERY_PLUGIN = (" (plug-ins)", " (behaviour trees)")
 
 
 @dataclass(frozen=True, slots=True)
