@@ -40,6 +40,8 @@ from haros_ci.model.program import Expression, Function, Type
 
 #: Steps that may go into one function that makes nothing; after that its results are not known.
 SPENT = 300
+#: Steps of one call up to which a function that makes nothing is short, and steps that may go into one that is.
+SHORT, SPENT_SHORT = 10, 4000
 #: Steps that may go into one function in rehearsals, even if it makes something.
 REHEARSED = 10_000
 #: Steps that callbacks may put into one function that could make something, and has made nothing so far.
@@ -106,11 +108,12 @@ def invoke(
         return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
     given = _with_bound(function.bound, args)
     makes_nothing = not inert.may_make(run, function, given, inner.templates)
-    spent = run.spent.get(id(definition), 0)
+    spent, times = run.spent.get(id(definition), (0, 0))
+    is_long = spent > SPENT and (spent > SHORT * times or spent > SPENT_SHORT)
     idle = run.idle.get(id(definition), 0) if run.is_called_back and not makes_nothing else 0
     if idle > IDLE:
         return inert.skipped(run, inner, function, definition, returns, given)
-    if (makes_nothing and (spent > SPENT or inert.is_inert(run, function, definition, returns, given))) or (
+    if (makes_nothing and (is_long or inert.is_inert(run, function, definition, returns, given))) or (
         run.quiet and spent > (REHEARSED if run.quiet_steps < MANY else SPENT)
     ):
         return inert.skipped(run, inner, function, definition, returns, given)
@@ -123,7 +126,8 @@ def invoke(
         run.beyond -= frame.is_dead
     value = copies.returned(run, inner, definition, returns, value)
     if makes_nothing or run.quiet:
-        run.spent[id(definition)] = run.spent.get(id(definition), 0) + run.steps - before
+        spent, times = run.spent.get(id(definition), (0, 0))
+        run.spent[id(definition)] = spent + run.steps - before, times + 1
     elif run.is_called_back:
         is_idle = run.extent() == there and run.steps - before > 1
         run.idle[id(definition)] = run.idle.get(id(definition), 0) + run.steps - before if is_idle else 0

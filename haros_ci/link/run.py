@@ -288,8 +288,8 @@ class Run:
     turns: int = 1
     #: Steps that the node may take, and as many in rehearsals.
     most: int = STEPS
-    #: Steps spent in functions that make nothing, by function.
-    spent: dict[int, int] = field(default_factory=dict)
+    #: Steps spent in functions that make nothing, by function, and how often they were called.
+    spent: dict[int, tuple[int, int]] = field(default_factory=dict)
     #: Steps that callbacks have put into functions that could make something, since they last did, by function.
     idle: dict[int, int] = field(default_factory=dict)
     #: By identity, what stands for template arguments in look-ups.
