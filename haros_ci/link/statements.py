@@ -95,6 +95,8 @@ def _if(run: Run, frame: Frame, statement: Statement) -> str:
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
         return execute(run, frame, then) if frame.source.path in run.files else NEXT
     holds = truth(expressions.evaluate(run, frame, test))
+    if holds is not None and run.outer is not None:  # what a wrapper does not do as things are is nobody's
+        return execute(run, frame, then if holds else other)
     branches = []
     mark = run.state.mark()
     with run.under("if", text, frame, line, column):

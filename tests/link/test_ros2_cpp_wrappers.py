@@ -97,3 +97,46 @@ def test_a_list_that_is_given_its_length_and_then_its_elements() -> None:
     """
     (node,) = ros2_main("rclcpp::spin(std::make_shared<N>());", text).nodes
     assert [end.name for end in ends(node, "publishers") if not end.implicit] == ["/of_a", "/of_b"]
+
+
+ASKING = """
+template<typename T> T declare_or_get_parameter(rclcpp::Node * node, const std::string & name, const T & value) {
+  if (!node->has_parameter(name)) {
+    return node->declare_parameter<T>(name, value);
+  }
+  return node->get_parameter(name).get_value<T>();
+}
+class N : public rclcpp::Node {
+public:
+  N() : rclcpp::Node("n") { %s }
+};
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    (
+        ('declare_or_get_parameter<int>(this, "a", 1);', [("parameters", "/n:a", False)]),
+        (
+            'declare_or_get_parameter<int>(this, "a", 1); declare_or_get_parameter<int>(this, "a", 2);',
+            [("parameters", "/n:a", False), ("getters", "/n:a", False)],
+        ),
+        (
+            'if (flag()) { declare_or_get_parameter<int>(this, "a", 1); } declare_or_get_parameter<int>(this, "a", 2);',
+            [("parameters", "/n:a", True), ("parameters", "/n:a", True), ("getters", "/n:a", False)],
+        ),
+        (
+            'if (has_parameter("a")) { get_parameter("a"); } else { declare_parameter("a", 1); }',
+            [("parameters", "/n:a", True), ("getters", "/n:a", True)],
+        ),
+    ),
+)
+def test_what_a_wrapper_does_not_do_as_things_are_is_not_told(body: str, told: list[tuple[str, str, bool]]) -> None:
+    (node,) = ros2_main("rclcpp::spin(std::make_shared<N>());", ASKING % body).nodes
+    found = [
+        (kind, end.name, bool(end.conditions))
+        for kind in ("parameters", "getters")
+        for end in ends(node, kind)
+        if not end.implicit
+    ]
+    assert found == told
