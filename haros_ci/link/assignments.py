@@ -267,6 +267,8 @@ def any_of(values: Iterable[Value]) -> Value:
     result: Value | None = None
     for value in values:
         result = value if result is None else join(result, value)
+        if isinstance(result, Opaque) and result.reason not in (UNSET, UNSET_OR_INHERITED):
+            break  # it stays so
     return result if result is not None else NONE
 
 

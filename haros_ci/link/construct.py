@@ -22,7 +22,7 @@ from haros_ci.link import (
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, parameter_type, pointee
-from haros_ci.link.values import FALSE, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
+from haros_ci.link.values import FALSE, LIST_LIMIT, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Expression, Function, Type
 
@@ -121,6 +121,8 @@ def create(
     return instance(run, frame, owner, kind[1], arguments, location)
 
 
+#: Objects that a vector is filled with when it is constructed.
+OBJECTS = 100
 #: What ``T{}`` is of a scalar type (value initialisation).
 ZEROS = {"bool": FALSE, "int": Known(0), "double": Known(0.0)}
 
@@ -148,9 +150,13 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
             Cell(tuple(Cell(argument.value) for argument in arguments))
         )  # no other constructor takes texts
         return braces.from_list(run, frame, kind, items)
-    if isinstance(first, Known) and isinstance(first.value, int) and 0 <= first.value <= 1000:
-        fill = arguments[1].value if len(arguments) > 1 else None
-        inner = kind[1][0] if kind[1] else NO_TYPE
+    fill = arguments[1].value if len(arguments) > 1 else None
+    inner = kind[1][0] if kind[1] else NO_TYPE
+    within = fill.content.value if isinstance(fill, Sequence) else ()
+    most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
+    if run.class_of(inner[0], frame.source) is not None:
+        most = min(most, OBJECTS)
+    if isinstance(first, Known) and isinstance(first.value, int) and 0 <= first.value <= most:
         cells = []
         for _ in range(first.value):
             given = copies.copied(run, fill, inner) if fill is not None else None
