@@ -184,7 +184,7 @@ def interlude(run: Run, frame: Frame) -> None:
 
 def _disturb(run: Run, effects: Sequence_[Writes], own: int) -> None:
     """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
-    _disturb_all(run, effects, own, _disturbed(_together(effects)))
+    _disturb_all(run, effects, own, _disturbed(_all_together(run) if effects is run.effects else _together(effects)))
 
 
 def _disturb_all(run: Run, effects: Sequence_[Writes], own: int, together: Mapping[Cell, Any]) -> None:
@@ -213,9 +213,16 @@ def _joined(held: Any, value: Any) -> Any:
     return joined(held, value)
 
 
-def _together(effects: Iterable[Writes]) -> dict[Cell, Any]:
-    """What each cell holds after one or another of the callbacks."""
-    found: dict[Cell, Any] = {}
+def _all_together(run: Run) -> Mapping[Cell, Any]:
+    """What each cell holds after one or another of the callbacks rehearsed so far; each is joined once."""
+    _together(run.effects[run.joined :], run.together)
+    run.joined = len(run.effects)
+    return run.together
+
+
+def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -> dict[Cell, Any]:
+    """What each cell holds after one or another of the callbacks, or after what is *found* already."""
+    found = {} if found is None else found
     for writes in effects:
         for cell, value in writes.items():
             found[cell] = joined(found[cell], value) if cell in found else value

@@ -272,6 +272,9 @@ class Run:
     rehearsed: int = 0
     #: What each callback writes by itself, as far as they have been rehearsed.
     effects: list[dict[Cell, Any]] = field(default_factory=list)
+    #: What the first *joined* of them leave behind, joined.
+    together: dict[Cell, Any] = field(default_factory=dict)
+    joined: int = 0
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
     quiet: int = 0
