@@ -53,6 +53,8 @@ def follow(run: Run, entry: Entry) -> bool:
         _call_back(run, frame)
     except OutOfSteps:
         return False
+    finally:
+        run.forget_unowned()
     return True
 
 

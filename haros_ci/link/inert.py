@@ -102,7 +102,7 @@ def is_inert(
     changed = run.relevance.changes(definition, function.source)
     if not changed.isdisjoint(run.relevance.shared) or not changed.isdisjoint(run.relevance.holding):
         return False
-    if function.source.separator == "::" and not changed.isdisjoint(_pointers(run)):
+    if function.source.separator == "::" and _pointers(run, changed):
         return False
     if function.frame is not None and any(function.frame.find(name) is not None for name in changed):
         return False
@@ -119,24 +119,37 @@ def is_inert(
     return function.this is None or _only_numbers(function.this, changed)
 
 
-def _pointers(run: Run) -> Mapping[str, tuple[tuple[Source, str, Any, Type], ...]]:
-    """The namespace-scope variables and static members that point to constants, by the last part of their names.
+Pointers = dict[str, tuple[tuple[Source, str, Any, Type], ...]]
+
+
+def _pointers(run: Run, names: frozenset[str]) -> Pointers:
+    """The namespace-scope variables and static members of those *names* (their last parts) that point to constants.
 
     They are no constants themselves: for each its file, qualified name, initialiser and type.
     """
     key = ("pointers",)
     if key not in run.found:
-        found: dict[str, tuple[tuple[Source, str, Any, Type], ...]] = {}
-        variables = [(where, v.name, v) for each in run.index.variables.values() for where, v in each]
-        for each in run.index.classes.values():
-            variables += [(where, f"{c.name}::{f.name}", f) for where, c in each for f in c.fields if f.is_static]
-        for where, name, variable in variables:
-            if "*" in variable.type[2] and not variable.type[2].endswith("c"):
-                last = name.rpartition("::")[2]
-                found[last] = (*found.get(last, ()), (where, name, variable.init, variable.type))
-        run.found[key] = found
-    pointers: Mapping[str, tuple[tuple[Source, str, Any, Type], ...]] = run.found[key]
-    return pointers
+        run.found[key] = _all_pointers(run)
+    every: Pointers = run.found[key]
+    found = {name: every[name] for name in names & every.keys()}
+    trace = run.index.trace
+    if trace is not None:
+        trace.names |= names
+        trace.paths.update(where.path for each in found.values() for where, _, _, _ in each)
+    return found
+
+
+def _all_pointers(run: Run) -> Pointers:
+    index = run.index
+    variables = [(where, v.name, v) for each in dict.values(index.variables) for where, v in each]
+    for each in dict.values(index.classes):
+        variables += [(where, f"{c.name}::{f.name}", f) for where, c in each for f in c.fields if f.is_static]
+    found: Pointers = {}
+    for where, name, variable in variables:
+        if "*" in variable.type[2] and not variable.type[2].endswith("c"):
+            last = name.rpartition("::")[2]
+            found[last] = (*found.get(last, ()), (where, name, variable.init, variable.type))
+    return found
 
 
 def _is_constant(cell: Cell) -> bool:
@@ -205,9 +218,10 @@ def skipped(
         if isinstance(this, Object):
             _forget_members(run, this, changed, unknown, 0)
     if function.source.separator == "::":
-        pointers = _pointers(run)
-        for name in sorted(changed & pointers.keys()):  # those that are used later begin with what they are now
-            for pointer in pointers[name]:
+        for _, pointers in sorted(
+            _pointers(run, changed).items()
+        ):  # those that are used later begin with what they are now
+            for pointer in pointers:
                 lookup.global_cell(run, *pointer)
     for (_, name), cell in run.globals.items():
         if name.rpartition("::")[2].rpartition(".")[2] in changed and not _is_constant(cell):

@@ -106,7 +106,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "range": _optional(_every(_optional(_is(int, float)))),
         "node": _optional(_is(RosNode)),
         "is_exact": _flag,
-        "is_dead": _flag,
+        "dead": _is(int),
         "unknowns": _every(_said),
     },
     Opaque: {"reason": _text, "location": _place, "type": lambda value: value is None},

@@ -49,3 +49,8 @@ def clean(name: str) -> str:
 def remapped(name: str, remaps: Mapping[str, str]) -> str:
     """ROS 1 remaps a fully resolved name once; the result is not looked up again."""
     return remaps.get(name, name)
+
+
+def resolve_target(target: str, namespace: str, node: str) -> str:
+    """What a remapping gives; a name whose beginning is not known may be absolute."""
+    return clean(f"/{target}") if target.startswith("?") else resolve(target, namespace, node)

@@ -98,8 +98,13 @@ class RosNode:
             if scheme == (TOPIC if is_service else SERVICE):
                 continue
             if "?" not in source and self.whole.expand(source) == name:
-                return self.whole.expand(schemed(rule.target)[1])
+                return self.target(rule)
         return name
+
+    def target(self, rule: Rule) -> str:
+        """The name that *rule* gives; one whose beginning is not known may be absolute."""
+        text = schemed(rule.target)[1]
+        return clean(f"/{text}") if text.startswith("?") else self.whole.expand(text)
 
 
 @dataclass(frozen=True, slots=True)

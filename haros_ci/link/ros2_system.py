@@ -253,7 +253,7 @@ def final(item: Made) -> str:
 
 def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str], ...]:
     rules = {
-        node.expand(schemed(rule.source)[1]): node.expand(schemed(rule.target)[1])
+        node.expand(schemed(rule.source)[1]): node.target(rule)
         for rule in reversed(node.rules)
         if not rule.source.startswith("__")
         and "?" not in rule.source

@@ -115,8 +115,8 @@ class Made:
     #: The ROS 2 node that has it; None if it is not known, and in ROS 1.
     node: RosNode | None = None
     is_exact: bool = False
-    #: Whether it stands in a branch that is not taken as things are.
-    is_dead: bool = False
+    #: Of the branches around it, those that are not taken as things are.
+    dead: int = 0
     unknowns: tuple[tuple[str, str, Location | None], ...] = ()
 
 
@@ -339,9 +339,9 @@ class Run:
             if not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
                 unknowns = (*unknowns, ("conditions", SEVERAL, made.location))
             unknowns = tuple(dict.fromkeys((*known.unknowns, *unknowns)))
-        is_dead = self.dead > 0 and (known is None or known.is_dead)
-        if is_dead != made.is_dead or conditions is not made.conditions or unknowns is not made.unknowns:
-            made = replace(made, conditions=conditions, unknowns=unknowns, is_dead=is_dead)
+        dead = self.dead if known is None else min(self.dead, known.dead)
+        if dead != made.dead or conditions is not made.conditions or unknowns is not made.unknowns:
+            made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
         self.made[key] = made
 
     def kept(self) -> Kept:
@@ -374,13 +374,26 @@ class Run:
                 del self.made[key]
 
     def forget_dead(self, known: int) -> None:
-        """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes."""
+        """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes.
+
+        Where no turn takes all of the branches around a place, those count that take the most.
+        """
         if len(self.made) > known:
             since = list(self.made.items())[known:]
-            taken = {(made.kind, made.location) for _, made in since if not made.is_dead}
+            least: dict[tuple[str, Location], int] = {}
+            for _, made in since:
+                place = (made.kind, made.location)
+                least[place] = min(made.dead, least.get(place, made.dead))
             for key, made in since:
-                if made.is_dead and (made.kind, made.location) in taken:
+                if made.dead > least[made.kind, made.location]:
                     del self.made[key]
+
+    def forget_unowned(self) -> None:
+        """Drop what is made on a node that is not known where the same call is seen to make it on one that is."""
+        owned = {(made.kind, made.location) for made in self.made.values() if made.node is not None}
+        for key, made in list(self.made.items()):
+            if made.node is None and made.name.startswith("/?") and (made.kind, made.location) in owned:
+                del self.made[key]
 
     @contextmanager
     def doubted(self, reason: str | None) -> Iterator[None]:

@@ -16,7 +16,7 @@ from haros_ci.link.follow import Entry, follow
 from haros_ci.link.index import Source
 from haros_ci.link.kept import Followed, digest_of, small
 from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.names import clean, pattern, resolve
+from haros_ci.link.names import clean, pattern, resolve, resolve_target
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.ros2_process import Parameters
@@ -122,12 +122,12 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
             namespace = clean(f"/{value}")
             started = replace(started, name=clean(f"{namespace}/{started.name.rpartition('/')[2]}"))
     remaps = {
-        resolve(source, namespace, started.name): resolve(target, namespace, started.name)
+        resolve(source, namespace, started.name): resolve_target(target, namespace, started.name)
         for source, target, _ in started.remaps
     }
     for source, target in words.remaps:
         if "?" not in source:
-            remaps[resolve(source, namespace, started.name)] = resolve(target, namespace, started.name)
+            remaps[resolve(source, namespace, started.name)] = resolve_target(target, namespace, started.name)
     node = Node(
         name=started.name,
         kind="node",
