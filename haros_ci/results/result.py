@@ -62,7 +62,9 @@ class Result:
     """One finding of one tool.
 
     ``tool`` and ``rule`` name the rule (``tool:rule`` in settings). ``value`` is a metric's number and ``limit`` the
-    threshold that it crosses. ``subject`` are the ROS names that an architecture finding is about. ``also`` are
+    threshold that it crosses. ``subject`` are the ROS names that an architecture finding is about, ``roles`` what they are
+    (node types, kinds of endpoints), which a renaming leaves as it is; ``flow`` are the places that lead to it, in order, and
+    ``edges`` what it traverses of the run's ``Graph`` called ``graph``: pairs of ids. ``also`` are
     ``tool:rule`` of other tools that found the same defect. ``state`` is None where no baseline was given, and
     ``reason`` says why it is new or how it was matched (``--why``).
     """
@@ -77,6 +79,10 @@ class Result:
     value: float | None = None
     limit: float | None = None
     subject: tuple[str, ...] = ()
+    roles: tuple[str, ...] = ()
+    flow: tuple[Related, ...] = ()
+    graph: str = ""
+    edges: tuple[tuple[str, str], ...] = ()
     also: tuple[str, ...] = ()
     identity: Identity | None = None
     state: BaselineState | None = None
@@ -117,6 +123,25 @@ class Tool:
 
 
 @dataclass(frozen=True, slots=True)
+class Vertex:
+    """A node, topic, service or action of a ``Graph``: *id* is ``node:/talker``, *label* its name, *kind* what it is."""
+
+    id: str
+    label: str
+    kind: str
+    location: Location | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Graph:
+    """The node-topic graph of a configuration (SARIF §3.39): *edges* are pairs of ids, from who writes to who reads."""
+
+    name: str
+    vertices: tuple[Vertex, ...] = ()
+    edges: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Run:
     """All that one tool said, sorted. ``successful`` is False when the tool was missing, crashed or timed out.
 
@@ -131,6 +156,7 @@ class Run:
     analysed: frozenset[str] = frozenset()
     successful: bool = True
     imported: bool = False
+    graphs: tuple[Graph, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,7 @@ class Rule:
     ``id`` is the tool's own, unchanged. ``profiles`` name the profiles that enable it; ``all`` enables every rule.
     ``aliases`` are further names that select, ignore and suppress it (HAROS and catalogue ids). ``precision`` is
     GitHub's scale: very-high, high, medium, low. ``security_severity`` is a numeric string 0.1–10.0 and only for
-    rules tagged ``security``.
+    rules tagged ``security``. ``catalogue`` is the rule's short id in the catalogue of ROS checks (``G06``), an alias, too.
     """
 
     id: str
@@ -46,3 +46,4 @@ class Rule:
     deprecated_ids: tuple[str, ...] = ()
     cwe: tuple[int, ...] = ()
     security_severity: str | None = None
+    catalogue: str = ""
