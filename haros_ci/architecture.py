@@ -309,6 +309,7 @@ def configurations(
                 arguments=_scalars(entry, "args"),
                 environment=_scalars(entry, "environment"),
                 user_data=entry.get("user_data") if isinstance(entry, Mapping) else None,
+                closed=isinstance(entry, Mapping) and entry.get("closed") is True,
             )
         )
     return tuple(wanted)

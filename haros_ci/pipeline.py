@@ -18,7 +18,7 @@ from haros_ci.linters.linter import LintOptions
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.run import lint
 from haros_ci.model.workspace import Store, Workspace
-from haros_ci.registry import LINTERS
+from haros_ci.registry import LINTERS, check_rules, checks
 from haros_ci.results import own
 from haros_ci.results.fingerprint import fingerprint
 from haros_ci.results.result import Artifact, Coverage, Notification, Report, Result, Run, Tool
@@ -93,7 +93,8 @@ def examine(
 ) -> tuple[Run, ...]:
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline."""
     raw = lint(workspace, LINTERS, lint_options(settings), store, selection.wants, progress)
-    runs = (own_run(workspace), *with_metrics(raw))
+    own_one = checked(own_run(workspace), workspace, settings, selection, store, progress)
+    runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     return finished(distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection)
 
@@ -182,6 +183,44 @@ def own_run(workspace: Workspace) -> Run:
     return Run(tool, results=own.manifest_results(workspace.faults), analysed=analysed)
 
 
+def checked(
+    run: Run, workspace: Workspace, settings: Settings, selection: Selection, store: Store, progress: Progress | None
+) -> Run:
+    """*run* with what the checks say of the architecture, where any of them is on."""
+    chosen = tuple(check for check in checks() if is_on(check_rules()[check.id], workspace, selection))
+    if not chosen or only_files(workspace, settings):
+        return run
+    from haros_ci.architecture import architecture
+    from haros_ci.checking.run import run_checks
+    from haros_ci.checking.system import systems
+
+    if progress is not None:
+        progress("architecture")
+    found = architecture(workspace, settings, store, processes=settings.jobs)
+    if progress is not None:
+        progress(f"{len(chosen)} checks")
+    said = run_checks(chosen, systems(found, workspace), own.TOOL)
+    troubles = (Notification(Level.WARNING, p.message, path=p.path, line=p.line) for p in found.problems)
+    return replace(
+        run,
+        results=(*run.results, *said.results),
+        notifications=(*run.notifications, *said.notifications, *troubles),
+        graphs=said.graphs,
+        successful=run.successful and not said.notifications,
+    )
+
+
+def is_on(rule: Rule, workspace: Workspace, selection: Selection) -> bool:
+    """Whether *rule* is on in any file."""
+    return any(selection.wants(own.TOOL, rule, file.path) for file in workspace.files)
+
+
+def only_files(workspace: Workspace, settings: Settings) -> bool:
+    """Whether nothing but single files was asked for: of them alone no architecture is made, unless its profile asks."""
+    paths = {file.path for file in workspace.files}
+    return settings.profile != "architecture" and all(path in paths for path in settings.paths)
+
+
 def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
     """Lizard's and radon's runs joined into the one run named ``metrics``, after the linters."""
     runs = tuple(runs)
@@ -202,7 +241,7 @@ def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
 
 def rules_of(tool: str) -> Mapping[str, Rule]:
     """The documented rules of a tool, haros-ci itself included."""
-    return own.RULES if tool == own.TOOL else catalogue.rules_of(tool)
+    return {**own.RULES, **check_rules()} if tool == own.TOOL else catalogue.rules_of(tool)
 
 
 def documented_rules() -> Iterator[tuple[str, Rule]]:
@@ -217,7 +256,7 @@ def described(run: Run) -> Run:
     if run.imported:
         return run
     ids = sorted({result.rule for result in run.results})
-    return replace(run, rules=tuple(own.RULES.get(id) or catalogue.rule(run.tool.name, id) for id in ids))
+    return replace(run, rules=tuple(rules_of(own.TOOL).get(id) or catalogue.rule(run.tool.name, id) for id in ids))
 
 
 def coverage(workspace: Workspace) -> Coverage:

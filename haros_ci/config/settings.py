@@ -8,7 +8,7 @@ from pathlib import Path
 
 from haros_ci.results.rule import Level
 
-PROFILES = ("ros", "strict", "google", "bugs-only", "all")
+PROFILES = ("ros", "strict", "google", "bugs-only", "architecture", "all")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -64,6 +64,7 @@ class Wanted:
     arguments: Mapping[str, str] = field(default_factory=dict)
     environment: Mapping[str, str] = field(default_factory=dict)
     user_data: Any = None
+    closed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,6 +206,7 @@ def link(
                 parameters=(*each.parameters, *ros2_system.given_parameters(given)),
                 arguments=tuple((name, str(value)) for name, value in each.arguments),
                 user_data=item.user_data,
+                closed=item.closed,
             )
         )
     for (nodes, said), job in zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True):

@@ -142,7 +142,10 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Configuration:
-    """One system: the nodes that *launch* (paths ``package/path``) starts together. *arguments* are its launch args."""
+    """One system: the nodes that *launch* (paths ``package/path``) starts together. *arguments* are its launch args.
+
+    *closed* says that nothing outside it takes part, so that what is not there is missing.
+    """
 
     name: str
     launch: tuple[str, ...] = ()
@@ -150,6 +153,7 @@ class Configuration:
     parameters: tuple[Parameter, ...] = ()
     arguments: tuple[tuple[str, str], ...] = ()
     user_data: Any = None
+    closed: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All that a check needs (docs/adding-a-check.md): what it sees, and what it says."""
+
+from __future__ import annotations
+
+from haros_ci.checking.check import Check, Decidability, Finding, Status
+from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System, SystemNode, can_meet
+from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos
+from haros_ci.model.location import Location
+from haros_ci.model.package import Dependency, Package
+from haros_ci.model.presence import ALWAYS, Presence, together
+from haros_ci.results.rule import Level
+
+__all__ = [
+    "ACTION",
+    "ALWAYS",
+    "SERVICE",
+    "TOPIC",
+    "Channel",
+    "Check",
+    "Condition",
+    "Decidability",
+    "Dependency",
+    "End",
+    "Endpoint",
+    "Finding",
+    "Level",
+    "Location",
+    "Package",
+    "Parameter",
+    "Presence",
+    "Qos",
+    "Status",
+    "System",
+    "SystemNode",
+    "can_meet",
+    "together",
+]

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A check's page: Markdown whose examples are small workspaces, and which lines of them the check reports.
+
+The examples stand under ``## Bad`` and ``## Good``, each a ``### title`` with one fence per file::
+
+    ```python title="listener.py"
+    sub = node.create_subscription(Image, "scan", callback, 1)  # expect: topic-type-mismatch
+    ```
+
+A comment ``expect: <id>`` marks a line that is reported, in any comment syntax; ``expect-next: <id>`` marks the line after it, where
+a comment cannot end the line. Without a title of its own a section is one example. Files that every
+package has (package.xml, CMakeLists.txt) are filled in where an example has no package.xml: its files are then those of the package
+``demo``, with an executable for each C++ file and each Python file outside ``launch``, ``config`` and the like.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+#: Sections that a page has, in this order.
+SECTIONS = ("What it finds", "Why it matters", "Bad", "Good", "Limits")
+_FENCE = re.compile(r"^```(\w*)[ \t]+title=\"([^\"\n]+)\"[ \t]*\n(.*?)^```[ \t]*$", re.M | re.S)
+_HEAD = re.compile(r"^(#{1,3}) (.+)$", re.M)
+_EXPECT = re.compile(r"\bexpect(-next)?: ([a-z0-9-]+)")
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A workspace as texts by path, and where the check reports: pairs of a path and a line."""
+
+    title: str
+    is_bad: bool
+    files: Mapping[str, str]
+    expected: tuple[tuple[str, int], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """*title* is the rule's id, *sections* the titles of the second level in order, *examples* the bad ones first."""
+
+    title: str
+    sections: tuple[str, ...]
+    examples: tuple[Example, ...]
+
+
+@dataclass(slots=True)
+class _Open:
+    title: str
+    is_bad: bool
+    files: dict[str, str] = field(default_factory=dict)
+
+
+def read_page(text: str) -> Page:
+    """The page in *text*; a page without a title or examples has none, which tests/test_checks.py refuses."""
+    title, sections, section = "", [], ""
+    examples: list[_Open] = []
+    for kind, first, second in _parts(text):
+        if kind == "fence":
+            if section in ("Bad", "Good"):
+                if not examples or examples[-1].is_bad != (section == "Bad"):
+                    examples.append(_Open(section, section == "Bad"))
+                examples[-1].files[first] = second
+        elif first == "#":
+            title = second
+        elif first == "##":
+            section = second
+            sections.append(second)
+        elif section in ("Bad", "Good"):
+            examples.append(_Open(second, section == "Bad"))
+    return Page(title, tuple(sections), tuple(_example(each, title) for each in examples if each.files))
+
+
+def _parts(text: str) -> Iterator[tuple[str, str, str]]:
+    """Heads and fences with a title, in order; what looks like a head inside a fence is none."""
+    at = 0
+    for fence in re.finditer(r"^```.*?^```[ \t]*$", text, re.M | re.S):
+        yield from (("head", head[1], head[2].strip()) for head in _HEAD.finditer(text[at : fence.start()]))
+        found = _FENCE.fullmatch(fence[0])
+        if found is not None:
+            yield "fence", found[2], found[3]
+        at = fence.end()
+    yield from (("head", head[1], head[2].strip()) for head in _HEAD.finditer(text[at:]))
+
+
+def _example(found: _Open, rule: str) -> Example:
+    expected = [
+        (path, number + (1 if mark[1] else 0))
+        for path, text in found.files.items()
+        for number, line in enumerate(text.split("\n"), 1)
+        for mark in _EXPECT.finditer(line)
+        if mark[2] == rule
+    ]
+    return Example(found.title, found.is_bad, filled(found.files), tuple(sorted(expected)))
+
+
+def filled(files: Mapping[str, str]) -> dict[str, str]:
+    """*files* as they are if one is a package.xml, else with what makes them the package ``demo``."""
+    if any(path.rpartition("/")[2] == "package.xml" for path in files):
+        return dict(files)
+    is_old = any(
+        path.endswith(".launch") or re.search(r"\brospy\b|\bros/ros\.h\b", text) for path, text in files.items()
+    )
+    names = sorted(files)
+    programs = [path for path in names if path.endswith(".cpp")]
+    scripts = [path for path in names if path.endswith(".py") and path.partition("/")[0] not in ("launch", "config")]
+    folders = sorted({path.partition("/")[0] for path in names if "/" in path} - {"src", "scripts", "include"})
+    made = {
+        "package.xml": _manifest(is_old, any(path.startswith(("msg/", "srv/", "action/")) for path in names)),
+        "CMakeLists.txt": _cmake(is_old, programs, scripts, folders),
+    }
+    return {**made, **files}
+
+
+def _manifest(is_old: bool, has_interfaces: bool) -> str:
+    tool, client = ("catkin", "roscpp") if is_old else ("ament_cmake", "rclcpp")
+    group = "<member_of_group>rosidl_interface_packages</member_of_group>" if has_interfaces and not is_old else ""
+    return (
+        '<?xml version="1.0"?>\n<package format="3">\n  <name>demo</name><version>1.0.0</version>'
+        "<description>An example.</description>\n"
+        '  <maintainer email="a@example.org">A</maintainer><license>Apache-2.0</license>\n'
+        f"  <buildtool_depend>{tool}</buildtool_depend><depend>{client}</depend>{group}\n"
+        f"  <export><build_type>{tool}</build_type></export>\n</package>\n"
+    )
+
+
+def _cmake(is_old: bool, programs: list[str], scripts: list[str], folders: list[str]) -> str:
+    to = (
+        ("${CATKIN_PACKAGE_BIN_DESTINATION}", "${CATKIN_PACKAGE_SHARE_DESTINATION}")
+        if is_old
+        else ("lib/demo", "share/demo")
+    )
+    find = "catkin REQUIRED COMPONENTS roscpp" if is_old else "rclcpp REQUIRED"
+    lines = ["cmake_minimum_required(VERSION 3.8)", "project(demo)", f"find_package({find})"]
+    lines += ["catkin_package()"] if is_old else ["find_package(ament_cmake REQUIRED)"]
+    for path in programs:
+        name = path.rpartition("/")[2].removesuffix(".cpp")
+        lines += [f"add_executable({name} {path})", f"install(TARGETS {name} DESTINATION {to[0]})"]
+        lines += [] if is_old else [f"ament_target_dependencies({name} rclcpp)"]
+    lines += [f"install(PROGRAMS {path} DESTINATION {to[0]})" for path in scripts]
+    lines += [f"install(DIRECTORY {folder} DESTINATION {to[1]})" for folder in folders]
+    lines += [] if is_old else ["ament_package()"]
+    return "\n".join((*lines, ""))

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From checks and systems to results: each finding under the launch arguments that show it, and each told once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from haros_ci.checking.check import About, Check, Finding
+from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System, SystemNode
+from haros_ci.model.location import Location
+from haros_ci.model.presence import assignment, in_words, together
+from haros_ci.results.result import Graph, Notification, Related, Result, Vertex
+from haros_ci.results.rule import Level
+
+#: Launch arguments that have to be set, with their values.
+Assigned = tuple[tuple[str, str], ...]
+#: The system of the same configuration under other launch arguments; None if it cannot be had.
+Under = Callable[[System, Assigned], System | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """All that the checks say: sorted results, the graphs that they traverse, and checks that failed."""
+
+    results: tuple[Result, ...]
+    graphs: tuple[Graph, ...] = ()
+    notifications: tuple[Notification, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Told:
+    check: Check
+    finding: Finding
+    system: System
+    arguments: Assigned
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """The same finding in several configurations is one."""
+        return (self.check.id, self.finding.at.sort_key, subject(self.finding.about))
+
+    @property
+    def rank(self) -> int:
+        return len(self.arguments)
+
+
+def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, under: Under | None = None) -> Checked:
+    """Run *checks* on every system.
+
+    A finding that holds only in contradictory contexts is dropped. One that needs other launch arguments than the defaults names
+    them, and is confirmed by running its check *under* them, where that can be done: else it is dropped, too. A check that
+    fails is a notification, and loses no other check's findings.
+    """
+    told: dict[tuple[object, ...], _Told] = {}
+    failures: dict[str, Notification] = {}
+    confirm = _Confirmation(under)
+    for system in found:
+        for check in checks:
+            try:
+                for finding in check.run(system):
+                    each = _told(check, finding, system)
+                    if each is None or (each.arguments and not confirm(each)):
+                        continue
+                    before = told.get(each.key)
+                    if before is None or each.rank < before.rank:
+                        told[each.key] = each
+            except Exception as err:  # a fault of one check must not lose the others
+                said = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
+                failures.setdefault(check.id, Notification(Level.ERROR, said, tool=tool))
+    chosen = tuple(told.values())
+    used = {each.system.name: each.system for each in chosen if _edges(each.finding.about)}
+    results = sorted((_result(each, tool) for each in chosen), key=lambda result: result.sort_key)
+    graphs = tuple(graph_of(system) for _, system in sorted(used.items()))
+    return Checked(tuple(results), graphs, tuple(failures[id] for id in sorted(failures)))
+
+
+def _told(check: Check, finding: Finding, system: System) -> _Told | None:
+    """The finding with the arguments nearest to the defaults under which it can happen; None if there are none."""
+    presence = together(
+        finding.presence, *(each.presence for each in finding.about if isinstance(each, (End, SystemNode)))
+    )
+    if presence is None:
+        return None
+    wanted = assignment(presence, system.arguments)
+    return None if wanted is None else _Told(check, finding, system, wanted)
+
+
+class _Confirmation:
+    """Runs a check under other launch arguments, each assignment evaluated once."""
+
+    def __init__(self, under: Under | None) -> None:
+        self.under = under
+        self.systems: dict[tuple[str, Assigned], System | None] = {}
+        self.said: dict[tuple[str, str, Assigned], frozenset[tuple[object, ...]]] = {}
+
+    def __call__(self, told: _Told) -> bool:
+        if self.under is None:
+            return False
+        place = (told.system.name, told.arguments)
+        if place not in self.systems:
+            self.systems[place] = self.under(told.system, told.arguments)
+        system = self.systems[place]
+        if system is None:
+            return False
+        key = (told.check.id, *place)
+        if key not in self.said:
+            found = (_told(told.check, finding, system) for finding in told.check.run(system))
+            self.said[key] = frozenset(each.key for each in found if each is not None and not each.arguments)
+        return told.key in self.said[key]
+
+
+def subject(about: Iterable[About]) -> tuple[str, ...]:
+    """The ROS names that a finding is about, sorted, once each."""
+    names = set()
+    for each in about:
+        if isinstance(each, End):
+            names |= {each.name, each.node.name}
+        else:
+            names.add(str(each))
+    return tuple(sorted(names))
+
+
+def roles(about: Iterable[About]) -> tuple[str, ...]:
+    """What the finding is about, apart from names that a user gives."""
+    found = set()
+    for each in about:
+        if isinstance(each, (End, SystemNode)):
+            found.add(each.role)
+        elif isinstance(each, Channel):
+            found.add(each.kind)
+            found.update(end.role for end in each.ends)
+    return tuple(sorted(found))
+
+
+def command(system: System, arguments: Assigned) -> str:
+    """The command line that starts *system* with *arguments*; "" for a node type alone."""
+    if not system.launch:
+        return ""
+    package, _, path = system.launch[0].partition("/")
+    start = "ros2 launch" if system.ros == 2 else "roslaunch"
+    return " ".join(part for part in (start, package, path.rpartition("/")[2], in_words(arguments)) if part)
+
+
+def _result(told: _Told, tool: str) -> Result:
+    check, finding, system = told.check, told.finding, told.system
+    message = finding.message.rstrip(". ")
+    about_system = any(isinstance(each, (End, SystemNode, Channel)) for each in finding.about)
+    if told.arguments:
+        message += f"; seen with {command(system, told.arguments)}"
+    elif about_system and system.is_launched:
+        message += f"; in {system.name}"
+    edges = _edges(finding.about)
+    return Result(
+        tool=tool,
+        rule=check.id,
+        level=finding.level or check.level,
+        message=message,
+        location=finding.at,
+        related=_places(finding.related, finding.at),
+        subject=subject(finding.about),
+        roles=roles(finding.about),
+        flow=tuple(Related(place, text) for place, text in finding.flow),
+        graph=system.name if edges else "",
+        edges=edges,
+    )
+
+
+def _places(places: Iterable[tuple[Location, str]], at: Location) -> tuple[Related, ...]:
+    return tuple(dict.fromkeys(Related(place, text) for place, text in places if place != at))
+
+
+def _edges(about: Iterable[About]) -> tuple[tuple[str, str], ...]:
+    return tuple(dict.fromkeys(edge for each in about if isinstance(each, End) for edge in _edge(each)))
+
+
+def _edge(end: End) -> Iterator[tuple[str, str]]:
+    """From who gives to who takes, through the topic, service or action."""
+    for kind, (gives, takes) in _KINDS.items():
+        if end.kind == gives:
+            yield f"node:{end.node.name}", f"{kind}:{end.name}"
+        elif end.kind == takes:
+            yield f"{kind}:{end.name}", f"node:{end.node.name}"
+
+
+_KINDS: Mapping[str, tuple[str, str]] = {"topic": TOPIC, "service": SERVICE, "action": ACTION}
+
+
+def graph_of(system: System) -> Graph:
+    """The node-topic graph of *system*: nodes, and what they are connected by; what is implicit is left out."""
+    vertices = {
+        f"node:{node.name}": Vertex(f"node:{node.name}", node.name, "node", _place(node.location))
+        for node in system.nodes
+    }
+    edges: dict[tuple[str, str], None] = {}
+    for end in system.ends:
+        for source, target in _edge(end) if not end.implicit else ():
+            edges[source, target] = None
+            for id in (source, target):
+                kind, _, name = id.partition(":")
+                vertices.setdefault(id, Vertex(id, name, kind))
+    return Graph(system.name, tuple(vertices[id] for id in sorted(vertices)), tuple(sorted(edges)))
+
+
+def _place(location: Location) -> Location | None:
+    return location if location.path != "." else None

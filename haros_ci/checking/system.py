@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a check sees: one configuration as a system of nodes, topics, services, actions and parameters that refer to each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from itertools import product
+from typing import TypeVar
+
+from haros_ci.model.architecture import (
+    Architecture,
+    Condition,
+    Configuration,
+    Endpoint,
+    Node,
+    Parameter,
+    Qos,
+)
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package
+from haros_ci.model.presence import Presence, together
+from haros_ci.model.workspace import Workspace
+
+Fact = TypeVar("Fact")
+
+#: Kinds of endpoints that are the two ends of a topic, a service, an action: who gives, then who takes.
+TOPIC = ("publishers", "subscribers")
+SERVICE = ("servers", "clients")
+ACTION = ("action_servers", "action_clients")
+#: One end of each kind in words.
+WORDS = {
+    "publishers": "publisher",
+    "subscribers": "subscriber",
+    "servers": "service server",
+    "clients": "service client",
+    "action_servers": "action server",
+    "action_clients": "action client",
+    "getters": "read",
+    "setters": "write",
+    "parameters": "parameter",
+}
+
+
+class End:
+    """One end of a topic, service, action or parameter, with the node that has it (docs/model.md says what each attribute is)."""
+
+    __slots__ = ("node", "raw")
+
+    def __init__(self, node: SystemNode, raw: Endpoint) -> None:
+        self.node = node
+        self.raw = raw
+
+    @property
+    def kind(self) -> str:
+        return self.raw.kind
+
+    @property
+    def word(self) -> str:
+        """The kind in words: ``publisher``."""
+        return WORDS[self.raw.kind]
+
+    @property
+    def name(self) -> str:
+        """Resolved and remapped; ``?`` stands for what is not known."""
+        return self.raw.name
+
+    @property
+    def original_name(self) -> str:
+        """Resolved, before remapping."""
+        return self.raw.original_name
+
+    @property
+    def type(self) -> str | None:
+        """The message, service, action or parameter type; None if it is not known."""
+        return self.raw.type if self.raw.type is None or "?" not in self.raw.type else None
+
+    @property
+    def qos(self) -> Qos | None:
+        return self.raw.qos
+
+    @property
+    def location(self) -> Location:
+        """Where its call stands; where its node is started, if the source is not at hand."""
+        return self.raw.location or self.node.location
+
+    @property
+    def in_source(self) -> bool:
+        """Whether its call stands in the workspace."""
+        return self.raw.location is not None and self.raw.source in ("source", "exact-tier")
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """The statements around the call, outermost first."""
+        return self.raw.conditions
+
+    @property
+    def implicit(self) -> bool:
+        """Whether the client library makes it for every node."""
+        return self.raw.implicit
+
+    @property
+    def known(self) -> bool:
+        """Whether its whole name is known."""
+        return "?" not in self.raw.name
+
+    @property
+    def presence(self) -> Presence:
+        return self.node.presence
+
+    @property
+    def role(self) -> str:
+        """What it is, whatever it is called: ``publishers demo/talker``."""
+        return f"{self.raw.kind} {self.node.type}"
+
+    def __str__(self) -> str:
+        return f"{self.word} of {self.node.name}"
+
+
+class SystemNode:
+    """A node of the system with its ends. *is_default* is False for one that only other launch arguments bring."""
+
+    def __init__(self, raw: Node, is_default: bool = True) -> None:
+        self.raw = raw
+        self.is_default = is_default
+        self.ends = tuple(End(self, each) for each in raw.endpoints)
+
+    @property
+    def name(self) -> str:
+        return self.raw.name
+
+    @property
+    def known(self) -> bool:
+        """Whether its whole name is known."""
+        return "?" not in self.raw.name
+
+    @property
+    def package(self) -> str:
+        return self.raw.package
+
+    @property
+    def type(self) -> str:
+        """``package/executable``, or package and class of a nodelet or component."""
+        return f"{self.raw.package}/{self.raw.type}"
+
+    @property
+    def kind(self) -> str:
+        """node, nodelet, component, lifecycle or library."""
+        return self.raw.kind
+
+    @property
+    def ros(self) -> int:
+        return self.raw.ros
+
+    @property
+    def location(self) -> Location:
+        """Where it is started, else where its program begins."""
+        return self.raw.location or Location(".")
+
+    @property
+    def is_launched(self) -> bool:
+        """Whether a launch file starts it (so *location* is in that file)."""
+        return self.raw.source == "launch"
+
+    @property
+    def presence(self) -> Presence:
+        return getattr(self.raw, "presence", ())
+
+    @property
+    def role(self) -> str:
+        return self.type
+
+    @cached_property
+    def complete(self) -> bool:
+        """Whether all its ends are known to be told: it was followed from its source, and nothing was left open."""
+        return (
+            bool(self.ends)
+            and not any(unknown.field == "endpoints" for unknown in self.raw.unknowns)
+            and all(end.raw.source != "known-node" for end in self.ends)
+        )
+
+    def of(self, *kinds: str) -> tuple[End, ...]:
+        """Its ends of these kinds."""
+        return tuple(end for end in self.ends if end.kind in kinds)
+
+    def __str__(self) -> str:
+        return self.raw.name
+
+
+class Channel:
+    """A topic, service or action of one name: *givers* (publishers, servers) and *takers* (subscribers, clients)."""
+
+    __slots__ = ("givers", "kind", "name", "takers")
+
+    def __init__(self, kind: str, name: str, givers: tuple[End, ...], takers: tuple[End, ...]) -> None:
+        self.kind = kind
+        self.name = name
+        self.givers = givers
+        self.takers = takers
+
+    @property
+    def publishers(self) -> tuple[End, ...]:
+        return self.givers
+
+    @property
+    def subscribers(self) -> tuple[End, ...]:
+        return self.takers
+
+    @property
+    def servers(self) -> tuple[End, ...]:
+        return self.givers
+
+    @property
+    def clients(self) -> tuple[End, ...]:
+        return self.takers
+
+    @property
+    def ends(self) -> tuple[End, ...]:
+        return (*self.givers, *self.takers)
+
+    @property
+    def types(self) -> tuple[str, ...]:
+        """The known types of its ends, sorted."""
+        return tuple(sorted({end.type for end in self.ends if end.type is not None}))
+
+    def pairs(self) -> Iterator[tuple[End, End]]:
+        """Each giver with each taker that can exist at the same time."""
+        yield from can_meet(self.givers, self.takers)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End, End]]:
+    """The pairs of two different ends whose presence conditions do not contradict each other."""
+    for one, other in product(tuple(first), tuple(second)):
+        if one is not other and together(one.presence, other.presence) is not None:
+            yield one, other
+
+
+class System:
+    """One configuration. Names that are not wholly known (``?``) are in no channel; ask ``nodes`` for all ends."""
+
+    def __init__(
+        self, configuration: Configuration, architecture: Architecture, workspace: Workspace | None = None
+    ) -> None:
+        self.raw = configuration
+        self.workspace = workspace
+        self.packages: Mapping[str, Package] = {package.name: package for package in architecture.packages}
+        alternatives = getattr(configuration, "alternatives", ())
+        self.nodes: tuple[SystemNode, ...] = (
+            *(SystemNode(node) for node in configuration.nodes),
+            *(SystemNode(node, is_default=False) for node in alternatives),
+        )
+
+    @property
+    def name(self) -> str:
+        return self.raw.name
+
+    @property
+    def launch(self) -> tuple[str, ...]:
+        """The launch files, ``package/path``; () for a node type alone."""
+        return self.raw.launch
+
+    @property
+    def is_launched(self) -> bool:
+        return bool(self.raw.launch)
+
+    @property
+    def closed(self) -> bool:
+        """Whether nothing outside this configuration takes part (``closed: true`` in the project file)."""
+        return self.raw.closed
+
+    @property
+    def ros(self) -> int:
+        return next((node.ros for node in self.nodes), 1)
+
+    @property
+    def arguments(self) -> Mapping[str, str]:
+        """The launch arguments with the values that they have by default."""
+        return dict(self.raw.arguments)
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """What is set from outside, in this configuration or under other launch arguments."""
+        return (*self.raw.parameters, *getattr(self.raw, "alternative_parameters", ()))
+
+    @cached_property
+    def ends(self) -> tuple[End, ...]:
+        return tuple(end for node in self.nodes for end in node.ends)
+
+    @cached_property
+    def topics(self) -> tuple[Channel, ...]:
+        return self._channels("topic", TOPIC)
+
+    @cached_property
+    def services(self) -> tuple[Channel, ...]:
+        return self._channels("service", SERVICE)
+
+    @cached_property
+    def actions(self) -> tuple[Channel, ...]:
+        return self._channels("action", ACTION)
+
+    @cached_property
+    def complete(self) -> bool:
+        """Whether every node's ends are told and have known names: then what is not there does not exist."""
+        kinds = (*TOPIC, *SERVICE, *ACTION)
+        return all(node.complete and node.known and all(e.known for e in node.of(*kinds)) for node in self.nodes)
+
+    def facts(self, kind: type[Fact]) -> tuple[Fact, ...]:
+        """What the launch files of this configuration say, of one kind (haros_ci/model/launch_facts.py)."""
+        return tuple(fact for fact in getattr(self.raw, "launch_facts", ()) if isinstance(fact, kind))
+
+    def _channels(self, kind: str, kinds: tuple[str, str]) -> tuple[Channel, ...]:
+        found: dict[str, tuple[list[End], list[End]]] = {}
+        for end in self.ends:
+            if end.kind in kinds and end.known:
+                found.setdefault(end.name, ([], []))[kinds.index(end.kind)].append(end)
+        return tuple(Channel(kind, name, tuple(g), tuple(t)) for name, (g, t) in sorted(found.items()))
+
+
+def systems(architecture: Architecture, workspace: Workspace | None = None) -> Iterator[System]:
+    """Every configuration as a system, in the architecture's order."""
+    for configuration in architecture.configurations:
+        yield System(configuration, architecture, workspace)

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every check has a page, and says of the page's examples what the page says: the page is its help and its test."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from haros_ci.architecture import architecture
+from haros_ci.checking.check import Check
+from haros_ci.checking.page import SECTIONS, Example, Page, read_page
+from haros_ci.checking.run import run_checks
+from haros_ci.checking.system import systems
+from haros_ci.config.load import load
+from haros_ci.config.settings import Settings
+from haros_ci.registry import check_rules, checks, page_of
+from haros_ci.results.result import Result
+from haros_ci.workspace.cache import MemoryCache
+from haros_ci.workspace.discover import discover
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGES: dict[str, Page] = {check.id: read_page(page_of(check)) for check in checks()}
+EXAMPLES = [
+    pytest.param(check, example, id=f"{check.id}-{'bad' if example.is_bad else 'good'}-{number}")
+    for check in checks()
+    for number, example in enumerate(PAGES[check.id].examples, 1)
+]
+
+
+def said(check: Check, example: Example, tmp_path: Path) -> tuple[Result, ...]:
+    """What *check* says of *example*; a project file in it is read."""
+    for path, text in example.files.items():
+        place = tmp_path / path
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(text, encoding="utf-8")
+    project = next((name for name in (".haros-ci.yaml", "haros.yaml") if name in example.files), None)
+    settings = load(tmp_path) if project else Settings(root=tmp_path)
+    workspace = discover(tmp_path, (".",))
+    found = architecture(workspace, settings, MemoryCache())
+    outcome = run_checks((check,), systems(found, workspace), "haros-ci")
+    assert not outcome.notifications
+    return outcome.results
+
+
+@pytest.mark.parametrize(("check", "example"), EXAMPLES)
+def test_a_page_is_true(check: Check, example: Example, tmp_path: Path) -> None:
+    results = said(check, example, tmp_path)
+    assert [(r.location.path, r.location.line) for r in results] == list(example.expected), [r.message for r in results]
+    assert all(result.rule == check.id and result.subject for result in results)
+
+
+@pytest.mark.parametrize("check", checks(), ids=lambda check: check.id)
+def test_a_page_is_whole(check: Check) -> None:
+    page = PAGES[check.id]
+    assert page.title == check.id
+    assert page.sections == SECTIONS
+    bad = [example for example in page.examples if example.is_bad]
+    good = [example for example in page.examples if not example.is_bad]
+    assert bad and all(example.expected for example in bad)
+    assert len(good) > len(bad) or len(good) > 2, "the quiet list is the longer one"
+    assert not any(example.expected for example in good)
+
+
+def test_names_are_the_ids() -> None:
+    modules = sorted(path.stem for path in (ROOT / "checks").glob("*.py") if path.stem != "__init__")
+    pages = sorted(path.stem for path in (ROOT / "checks").glob("*.md"))
+    assert [check.id.replace("-", "_") for check in checks()] == modules == pages
+
+
+def test_ids_and_aliases_are_unique() -> None:
+    names = [name for rule in check_rules().values() for name in (rule.id, *rule.aliases)]
+    assert len(names) == len(set(names))
