@@ -83,7 +83,7 @@ what_options = options(
     click.argument("paths", nargs=-1, type=click.Path()),
     click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found."),
     click.option("--isolated", is_flag=True, help="Read no project file."),
-    click.option("--profile", metavar="NAME", help="ros (default), strict, google, bugs-only or all."),
+    click.option("--profile", metavar="NAME", help="ros (default), strict, google, bugs-only, architecture or all."),
     click.option("--select", type=Words(), multiple=True, help="Turn rules on: ids, tool:id, tools, globs or tags."),
     click.option("--ignore", type=Words(), multiple=True, help="Turn rules off."),
     click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
@@ -215,12 +215,13 @@ def model(**flags: Any) -> int:
 
 @haros_ci.command()
 @click.option("--json", "as_json", is_flag=True, help="As JSON.")
+@click.option("--checks", "as_checks", is_flag=True, help="Only our own checks, as the Markdown table of docs/checks.md.")
 @click.option("--profile", metavar="NAME", default="ros", show_default=True, help="Mark what this profile enables.")
-def rules(as_json: bool, profile: str) -> int:
+def rules(as_json: bool, as_checks: bool, profile: str) -> int:
     """List every documented rule: id, level, and whether the profile enables it."""
     from haros_ci import commands
 
-    return commands.rules(as_json=as_json, profile=profile)
+    return commands.check_table() if as_checks else commands.rules(as_json=as_json, profile=profile)
 
 
 @haros_ci.command()
@@ -230,6 +231,19 @@ def explain(rule: str) -> int:
     from haros_ci import commands
 
     return commands.explain(rule)
+
+
+@haros_ci.command("new-check")
+@click.argument("name")
+def new_check_(name: str) -> int:
+    """Begin a new check called NAME in a clone of haros-ci: its module and its page."""
+    from pathlib import Path
+
+    from haros_ci.new_check import new_check
+
+    for path in new_check(name, Path.cwd()):
+        click.echo(f"checks/{path.name}")
+    return 0
 
 
 @haros_ci.command()

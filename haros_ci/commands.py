@@ -279,6 +279,15 @@ def rules(*, as_json: bool, profile: str) -> int:
     return 0
 
 
+def check_table() -> int:
+    """``haros-ci rules --checks``: docs/checks.md."""
+    from haros_ci.pipeline import documented_rules
+    from haros_ci.report.check_table import render
+
+    click.echo(render(rule for _, rule in documented_rules() if "architecture" in rule.tags), nl=False)
+    return 0
+
+
 def explain(name: str) -> int:
     """``haros-ci explain RULE``: what the rule says, why it matters, how to turn it off."""
     from haros_ci.pipeline import documented_rules

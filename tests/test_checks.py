@@ -14,7 +14,10 @@ from haros_ci.checking.run import run_checks
 from haros_ci.checking.system import systems
 from haros_ci.config.load import load
 from haros_ci.config.settings import Settings
+from haros_ci.errors import UserError
+from haros_ci.new_check import new_check
 from haros_ci.registry import check_rules, checks, page_of
+from haros_ci.report.check_table import render
 from haros_ci.results.result import Result
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
@@ -71,3 +74,22 @@ def test_names_are_the_ids() -> None:
 def test_ids_and_aliases_are_unique() -> None:
     names = [name for rule in check_rules().values() for name in (rule.id, *rule.aliases)]
     assert len(names) == len(set(names))
+
+
+def test_the_table_of_the_docs_is_current() -> None:
+    assert (ROOT / "docs" / "checks.md").read_text(encoding="utf-8") == render(check_rules().values())
+
+
+def test_a_new_check_fails_until_it_is_written(tmp_path: Path) -> None:
+    (tmp_path / "checks").mkdir()
+    (tmp_path / "checks" / "__init__.py").touch()
+    module, page = new_check("odd-topic", tmp_path)
+    compile(module.read_text(encoding="utf-8"), str(module), "exec")
+    read = read_page(page.read_text(encoding="utf-8"))
+    assert (read.title, read.sections) == ("odd-topic", SECTIONS)
+    assert [example.expected for example in read.examples] == [(("talker.py", 7),), ()]
+    for name, said in (("odd-topic", "there already"), ("Odd", "no name of a check"), ("topic", "no name of a check")):
+        with pytest.raises(UserError, match=said):
+            new_check(name, tmp_path)
+    with pytest.raises(UserError, match="no checks in"):
+        new_check("other-topic", tmp_path / "checks")
