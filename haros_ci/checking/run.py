@@ -37,12 +37,14 @@ class _Told:
 
     @property
     def key(self) -> tuple[object, ...]:
-        """The same finding in several configurations is one."""
-        return (self.check.id, self.finding.at.sort_key, subject(self.finding.about))
+        """The same check at the same places is one finding, in however many configurations and nodes."""
+        related = {place.sort_key for place, _ in self.finding.related}
+        return (self.check.id, self.finding.at.sort_key, tuple(sorted(related)))
 
     @property
-    def rank(self) -> int:
-        return len(self.arguments)
+    def rank(self) -> tuple[int, tuple[str, ...]]:
+        """The less arguments have to be set, the better it shows; then by names, so that it stays the same one."""
+        return (len(self.arguments), subject(self.finding.about))
 
 
 def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, under: Under | None = None) -> Checked:
@@ -52,7 +54,7 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
     them, and is confirmed by running its check *under* them, where that can be done: else it is dropped, too. A check that
     fails is a notification, and loses no other check's findings.
     """
-    told: dict[tuple[object, ...], _Told] = {}
+    told: dict[tuple[object, ...], dict[tuple[str, ...], _Told]] = {}
     failures: dict[str, Notification] = {}
     confirm = _Confirmation(under)
     for system in found:
@@ -62,15 +64,16 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
                     each = _told(check, finding, system)
                     if each is None or (each.arguments and not confirm(each)):
                         continue
-                    before = told.get(each.key)
-                    if before is None or each.rank < before.rank:
-                        told[each.key] = each
+                    alike = told.setdefault(each.key, {})
+                    before = alike.setdefault(subject(finding.about), each)
+                    if each.rank < before.rank:
+                        alike[subject(finding.about)] = each
             except Exception as err:  # a fault of one check must not lose the others
                 said = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
                 failures.setdefault(check.id, Notification(Level.ERROR, said, tool=tool))
-    chosen = tuple(told.values())
-    used = {each.system.name: each.system for each in chosen if _edges(each.finding.about)}
-    results = sorted((_result(each, tool) for each in chosen), key=lambda result: result.sort_key)
+    chosen = [(min(alike.values(), key=lambda each: each.rank), len(alike) - 1) for alike in told.values()]
+    used = {each.system.name: each.system for each, _ in chosen if _edges(each.finding.about)}
+    results = sorted((_result(each, more, tool) for each, more in chosen), key=lambda result: result.sort_key)
     graphs = tuple(graph_of(system) for _, system in sorted(used.items()))
     return Checked(tuple(results), graphs, tuple(failures[id] for id in sorted(failures)))
 
@@ -142,7 +145,8 @@ def command(system: System, arguments: Assigned) -> str:
     return " ".join(part for part in (start, package, path.rpartition("/")[2], in_words(arguments)) if part)
 
 
-def _result(told: _Told, tool: str) -> Result:
+def _result(told: _Told, more: int, tool: str) -> Result:
+    """*more* is the number of other names of which the same is to be said at the same places."""
     check, finding, system = told.check, told.finding, told.system
     message = finding.message.rstrip(". ")
     about_system = any(isinstance(each, (End, SystemNode, Channel)) for each in finding.about)
@@ -150,6 +154,8 @@ def _result(told: _Told, tool: str) -> Result:
         message += f"; seen with {command(system, told.arguments)}"
     elif about_system and system.is_launched:
         message += f"; in {system.name}"
+    if more:
+        message += f"; likewise for {more} other name{'s' if more > 1 else ''}"
     edges = _edges(finding.about)
     return Result(
         tool=tool,

@@ -232,10 +232,27 @@ class Channel:
 
 
 def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End, End]]:
-    """The pairs of two different ends whose presence conditions do not contradict each other."""
+    """The pairs of two different ends that can exist at the same time.
+
+    Their presence conditions do not contradict each other, and they are not on different branches of one statement of a program.
+    """
     for one, other in product(tuple(first), tuple(second)):
-        if one is not other and together(one.presence, other.presence) is not None:
+        if one is not other and together(one.presence, other.presence) is not None and not _on_branches(one, other):
             yield one, other
+
+
+def _on_branches(one: End, other: End) -> bool:
+    """Whether the code makes either the one or the other: below ``if`` and ``else`` of one statement, in one process."""
+    if one.node.raw.process != other.node.raw.process or one.node.type != other.node.type:
+        return False
+    mine, theirs = ((*end.node.raw.conditions, *end.conditions) for end in (one, other))
+    return any(_branches(a, b) for a in mine for b in theirs)
+
+
+def _branches(one: Condition, other: Condition) -> bool:
+    if one.location.path != other.location.path or one.condition != other.condition:
+        return False
+    return (one.statement, other.statement) in (("if", "else"), ("else", "if"))
 
 
 class System:
