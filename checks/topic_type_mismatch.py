@@ -15,7 +15,7 @@ def check(system: System) -> Iterator[Finding]:
         told = set()
         for publisher, subscriber in topic.pairs():
             kind = (publisher.type, subscriber.type)
-            if kind in told or fits(topic, publisher, subscriber):
+            if publisher.type == subscriber.type or kind in told or fits(topic, publisher, subscriber):
                 continue
             told.add(kind)
             alike = [p for p, s in topic.pairs() if (p.type, s.type) == kind and s.node is subscriber.node]
