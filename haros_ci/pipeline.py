@@ -33,6 +33,9 @@ Progress = Callable[[str], None]
 METRICS = "metrics"
 MEASURED_BY = ("lizard", "radon")
 
+#: Whose notes it is that something of the architecture is not known.
+ARCHITECTURE = "architecture"
+
 #: The names that results of ours carry.
 TOOLS = (own.TOOL, *catalogue.TOOLS)
 ADAPTERS = tuple(linter.NAME for linter in LINTERS)
@@ -139,7 +142,7 @@ def lint_options(settings: Settings) -> LintOptions:
     chosen = dict(settings.linters)
     return LintOptions(
         enabled=frozenset(name for name, s in chosen.items() if s.enabled),
-        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False),
+        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False) | unheard(settings),
         timeouts={name: s.timeout for name, s in chosen.items() if s.timeout is not None},
         timeout=settings.linter_timeout,
         jobs=settings.jobs,
@@ -148,6 +151,14 @@ def lint_options(settings: Settings) -> LintOptions:
         compile_database=settings.compile_database,
         root=settings.root,
     )
+
+
+def unheard(settings: Settings) -> frozenset[str]:
+    """The linters of which no rule is on, so that they need not run: all of them in the profile of the checks alone."""
+    layers = (settings.policy, settings.command_line, *(entry.policy for entry in settings.per_path))
+    if settings.profile != "architecture" or settings.per_path or any(policy.select or policy.levels for policy in layers):
+        return frozenset()
+    return frozenset(ADAPTERS)
 
 
 def selected(results: Iterable[Result], selection: Selection, workspace: Workspace) -> tuple[Result, ...]:
@@ -200,7 +211,7 @@ def checked(
     if progress is not None:
         progress(f"{len(chosen)} checks")
     said = run_checks(chosen, systems(found, workspace), own.TOOL)
-    troubles = (Notification(Level.WARNING, p.message, path=p.path, line=p.line) for p in found.problems)
+    troubles = (Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line) for p in found.problems)
     return replace(
         run,
         results=(*run.results, *said.results),

@@ -137,7 +137,8 @@ def _matched(report: Report, paint: Paint) -> Iterator[str]:
 
 
 def _trouble(report: Report, paint: Paint) -> Iterator[str]:
-    for _, group in groupby(summary.notifications(report), lambda n: (n.level, n.tool)):
+    told = (n for n in summary.notifications(report) if n.level is not Level.NOTE or not n.tool or not n.path)
+    for _, group in groupby(told, lambda n: (n.level, n.tool)):
         notes = tuple(group)
         for note in notes[:MAX_TROUBLE]:
             yield f"{paint(COLORS[note.level], note.level.value)}: {_place(note)}{shorten(terminal(note.message), 500)}"
