@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From findings to results: under which arguments, told once, and none lost by another's fault."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from haros_ci.checking.check import Check, Finding
+from haros_ci.checking.run import Assigned, graph_of, run_checks
+from haros_ci.checking.system import System
+from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node
+from haros_ci.model.location import Location
+from haros_ci.model.presence import Choice
+from haros_ci.results.rule import Level
+
+
+def end(kind: str, name: str, line: int, type: str = "std_msgs/msg/String", **more: object) -> Endpoint:
+    place = Location("node.cpp", line, 3)
+    return Endpoint(kind=kind, name=name, original_name=name, type=type, location=place, **more)  # type: ignore[arg-type]
+
+
+def node(name: str, *ends: Endpoint, **more: object) -> Node:
+    place = Location("all.launch.py", 5)
+    common = {"kind": "node", "package": "demo", "type": name.strip("/"), "source": "launch", "ros": 2, "process": name}
+    return Node(name=name, location=place, endpoints=ends, **{**common, **more})  # type: ignore[arg-type]
+
+
+def system(*nodes: Node, name: str = "demo/launch/all.launch.py", **more: object) -> System:
+    made = Configuration(name=name, launch=(name,), nodes=nodes, **more)  # type: ignore[arg-type]
+    return System(made, Architecture(configurations=(made,)))
+
+
+def pairs(found: System) -> Iterator[Finding]:
+    for topic in found.topics:
+        for publisher, subscriber in topic.pairs():
+            yield Finding(
+                at=subscriber.location,
+                message=f"{publisher.node} meets {subscriber.node}",
+                about=(publisher, subscriber),
+            )
+
+
+MEET = Check(id="meet", summary="Nobody meets.", level=Level.WARNING, run=pairs)
+TALKER = node("/talker", end("publishers", "/chat", 7))
+LISTENER = node("/listener", end("subscribers", "/chat", 9))
+
+
+def messages(*found: System, **more: object) -> list[str]:
+    return [result.message for result in run_checks((MEET,), found, "haros-ci", **more).results]  # type: ignore[arg-type]
+
+
+def test_a_result_names_places_names_and_roles() -> None:
+    (result,) = run_checks((MEET,), (system(TALKER, LISTENER),), "haros-ci").results
+    assert (result.tool, result.rule, result.level) == ("haros-ci", "meet", Level.WARNING)
+    assert result.location == Location("node.cpp", 9, 3)
+    assert result.subject == ("/chat", "/listener", "/talker")
+    assert result.roles == ("publishers demo/talker", "subscribers demo/listener")
+    assert result.edges == (("node:/talker", "topic:/chat"), ("topic:/chat", "node:/listener"))
+    assert result.message == "/talker meets /listener; in demo/launch/all.launch.py"
+
+
+def test_the_graph_of_a_finding_is_in_the_run() -> None:
+    checked = run_checks(
+        (MEET,), (system(TALKER, LISTENER), system(TALKER, name="demo/launch/b.launch.py")), "haros-ci"
+    )
+    (graph,) = checked.graphs
+    assert graph == graph_of(system(TALKER, LISTENER))
+    assert [vertex.id for vertex in graph.vertices] == ["node:/listener", "node:/talker", "topic:/chat"]
+
+
+def test_the_same_in_two_configurations_is_told_once() -> None:
+    both = (system(TALKER, LISTENER), system(TALKER, LISTENER, name="demo/launch/b.launch.py"))
+    assert messages(*both) == ["/talker meets /listener; in demo/launch/all.launch.py"]
+
+
+def test_other_names_at_the_same_places_are_counted() -> None:
+    other = [replace(each, name="/left" + each.name) for each in (TALKER, LISTENER)]
+    assert messages(system(TALKER, LISTENER), system(*other, name="b")) == [
+        "/left/talker meets /left/listener; in b; likewise for 1 other name"
+    ]
+
+
+def test_a_check_that_fails_loses_nothing_else() -> None:
+    def broken(found: System) -> Iterator[Finding]:
+        raise KeyError(found.name)
+
+    checked = run_checks((replace(MEET, id="broken", run=broken), MEET), (system(TALKER, LISTENER),), "haros-ci")
+    assert len(checked.results) == 1
+    (note,) = checked.notifications
+    assert (note.level, note.tool) == (Level.ERROR, "haros-ci")
+    assert note.message.startswith("the check broken failed on demo/launch/all.launch.py: KeyError")
+
+
+def test_stays_quiet_where_two_never_exist_together() -> None:
+    code = [Condition(s, "x", Location("node.cpp", line)) for s, line in (("if", 3), ("else", 5))]
+    mine, yours = (
+        end(k, "/chat", 7, conditions=(c,)) for k, c in zip(("publishers", "subscribers"), code, strict=True)
+    )
+    assert messages(system(node("/both", mine, yours))) == []
+    other = replace(yours, conditions=(replace(code[1], condition="y"),))
+    assert len(messages(system(node("/both", mine, other)))) == 1
+    assert len(messages(system(node("/one", mine), node("/two", yours)))) == 1, "each process decides for itself"
+
+
+class TestOtherArguments:
+    """A finding that the default arguments do not show."""
+
+    on, off = Choice("simulate", "true"), Choice("simulate", "false")
+
+    def variant(self, talker: Choice | None, listener: Choice | None) -> System:
+        made = [
+            replace(each, presence=(choice,) if choice else ())
+            for each, choice in ((TALKER, talker), (LISTENER, listener))
+        ]
+        default = [each for each in made if self.on not in each.presence]
+        others = tuple(each for each in made if self.on in each.presence)
+        return system(*default, alternatives=others, arguments=(("simulate", "false"),))
+
+    def test_is_told_with_the_command_that_shows_it(self) -> None:
+        asked: list[Assigned] = []
+
+        def under(found: System, arguments: Assigned) -> System:
+            asked.append(arguments)
+            return system(TALKER, LISTENER)
+
+        assert messages(self.variant(self.on, None), under=under) == [
+            "/talker meets /listener; seen with ros2 launch demo all.launch.py simulate:=true"
+        ]
+        assert asked == [(("simulate", "true"),)]
+
+    def test_is_dropped_if_these_arguments_do_not_show_it(self) -> None:
+        assert messages(self.variant(self.on, None), under=lambda found, arguments: system(TALKER)) == []
+        assert messages(self.variant(self.on, None), under=lambda found, arguments: None) == []
+        assert messages(self.variant(self.on, None)) == []
+
+    def test_is_dropped_in_contradictory_contexts(self) -> None:
+        assert messages(self.variant(self.on, self.off), under=lambda found, arguments: system(TALKER, LISTENER)) == []
+
+    def test_needs_no_argument_that_is_the_default(self) -> None:
+        assert messages(self.variant(self.off, self.off)) == ["/talker meets /listener; in demo/launch/all.launch.py"]
