@@ -176,6 +176,7 @@ def _controller(
         remaps=manager.remaps if manager is not None else (),
         ros_arguments=" ".join(asked.ros_arguments),
         conditions=spawner.conditions,
+        presence=spawner.presence,
         unknowns=tuple(unknowns),
     )
 

@@ -31,6 +31,7 @@ from haros_ci.link.words import shell_words
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.location import Location
+from haros_ci.model.presence import together
 from haros_ci.model.workspace import Problem
 
 NOTHING = ParameterServer(())
@@ -76,6 +77,7 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
         type=node.type,
         arguments=node.arguments,
         conditions=node.conditions,
+        presence=node.presence,
         location=node.location,
         container=node.container,
         process=node.container or name,
@@ -317,6 +319,7 @@ def given_parameters(nodes: Iterable[tuple[Node, Parameters]]) -> tuple[Paramete
                 type=rule.type,
                 value=rule.value,
                 conditions=(*node.conditions, *rule.conditions),
+                presence=together(node.presence, rule.presence) or node.presence,
                 location=rule.location,
                 origin=rule.origin,
                 unknowns=rule.unknowns,

@@ -14,6 +14,7 @@ from haros_ci.link.roslaunch_yaml import YamlValue
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.launch import LaunchElement, LaunchFile, Started
 from haros_ci.model.location import Location
+from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Problem
 
 #: Tags, values, remaps and texts that one evaluation may handle, weighed by what they cost.
@@ -63,6 +64,8 @@ class Scope:
     chain: tuple[tuple[object, ...], ...] = ()
     included_at: Location | None = None
     depth: int = 0
+    #: Under which launch arguments that is done which is being evaluated.
+    presence: Presence = ()
 
     def child(self, namespace: Text, conditions: tuple[Condition, ...]) -> Scope:
         """A scope inside this one; what is set in it stays in it."""

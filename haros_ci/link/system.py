@@ -136,6 +136,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         arguments=started.arguments,
         remaps=tuple(sorted(remaps.items())),
         conditions=started.conditions,
+        presence=started.presence,
         location=started.location,
         process=started.name,
         source="launch",

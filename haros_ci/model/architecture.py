@@ -11,6 +11,7 @@ from typing import Any
 
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Problem
 
 #: Kinds of endpoints, in the order in which they are listed.
@@ -124,6 +125,8 @@ class Node:
     source: str = "source"
     unknowns: tuple[Unknown, ...] = ()
     ros: int = 1
+    #: Under which launch arguments it is there.
+    presence: Presence = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -138,6 +141,8 @@ class Parameter:
     origin: Location | None = None
     source: str = "launch"
     unknowns: tuple[Unknown, ...] = ()
+    #: Under which launch arguments it is there.
+    presence: Presence = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -154,6 +159,9 @@ class Configuration:
     arguments: tuple[tuple[str, str], ...] = ()
     user_data: Any = None
     closed: bool = False
+    #: Nodes that are there under other arguments only, each with its presence, and what is set under them.
+    alternatives: tuple[Node, ...] = ()
+    alternative_parameters: tuple[Parameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,6 +8,7 @@ from typing import Any
 
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.location import Location
+from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Problem
 
 
@@ -35,6 +36,8 @@ class Started:
     required: bool = False
     launch_prefix: str = ""
     unknowns: tuple[Unknown, ...] = ()
+    #: Under which launch arguments it is there.
+    presence: Presence = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,7 +45,8 @@ class Launched:
     """The whole of a launch file in one context.
 
     *arguments* are its top-level args with their values (``?`` if unknown), *files* all files read, *includes* those of
-    them that a launch file includes, both sorted.
+    them that a launch file includes, both sorted. *alternatives* and *alternative_parameters* are there under other
+    arguments only.
     """
 
     nodes: tuple[Started, ...] = ()
@@ -51,6 +55,8 @@ class Launched:
     files: tuple[str, ...] = ()
     includes: tuple[str, ...] = ()
     problems: tuple[Problem, ...] = ()
+    alternatives: tuple[Started, ...] = ()
+    alternative_parameters: tuple[Parameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,6 +76,8 @@ class ParameterRule:
     origin: Location | None = None
     conditions: tuple[Condition, ...] = ()
     unknowns: tuple[Unknown, ...] = ()
+    #: Under which launch arguments it is there.
+    presence: Presence = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,6 +108,8 @@ class LaunchedNode:
     launch_prefix: str = ""
     respawn: bool = False
     unknowns: tuple[Unknown, ...] = ()
+    #: Under which launch arguments it is there.
+    presence: Presence = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,6 +121,7 @@ class LaunchedSystem:
     files: tuple[str, ...] = ()
     includes: tuple[str, ...] = ()
     problems: tuple[Problem, ...] = ()
+    alternatives: tuple[LaunchedNode, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

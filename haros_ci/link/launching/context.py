@@ -17,6 +17,7 @@ from haros_ci.link.roslaunch_names import MARK, Text, literal, quoted, unknown
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Performed, Phrase, Test
 from haros_ci.model.location import Location
+from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Problem
 
 NAMESPACE = "ros_namespace"
@@ -75,6 +76,8 @@ class Context:
     #: The file and the documents that such a path has given.
     rewritten_trees: dict[str, tuple[str, Any]] = field(default_factory=dict)
     steps: int = BUDGET
+    #: Under which launch arguments that is done which is being performed.
+    presence: Presence = ()
 
     def spend(self, steps: int) -> None:
         self.steps -= steps
