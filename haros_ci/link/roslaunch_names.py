@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.location import Location
@@ -17,12 +18,29 @@ MAX_UNKNOWN = 1_000
 _LEGAL = re.compile(r"[~/A-Za-z][\w/]*\Z")
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Origin:
+    """How a text comes from launch arguments of the configuration's own files.
+
+    *again* gives the text where some of these *arguments* have other values, None where nothing sets it then. *argument* is
+    the one whose value it is as it stands.
+    """
+
+    arguments: frozenset[str]
+    again: Callable[[Mapping[str, Text]], Text | None]
+    argument: str | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A substituted text: *raw* holds one MARK per unknown part, *reasons* say in the same order why."""
+    """A substituted text: *raw* holds one MARK per unknown part, *reasons* say in the same order why.
+
+    *origin* says how it comes from launch arguments, if it does and that is asked for; texts are the same without it.
+    """
 
     raw: str
     reasons: tuple[str, ...] = ()
+    origin: Origin | None = field(default=None, compare=False, repr=False)
 
     @property
     def known(self) -> bool:

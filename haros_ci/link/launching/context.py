@@ -7,22 +7,26 @@ that a scope shares with the one around it where that has begun them.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
+from haros_ci.link.launch_presence import OTHER, Arguments, Assumed
 from haros_ci.link.launching.places import Places
 from haros_ci.link.launching.substitutions import perform
-from haros_ci.link.roslaunch_names import MARK, Text, literal, quoted, unknown
+from haros_ci.link.roslaunch_names import MARK, Origin, Text, literal, quoted, unknown
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Performed, Phrase, Test
 from haros_ci.model.location import Location
-from haros_ci.model.presence import Presence
+from haros_ci.model.presence import Presence, in_words
 from haros_ci.model.workspace import Problem
 
 NAMESPACE = "ros_namespace"
 #: Steps that one evaluation may take; an action, a parameter and a part of a text are steps.
 BUDGET = 600_000
+#: Steps for what is asked and done under other launch arguments, all together.
+SPARE = 600_000
 
 
 class Exhausted(Exception):
@@ -35,6 +39,7 @@ class GlobalRemap:
     target: Text
     location: Location
     conditions: tuple[Condition, ...] = ()
+    presence: Presence = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +50,7 @@ class GlobalParameter:
     values: tuple[tuple[Text, Any], ...] = ()
     path: Text | None = None
     conditions: tuple[Condition, ...] = ()
+    presence: Presence = ()
 
 
 @dataclass(slots=True)
@@ -55,9 +61,19 @@ class Scope:
     environment: dict[str, Text] = field(default_factory=dict)
     remaps: list[GlobalRemap] | None = None
     parameters: list[GlobalParameter] | None = None
+    #: Configurations that are set with other launch arguments only.
+    unset: dict[str, Text] = field(default_factory=dict)
 
     def copy(self) -> Scope:
-        return Scope(dict(self.configurations), dict(self.environment), self.remaps, self.parameters)
+        unset = dict(self.unset)
+        return Scope(dict(self.configurations), dict(self.environment), self.remaps, self.parameters, unset)
+
+    def apart(self) -> Scope:
+        """A copy of which nothing that is done in it is seen outside."""
+        made = self.copy()
+        made.remaps = None if self.remaps is None else list(self.remaps)
+        made.parameters = None if self.parameters is None else list(self.parameters)
+        return made
 
 
 @dataclass(slots=True)
@@ -78,26 +94,118 @@ class Context:
     steps: int = BUDGET
     #: Under which launch arguments that is done which is being performed.
     presence: Presence = ()
+    #: The launch arguments, where it is asked what is there under others of them.
+    arguments: Arguments | None = None
+    #: Arguments that are taken to have other values while something is performed.
+    assumed: Assumed = field(default_factory=dict)
+    #: Problems that are there under assumptions, with the assumption.
+    assumed_problems: dict[Problem, str] = field(default_factory=dict)
+    #: Whether a question is asked that is of no consequence.
+    is_asking: bool = False
+    #: The configurations that have been read, where this is asked for, and whether there are no others.
+    reads: dict[str, Text | None] | None = None
+    is_again: bool = False
+    #: The literals that ``OTHER`` has been compared with; None in it where something else is done with it.
+    compared: set[str | None] = field(default_factory=set)
+    #: Steps that are left for all questions and assumptions, and whether they are being spent.
+    spare: int = SPARE
+    is_spare: bool = False
 
     def spend(self, steps: int) -> None:
         self.steps -= steps
         if self.steps < 0:
             raise Exhausted
 
-    def problem(self, location: Location | None, message: str) -> None:
+    def problem(self, location: Location | None, message: str, certain: bool = False) -> None:
+        """What is wrong; where arguments are assumed, only what is *certain* then."""
         path, line = (location.path, location.line) if location is not None else (self.path, None)
-        self.problems[Problem(path, message, line)] = None
+        problem = Problem(path, message, line)
+        if self.is_asking or (self.assumed and not certain):
+            return
+        if self.assumed:
+            words = in_words((name, text.raw) for name, text in sorted(self.assumed.items()))
+            self.assumed_problems.setdefault(problem, words)
+        else:
+            self.problems[problem] = None
 
     def text(self, phrase: Phrase) -> Text:
         """*phrase* in this context; a MARK stands for each part that is not known."""
-        return perform(self, phrase, 0)
+        if self.arguments is None or all(isinstance(part, str) for part in phrase):
+            return perform(self, phrase, 0)
+        around, self.reads = self.reads, {}
+        try:
+            made = perform(self, phrase, 0)
+        finally:
+            reads, self.reads = self.reads, around
+            if around is not None:
+                around.update(reads)
+        origins = [text.origin for text in reads.values() if text is not None and text.origin is not None]
+        if not origins:
+            return made
+        if len(reads) == 1 and len(phrase) == 1 and not isinstance(phrase[0], str) and phrase[0].kind == "var":
+            return replace(made, origin=origins[0])
+        depends = frozenset().union(*(origin.arguments for origin in origins))
+        return replace(made, origin=Origin(depends, partial(self._again, phrase, self.path, reads)))
+
+    def _again(self, phrase: Phrase, path: str, reads: Mapping[str, Text | None], assumed: Assumed) -> Text | None:
+        """What *phrase* is in the file at *path*, with what it has read there, where arguments are as *assumed*."""
+        before = self.swapped(reads, assumed, path)
+        try:
+            return perform(self, phrase, 0)
+        finally:
+            self.restore(before)
+
+    def swapped(self, reads: Mapping[str, Text | None], assumed: Assumed, path: str) -> tuple[Any, ...]:
+        """Go where only what has been *read* is set, and arguments are as *assumed*; what ``restore`` needs to come back."""
+        before = (self.scope, self.assumed, self.is_asking, self.is_again, self.reads, self.path)
+        known = {name: text for name, text in reads.items() if text is not None}
+        self.scope = Scope(known, self.scope.environment)
+        self.scope.unset = {name: unknown("it is not set") for name, text in reads.items() if text is None}
+        self.assumed, self.is_asking, self.is_again, self.reads, self.path = assumed, True, True, None, path
+        return before
+
+    def restore(self, before: tuple[Any, ...]) -> None:
+        self.scope, self.assumed, self.is_asking, self.is_again, self.reads, self.path = before
+
+    def get(self, name: str) -> Text | None:
+        """A launch configuration, as it is with the arguments that are assumed; None if nothing sets it."""
+        scope = self.scope
+        found = scope.configurations.get(name)
+        if self.arguments is None:
+            return found
+        kept = found if found is not None else scope.unset.get(name)
+        if self.reads is not None:
+            self.reads[name] = kept
+        if (
+            self.assumed
+            and kept is not None
+            and kept.origin is not None
+            and not kept.origin.arguments.isdisjoint(self.assumed)
+        ):
+            self.spend(5)
+            return self.arguments.resolved(kept, self.assumed)
+        if self.is_again and found is None and name not in scope.unset:
+            return unknown(f"whether {quoted(name)} is set depends on launch arguments")
+        return found
+
+    def reading(self, phrases: Iterable[Phrase], tests: Iterable[Test] = ()) -> dict[str, Text | None]:
+        """The configurations that *phrases* and *tests* depend on."""
+        around, self.reads = self.reads, {}
+        try:
+            for phrase in phrases:
+                self.text(phrase)
+            for test in tests:
+                self.test(test)
+            return self.reads
+        finally:
+            self.reads = around
 
     def perform(self, phrase: Phrase) -> Performed:
         text = self.text(phrase)
         return Performed(text.shown, "; ".join(dict.fromkeys(text.reasons)))
 
     def configuration(self, name: str) -> Performed | None:
-        text = self.scope.configurations.get(name)
+        text = self.get(name)
         return None if text is None else Performed(text.shown, "; ".join(dict.fromkeys(text.reasons)))
 
     def set_configuration(self, name: str, value: Performed) -> None:
@@ -107,6 +215,8 @@ class Context:
         """Whether *test* holds; None, with a problem where launch would stop, if that is not known."""
         if test.kind in ("if", "unless") and test.phrases:
             text = self.text(test.phrases[0])
+            if self.arguments is not None and not self.is_asking:
+                self.arguments.tested(text)
             word = text.raw.strip().lower()
             if not text.known:
                 return None
@@ -118,7 +228,9 @@ class Context:
         if test.kind in ("equals", "not-equals") and test.phrases:
             name = self.text(test.phrases[0])
             expected = self.text(test.phrases[1]) if len(test.phrases) > 1 else None
-            value = self.scope.configurations.get(name.raw)
+            value = self.get(name.raw)
+            if value is not None and value.raw == OTHER:
+                self.compared.add(expected.raw if expected is not None else None)
             if not name.known or (expected is not None and not expected.known) or (value and not value.known):
                 return None
             equal = (value.raw if value is not None else None) == (expected.raw if expected is not None else None)

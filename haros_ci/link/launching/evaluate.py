@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass, field
 
+from haros_ci.link.launch_presence import Arguments, Assumed
+from haros_ci.link.launching import presences
 from haros_ci.link.launching.context import Context, Exhausted, Scope
 from haros_ci.link.launching.node import command, component, full_name, node
 from haros_ci.link.launching.places import Places
@@ -16,12 +18,16 @@ from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.model.location import Location
-from haros_ci.model.workspace import Workspace
+from haros_ci.model.presence import Presence
+from haros_ci.model.workspace import Problem, Workspace
 
 #: How deep groups, includes and lists may be nested, together.
 MAX_DEPTH = 80
 #: How many actions may be put off until something happens.
 MAX_EVENTS = 1_000
+#: How many assumptions about launch arguments are made inside one another, and the steps of the outermost.
+MAX_ASSUMPTIONS = 3
+MAX_ASSUMED = 150_000
 
 _Conditions = tuple[Condition, ...]
 #: What was launched before, by files, arguments and environment.
@@ -36,20 +42,24 @@ def launch_system(
     environment: Mapping[str, str],
     shares: Places,
     memo: Memo | None = None,
+    alternatives: bool = False,
 ) -> LaunchedSystem:
     """What the launch files at *paths*, root-relative, start together, in order.
 
     *load* gives the description of a launch file in any dialect, None where there is none; *arguments* are set as on
     the command line, *environment* is all that ``$(env)`` sees, *shares* finds files by the places they are installed
     in. What launch refuses is left out with a problem; what stays undecided is kept with its condition. With a *memo*
-    what has been launched before is not launched again.
+    what has been launched before is not launched again. With *alternatives* all has its presence, and what is started
+    with other launch arguments is told, too.
     """
-    key = (tuple(paths), tuple(sorted(arguments.items())), tuple(sorted(environment.items())))
+    key = (tuple(paths), tuple(sorted(arguments.items())), tuple(sorted(environment.items())), alternatives)
     if memo is not None and key in memo:
         return memo[key]
     context = Context(shares, {name: literal(value) for name, value in sorted(environment.items())})
-    run = _Run(context, load)
     given = {name: literal(value) for name, value in sorted(arguments.items())}
+    run = _Run(context, load, frozenset(given))
+    if alternatives:
+        context.arguments = Arguments()
     try:
         for path in paths:
             run.file(path, given)
@@ -65,7 +75,8 @@ def launch_system(
         arguments=tuple((name, text.shown) for name, text in run.arguments.items()),
         files=tuple(sorted(context.files)),
         includes=tuple(sorted(run.included)),
-        problems=tuple(context.problems),
+        problems=(*context.problems, *run.assumed_problems()),
+        alternatives=tuple(run.alternatives),
     )
     if memo is not None:
         memo[key] = system
@@ -78,16 +89,20 @@ class _Run:
 
     context: Context
     load: Callable[[str], Description | None]
+    given: frozenset[str]
     nodes: list[LaunchedNode] = field(default_factory=list)
     arguments: dict[str, Text] = field(default_factory=dict)
     declared: set[str] = field(default_factory=set)
     included: set[str] = field(default_factory=set)
-    waiting: list[tuple[Action, _Conditions, str]] = field(default_factory=list)
+    waiting: list[tuple[Action, _Conditions, str, Presence, Assumed]] = field(default_factory=list)
     #: The includes that lead here: path and configurations when it was begun.
     chain: list[tuple[str, tuple[tuple[str, Text], ...]]] = field(default_factory=list)
     #: Containers that have been started, by the handle that a load has of one.
     containers: dict[str, Text] = field(default_factory=dict)
     depth: int = 0
+    #: What is started with other launch arguments, and how many assumptions lead here.
+    alternatives: list[LaunchedNode] = field(default_factory=list)
+    assumptions: int = 0
 
     def file(self, path: str, given: Mapping[str, Text]) -> None:
         """One file named by the user, in a context of its own."""
@@ -122,10 +137,15 @@ class _Run:
         """What is done when something happens is done after all else, when every scope has been left."""
         done = 0
         while self.waiting and done < MAX_EVENTS:
-            action, conditions, path = self.waiting.pop(0)
+            action, conditions, path, presence, assumed = self.waiting.pop(0)
             self.context.path = path
             done += 1
+            if assumed:
+                self.assume(assumed, presence, lambda: self.actions(action.children, conditions))
+                continue
+            self.context.presence = presence
             self.actions(action.children, conditions)
+            self.context.presence = ()
 
     def actions(self, actions: tuple[Action, ...], conditions: _Conditions) -> None:
         self.depth += 1
@@ -139,12 +159,29 @@ class _Run:
                 self.action(action, conditions)
         self.depth -= 1
 
-    def action(self, action: Action, conditions: _Conditions) -> None:
+    def action(self, action: Action, conditions: _Conditions, handler: _Handler | None = None) -> None:
         """Perform *action* if its tests hold; if that is not known, under a condition that they do."""
+        context = self.context
         undecided = self.undecided(action)
-        if undecided is None:
-            return
-        handler = _HANDLERS.get(action.kind, _Run.setting if action.kind in SETTERS else None)
+        handler = handler or _HANDLERS.get(action.kind, _Run.setting if action.kind in SETTERS else None)
+        key = presences.key_of(context, action) if not (action.kind == "arg" and len(self.chain) == 1) else None
+        before = presences.stored(context, key) if key is not None else None
+        if undecided is not None:
+            outer = context.presence
+            context.presence = presences.held(context, action.tests)
+            self.perform(action, conditions, undecided, handler)
+            context.presence = outer
+        elif handler is not None and action.kind in presences.STARTING and self.assumptions < MAX_ASSUMPTIONS:
+            other = presences.otherwise(context, action.tests)
+            if other is not None:
+                assumed = {**context.assumed, **other[0]}
+                self.assume(assumed, other[1], lambda: self.perform(action, conditions, (), handler))
+        if key is not None:
+            presences.guard(context, action, key, before)
+
+    def perform(
+        self, action: Action, conditions: _Conditions, undecided: _Conditions, handler: _Handler | None
+    ) -> None:
         if handler is None:
             if action.kind not in ("shutdown", "log", "set-use-sim-time"):
                 reason = action.reason or f"an action '{action.kind}'"
@@ -158,6 +195,38 @@ class _Run:
         counts = (len(before.remaps or ()), len(before.parameters or ()))
         handler(self, action, (*conditions, *undecided))
         doubt(self.context, before, counts, undecided)
+
+    def assume(self, assumed: Assumed, presence: Presence, work: Callable[[], None]) -> None:
+        """Do *work* where launch arguments are as *assumed*; what it starts are alternatives, and all else is as before."""
+        context, is_outermost = self.context, not self.assumptions
+        here = (context.scope, context.assumed, context.presence, context.path, context.files)
+        tables = (context.rewritten, context.rewritten_trees)
+        ours = (self.nodes, self.arguments, self.declared, self.included, self.containers, self.chain, self.depth)
+        context.scope, context.assumed, context.presence = context.scope.apart(), assumed, presence
+        context.files = set(context.files)
+        context.rewritten, context.rewritten_trees = dict(context.rewritten), dict(context.rewritten_trees)
+        self.nodes, self.arguments, self.declared = self.alternatives, dict(self.arguments), set(self.declared)
+        self.included, self.containers, self.chain = set(self.included), dict(self.containers), list(self.chain)
+        self.assumptions += 1
+        try:
+            with presences.spare(context, MAX_ASSUMED):
+                work()
+        except Exhausted:
+            if not is_outermost:
+                raise
+        finally:
+            self.assumptions -= 1
+            context.scope, context.assumed, context.presence, context.path, context.files = here
+            context.rewritten, context.rewritten_trees = tables
+            self.nodes, self.arguments, self.declared, self.included, self.containers, self.chain, self.depth = ours
+
+    def assumed_problems(self) -> list[Problem]:
+        """What is wrong under assumptions alone, each with the first of them."""
+        return [
+            Problem(problem.path, f"{problem.message} (with {words})", problem.line)
+            for problem, words in self.context.assumed_problems.items()
+            if problem not in self.context.problems
+        ]
 
     def undecided(self, action: Action) -> _Conditions | None:
         """The tests of *action* that may hold, as conditions; None if one does not."""
@@ -190,7 +259,13 @@ class _Run:
                 configurations[name] = unknown(f"launch argument {quoted(name)} has no default and is not given")
             else:
                 configurations[name] = self.context.text(default)
+            is_own = True
+        else:
+            is_own = name in self.given and configurations[name].origin is None
         if len(self.chain) == 1:
+            if is_own and self.context.arguments is not None and not self.assumptions:
+                choices = (self.context.text(phrase).raw for key, phrase in action.phrases if key == "choices")
+                configurations[name] = self.context.arguments.declare(name, configurations[name], choices)
             self.arguments.setdefault(name, configurations[name])
 
     def group(self, action: Action, conditions: _Conditions) -> None:
@@ -229,7 +304,8 @@ class _Run:
             context.problem(action.location, f"includes {quoted(file.raw)}: {place.reason}; what it starts is unknown")
             return
         if not context.places.files.has(place.path):
-            context.problem(action.location, f"includes {place.path}, which is not in the workspace; correct the path")
+            message = f"includes {place.path}, which is not in the workspace; correct the path"
+            context.problem(action.location, message, certain=True)
             return
         found = self.description(place.path)
         if found is None:
@@ -256,7 +332,7 @@ class _Run:
             text = self.context.text(name)
             if text.known and text.raw not in passed and MARK not in "".join(passed):
                 what = f"includes {path} without its argument {quoted(text.raw)}, which has no default; pass it"
-                self.context.problem(action.location, what)
+                self.context.problem(action.location, what, certain=True)
 
     def node(self, action: Action, conditions: _Conditions) -> None:
         started = node(self.context, action, conditions)
@@ -288,13 +364,12 @@ class _Run:
         self.components(action, conditions, target)
 
     def components(self, action: Action, conditions: _Conditions, container: Text) -> None:
+        def load(run: _Run, child: Action, under: _Conditions) -> None:
+            run.nodes.append(component(run.context, child, under, container))
+
         for child in action.children:
             self.context.spend(5)
-            undecided = self.undecided(child)
-            if child.kind != "component":
-                self.action(child, conditions)
-            elif undecided is not None:
-                self.nodes.append(component(self.context, child, (*conditions, *undecided), container))
+            self.action(child, conditions, load if child.kind == "component" else None)
 
     def executable(self, action: Action, conditions: _Conditions) -> None:
         started = command(self.context, action, conditions)
@@ -307,7 +382,8 @@ class _Run:
             self.context.problem(action.location, f"more than {MAX_EVENTS} events are waited for; this is left out")
             return
         condition = Condition("if", action.deferred or "something happens", action.location)
-        self.waiting.append((action, (*conditions, condition), self.context.path))
+        context = self.context
+        self.waiting.append((action, (*conditions, condition), context.path, context.presence, context.assumed))
 
     def opaque(self, action: Action, conditions: _Conditions) -> None:
         """Call the function with the context; nothing that it does may end the evaluation."""
@@ -325,7 +401,8 @@ class _Run:
         self.actions(tuple(made or ()), conditions)
 
 
-_HANDLERS: Mapping[str, Callable[[_Run, Action, _Conditions], None]] = {
+_Handler = Callable[[_Run, Action, _Conditions], None]
+_HANDLERS: Mapping[str, _Handler] = {
     "arg": _Run.arg,
     "group": _Run.group,
     "include": _Run.include,

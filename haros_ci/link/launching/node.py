@@ -97,6 +97,7 @@ def command(context: Context, action: Action, conditions: tuple[Condition, ...])
         ros_arguments=_shown(given),
         parameters=argument_rules(context, given, action.location),
         conditions=conditions,
+        presence=context.presence,
         environment=_environment(context, environment),
         unknowns=cmd.unknown("arguments", action.location),
     )
@@ -200,7 +201,7 @@ def _started(
     is_component = container is not None
     place = action.location
     name = _optional(context, action, "name")
-    namespace = joined_namespace(context.scope.configurations.get(NAMESPACE), _optional(context, action, "namespace"))
+    namespace = joined_namespace(context.get(NAMESPACE), _optional(context, action, "namespace"))
     package = _text(context, action, "package")
     type_ = _text(context, action, "plugin" if is_component else "executable")
     unknowns: list[Unknown] = []
@@ -227,6 +228,7 @@ def _started(
         parameters=parameters,
         remaps=remaps,
         conditions=conditions,
+        presence=context.presence,
         unknowns=tuple(unknowns),
     )
 

@@ -45,7 +45,9 @@ def _global_rules(context: Context, parameter: GlobalParameter, component: Compo
             for source in parameter.action.parameters
             for name, made in values_of(parameter.values, source)
         ]
-    return [replace(rule, conditions=parameter.conditions) for rule in rules] if parameter.conditions else rules
+    if not parameter.conditions and not parameter.presence:
+        return rules
+    return [replace(rule, conditions=parameter.conditions, presence=parameter.presence) for rule in rules]
 
 
 def _argument(made: tuple[str | None, Any, str]) -> tuple[str | None, Any, str]:

@@ -79,7 +79,7 @@ def push_namespace(context: Context, action: Action) -> None:
     phrase = action.get("namespace")
     configurations = context.scope.configurations
     own = context.text(phrase) if phrase is not None else None
-    made = joined_namespace(configurations.get(NAMESPACE), own)
+    made = joined_namespace(context.get(NAMESPACE), own)
     if made is not None:
         configurations[NAMESPACE] = made
 
@@ -90,7 +90,7 @@ def set_remap(context: Context, action: Action) -> None:
     scope.remaps = [] if scope.remaps is None else scope.remaps
     for source, target, location in action.remaps:
         pair = (context.text(source), context.text(target))
-        scope.remaps.append(GlobalRemap(*pair, location))
+        scope.remaps.append(GlobalRemap(*pair, location, presence=context.presence))
 
 
 def set_parameter(context: Context, action: Action) -> None:
@@ -100,9 +100,9 @@ def set_parameter(context: Context, action: Action) -> None:
     for source in action.parameters:
         single = replace(action, parameters=(source,))
         if source.kind == "file":
-            made = GlobalParameter(single, (), context.text(source.path))
+            made = GlobalParameter(single, (), context.text(source.path), presence=context.presence)
         else:
-            made = GlobalParameter(single, performed_values(context, source))
+            made = GlobalParameter(single, performed_values(context, source), presence=context.presence)
         scope.parameters.append(made)
 
 

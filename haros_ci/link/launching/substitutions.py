@@ -8,6 +8,7 @@ import posixpath
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
+from haros_ci.link.launch_presence import OTHER, compared_with
 from haros_ci.link.launching.expression import expression_value
 from haros_ci.link.roslaunch_names import MARK, Text, join_texts, literal, quoted, unknown
 from haros_ci.model.launch_actions import PREFIX, SHARE, WORKSPACE, Phrase, Substitution
@@ -62,7 +63,7 @@ _Arguments = tuple[Text, ...]
 def _var(context: Context, arguments: _Arguments) -> Text:
     if not arguments or not arguments[0].known:
         return unknown(arguments[0].reasons[0] if arguments else "a launch configuration without a name")
-    found = context.scope.configurations.get(arguments[0].raw)
+    found = context.get(arguments[0].raw)
     if found is not None:
         return found
     if len(arguments) > 1:
@@ -102,6 +103,8 @@ def _executable(context: Context, arguments: _Arguments) -> Text:
 
 def _eval(context: Context, arguments: _Arguments) -> Text:
     context.spend(20)
+    if arguments and OTHER in arguments[0].raw:
+        context.compared.update(compared_with(arguments[0].raw) or (None,))
     return expression_value(arguments[0]) if arguments else unknown("eval without an expression")
 
 
@@ -138,6 +141,8 @@ def _command(context: Context, arguments: _Arguments) -> Text:
 
 def _param(context: Context, arguments: _Arguments) -> Text:
     """The first parameter of that name that is set for all nodes."""
+    if context.is_again:
+        return unknown("parameters that are set for all nodes are not followed under other launch arguments")
     if not arguments or not arguments[0].known:
         return unknown(arguments[0].reasons[0] if arguments else "param without a name")
     for parameter in context.scope.parameters or ():
@@ -195,6 +200,8 @@ def _equals(expected: bool) -> Callable[[Context, _Arguments], Text]:
         if len(arguments) != 2:
             return unknown("two values are needed to compare them")
         made = _equal(*arguments)
+        if OTHER in (arguments[0].raw, arguments[1].raw):
+            context.compared.update(text.raw for text in arguments if text.raw != OTHER)
         if made is None:
             return unknown("; ".join(dict.fromkeys(arguments[0].reasons + arguments[1].reasons)))
         return literal("true" if made == expected else "false")
