@@ -34,6 +34,16 @@ TRUE, FALSE = ("true", "1"), ("false", "0")
 _PAIRS = {"true": "false", "True": "False", "TRUE": "FALSE", "1": "0"}
 _OPPOSITE = {**_PAIRS, **{value: key for key, value in _PAIRS.items()}}
 _ANY = unknown("it is not assumed")
+_ELSEWHERE = ("it is set with other launch arguments only",)
+
+
+def elsewhere(origin: Origin) -> Text:
+    """What stands for something that is set with other launch arguments only."""
+    return Text("", _ELSEWHERE, origin)
+
+
+def is_elsewhere(text: Text) -> bool:
+    return text.reasons is _ELSEWHERE
 
 
 @dataclass(slots=True)
@@ -204,8 +214,12 @@ class Question:
         for name in self.names[:MOST_ARGUMENTS]:
             known, now = self.arguments.known[name], self.now[name]
             others = self.values(name, now)
-            if not (known.is_boolean or known.choices) and self.ask({name: literal(OTHER)}) is not False:
+            if len(known.choices) > MOST_VALUES:
                 continue
+            if not (known.is_boolean or known.choices):
+                is_told = self.literals(name) is not None and len(others) < MOST_VALUES
+                if not is_told or self.ask({name: literal(OTHER)}) is not False:
+                    continue
             possible = [value for value in others if self.ask({name: literal(value)}) is not False]
             if now.known and not possible:
                 found.append((choice(name, now.raw, boolean=True),))

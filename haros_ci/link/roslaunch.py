@@ -6,12 +6,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
+from haros_ci.link.launch_presence import Arguments
 from haros_ci.link.roslaunch_arg import arg, passed_arg
 from haros_ci.link.roslaunch_files import files_of
 from haros_ci.link.roslaunch_names import Text, literal, quoted
 from haros_ci.link.roslaunch_node import environment as environment_tag
 from haros_ci.link.roslaunch_node import machine, node, remap
 from haros_ci.link.roslaunch_param import scope_param
+from haros_ci.link.roslaunch_presence import perform
 from haros_ci.link.roslaunch_rosparam import rosparam
 from haros_ci.link.roslaunch_state import (
     Exhausted,
@@ -38,14 +40,17 @@ def evaluate(
     load: Callable[[str], LaunchFile | None],
     arguments: Mapping[str, str],
     environment: Mapping[str, str],
+    alternatives: bool = False,
 ) -> Launched:
     """What the launch files at *launch_paths*, root-relative, start and set together, in order.
 
     *load* gives the facts of a launch file, *workspace* packages and texts of other files; *arguments* are set for
     each of the files, as on roslaunch's command line, and *environment* is all that ``$(env)`` and ``$(optenv)`` see.
-    A tag that roslaunch refuses is left out with a problem; what stays undecided is kept with its condition.
+    A tag that roslaunch refuses is left out with a problem; what stays undecided is kept with its condition. With
+    *alternatives* all has its presence, and what is started and set with other arguments is told, too.
     """
     state = State(files=files_of(workspace), load=load, environment=environment)
+    state.arguments = Arguments() if alternatives else None
     given = {name: literal(value) for name, value in sorted(arguments.items())}
     declared: set[str] = set()
     try:
@@ -63,11 +68,22 @@ def evaluate(
     return Launched(
         nodes=tuple(state.nodes),
         parameters=parameters,
-        arguments=tuple(state.arguments.items()),
+        arguments=tuple(state.arguments_shown.items()),
         files=tuple(sorted(state.read)),
         includes=tuple(sorted(state.included)),
-        problems=tuple(state.problems),
+        problems=(*state.problems, *_assumed_problems(state)),
+        alternatives=tuple(state.alternatives),
+        alternative_parameters=tuple(state.alternative_parameters),
     )
+
+
+def _assumed_problems(state: State) -> list[Problem]:
+    """What is wrong with other args alone, each with the first of them."""
+    return [
+        Problem(problem.path, f"{problem.message} (with {words})", problem.line)
+        for problem, words in state.assumed_problems.items()
+        if problem not in state.problems
+    ]
 
 
 def _top_level(state: State, path: str, given: Mapping[str, Text]) -> set[str]:
@@ -79,7 +95,7 @@ def _top_level(state: State, path: str, given: Mapping[str, Text]) -> set[str]:
     scope.chain = ((path, _frozen(scope.args)),)
     _walk(state, scope, root.children)
     for name in scope.declared:
-        state.arguments[name] = scope.args[name].shown if name in scope.args else "?"
+        state.arguments_shown[name] = scope.args[name].shown if name in scope.args else "?"
     return set(scope.declared)
 
 
@@ -90,7 +106,8 @@ def _root(state: State, path: str, included_by: tuple[Scope, LaunchElement] | No
         if included_by is None:
             state.problem(path, None, "no such launch file in the workspace; correct its path")
         else:
-            state.wrong(*included_by, f"includes {path}, which is no launch file of the workspace; correct the path")
+            message = f"includes {path}, which is no launch file of the workspace; correct the path"
+            state.wrong(*included_by, message, certain=True)
         return None
     state.read.add(path)
     for line, message in launch.problems:
@@ -114,9 +131,7 @@ def _walk(state: State, scope: Scope, tags: tuple[LaunchElement, ...]) -> None:
             if tag.tag != "master":
                 state.wrong(scope, tag, f"roslaunch knows no <{tag.tag}> here; remove it or correct its name")
             continue
-        conditions = state.conditions(scope, tag)
-        if conditions is not None:
-            handler(state, scope, tag, conditions)
+        perform(state, scope, tag, handler)
 
 
 def _group(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
@@ -175,6 +190,7 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
         declared={},
         missing={},
         doubtful=doubtful,
+        unset=dict(scope.unset) if pass_all else {},
         overrides_allowed=pass_all is True,
         privates=scope.privates if scope.privates else [],  # roslaunch shares this list, once there is something in it
         chain=(*scope.chain, link),

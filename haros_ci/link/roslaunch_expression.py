@@ -8,9 +8,10 @@ import math
 import operator
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
+from haros_ci.link.launch_presence import OTHER
 from haros_ci.link.roslaunch_names import Text, literal, quoted
 from haros_ci.link.roslaunch_types import convert
 
@@ -111,6 +112,8 @@ class Scopes:
     env: Callable[[str], Text]
     environment: Mapping[str, str]
     directory: str
+    #: What ``OTHER`` is compared with.
+    compared: set[str] = field(default_factory=set)
 
 
 def evaluate(source: str, scopes: Scopes) -> str:
@@ -179,7 +182,7 @@ def _value(node: ast.expr, scopes: Scopes, depth: int) -> Any:
         case ast.BinOp(left=left, op=op, right=right):
             return _binary(op, of(left), of(right))
         case ast.Compare(left=left, ops=ops, comparators=comparators):
-            return _compare(of(left), ops, comparators, of)
+            return _compare(of(left), ops, comparators, of, scopes.compared)
         case ast.Subscript(value=container, slice=ast.Slice(lower=lower, upper=upper, step=step)):
             bounds = [None if bound is None else of(bound) for bound in (lower, upper, step)]
             return _plain(of(container))[slice(*bounds)]
@@ -284,9 +287,15 @@ def _binary(op: ast.operator, left: Any, right: Any) -> object:
     return _sized(function(left, right))
 
 
-def _compare(left: Any, ops: list[ast.cmpop], comparators: list[ast.expr], of: Callable[[ast.expr], Any]) -> bool:
+def _compare(
+    left: Any, ops: list[ast.cmpop], comparators: list[ast.expr], of: Callable[[ast.expr], Any], compared: set[str]
+) -> bool:
     for op, comparator in zip(ops, comparators, strict=True):
         right = of(comparator)
+        if OTHER in (left, right):
+            other = right if left == OTHER else left
+            items = other if isinstance(other, (list, tuple)) else (other,)
+            compared.update(str(item) for item in items if isinstance(item, (str, int, float)))
         if isinstance(op, (ast.Eq, ast.NotEq)) and "" in (left, right) and str in map(type, (left, right)):
             holds = (left == right) is isinstance(op, ast.Eq)  # a path is never empty
         else:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from haros_ci.link.roslaunch_names import (
     MARK,
@@ -16,6 +17,7 @@ from haros_ci.link.roslaunch_names import (
     unknown,
 )
 from haros_ci.link.roslaunch_param import Named, params
+from haros_ci.link.roslaunch_presence import assume, held
 from haros_ci.link.roslaunch_rosparam import rosparam
 from haros_ci.link.roslaunch_state import (
     Remap,
@@ -73,15 +75,19 @@ def node(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condi
             continue
         under = state.conditions(outer, child)
         if under is None:
+            if kind in ("rosparam", "param"):
+                assume(state, outer, child, partial(_own_parameter, state, inner, full, child))
             continue
-        if kind == "remap":
-            remap(state, own, child, under)
-        elif kind == "env":
-            environment(state, own, child, under)
-        elif kind == "rosparam":
-            rosparam(state, inner, child, under)
-        else:
-            named.extend(params(state, outer, child, under))
+        with held(state, outer, child):
+            if kind == "remap":
+                remap(state, own, child, under)
+            elif kind == "env":
+                environment(state, own, child, under)
+            elif kind == "rosparam":
+                rosparam(state, inner, child, under)
+            else:
+                made = params(state, outer, child, under)
+                named.extend(Named(m.name, replace(m.parameter, presence=state.presence)) for m in made)
     for private in scope.privates:
         merged = _merged(private.parameter.conditions, conditions)
         named_private = replace(private.parameter, conditions=merged)
@@ -92,6 +98,15 @@ def node(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condi
     state.spend(len(own.remaps) // 4 + len(own.environment) // 4)
     _check_duplicate(state, scope, tag, full, conditions)
     state.nodes.append(_started(scope, tag, full, namespace, package, type_, options, own))
+
+
+def _own_parameter(state: State, inner: Scope, full: Text, child: LaunchElement, outer: Scope) -> None:
+    """The ``<param>`` or ``<rosparam>`` *child* of the node *full* by itself."""
+    if child.tag.lower() == "rosparam":
+        rosparam(state, inner, child, outer.conditions)
+        return
+    for entry in params(state, outer, child, outer.conditions):
+        state.add_parameter(_private_name(full, entry.name), entry.parameter)
 
 
 def _arguments(
@@ -286,6 +301,7 @@ def _started(
         arguments=options["args"].shown,
         remaps=tuple((entry.source.shown, entry.target.shown, entry.location) for entry in own.remaps),
         conditions=own.conditions,
+        presence=own.presence,
         environment=tuple((name.shown, value.shown) for name, value in own.environment),
         machine=options["machine"].shown or None,
         is_test=tag.tag == "test",

@@ -40,7 +40,7 @@ def scope_param(state: State, scope: Scope, tag: LaunchElement, conditions: tupl
             for private in scope.privates
             if private.name.raw != named.name.raw or not overridden <= set(private.parameter.conditions)
         ]
-        scope.privates.append(Private(named.name, named.parameter))
+        scope.privates.append(Private(named.name, replace(named.parameter, presence=scope.presence)))
 
 
 def params(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> Iterator[Named]:

@@ -3,22 +3,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 
+from haros_ci.link.launch_presence import Arguments, Assumed
 from haros_ci.link.roslaunch_files import Files
-from haros_ci.link.roslaunch_names import Text, canonical, join_in, quoted
+from haros_ci.link.roslaunch_names import Origin, Text, canonical, join_in, quoted
 from haros_ci.link.roslaunch_substitution import Sources, substitute
 from haros_ci.link.roslaunch_types import boolean
 from haros_ci.link.roslaunch_yaml import YamlValue
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.launch import LaunchElement, LaunchFile, Started
 from haros_ci.model.location import Location
-from haros_ci.model.presence import Presence
+from haros_ci.model.presence import Presence, in_words, together
 from haros_ci.model.workspace import Problem
 
 #: Tags, values, remaps and texts that one evaluation may handle, weighed by what they cost.
 BUDGET = 1_000_000
+#: The same for what is asked and evaluated with other args.
+SPARE = 1_000_000
 MAX_PROBLEMS = 1_000
 _COMPARED = 20
 
@@ -66,6 +70,14 @@ class Scope:
     depth: int = 0
     #: Under which launch arguments that is done which is being evaluated.
     presence: Presence = ()
+    #: Args that are set with other args of the top level only.
+    unset: dict[str, Text] = field(default_factory=dict)
+
+    def apart(self) -> Scope:
+        """A copy of which nothing that is done in it is seen outside."""
+        return replace(
+            self.child(self.namespace, self.conditions), overrides_allowed=self.overrides_allowed, depth=self.depth
+        )
 
     def child(self, namespace: Text, conditions: tuple[Condition, ...]) -> Scope:
         """A scope inside this one; what is set in it stays in it."""
@@ -76,6 +88,7 @@ class Scope:
             declared=dict(self.declared),
             missing=dict(self.missing),
             doubtful=set(self.doubtful),
+            unset=dict(self.unset),
             overrides_allowed=False,
             privates=list(self.privates),
             conditions=conditions,
@@ -100,37 +113,82 @@ class State:
     nodes: list[Started] = field(default_factory=list)
     names: dict[tuple[str, tuple[Condition, ...]], Location] = field(default_factory=dict)
     machines: dict[str, tuple[str | None, ...]] = field(default_factory=dict)
-    arguments: dict[str, str] = field(default_factory=dict)
+    arguments_shown: dict[str, str] = field(default_factory=dict)
     read: set[str] = field(default_factory=set)
     included: set[str] = field(default_factory=set)
     documents: dict[str, YamlValue | None] = field(default_factory=dict)
     #: Whether an include could not be followed.
     is_partial: bool = False
     budget: int = BUDGET
+    #: The args of the top level, where it is asked what is there under others of them.
+    arguments: Arguments | None = None
+    #: Under which of them that is done which is being evaluated, and those that are assumed, how often inside one another.
+    presence: Presence = ()
+    assumed: Assumed = field(default_factory=dict)
+    assumptions: int = 0
+    alternatives: list[Started] = field(default_factory=list)
+    alternative_parameters: list[Parameter] = field(default_factory=list)
+    assumed_problems: dict[Problem, str] = field(default_factory=dict)
+    #: Whether a question is asked that is of no consequence; the args that it reads, and what ``OTHER`` is compared with.
+    is_asking: bool = False
+    reads: dict[str, Text] = field(default_factory=dict)
+    compared: set[str] = field(default_factory=set)
+    #: What is left for questions and assumptions, and whether it is being spent.
+    spare: int = SPARE
+    is_spare: bool = False
 
     def spend(self, cost: int) -> None:
         self.budget -= cost
         if self.budget < 0:
             raise Exhausted
 
-    def problem(self, path: str, line: int | None, message: str) -> None:
-        if len(self.problems) < MAX_PROBLEMS:
-            self.problems[Problem(path, message, line)] = None
+    def problem(self, path: str, line: int | None, message: str, certain: bool = False) -> None:
+        """What is wrong; with args that are assumed, only what is *certain* then."""
+        if self.is_asking or (self.assumed and not certain):
+            return
+        problem = Problem(path, message, line)
+        if self.assumed:
+            words = in_words((name, text.raw) for name, text in sorted(self.assumed.items()))
+            self.assumed_problems.setdefault(problem, words)
+        elif len(self.problems) < MAX_PROBLEMS:
+            self.problems[problem] = None
 
-    def wrong(self, scope: Scope, tag: LaunchElement, message: str) -> None:
+    def wrong(self, scope: Scope, tag: LaunchElement, message: str, certain: bool = False) -> None:
         """A problem at *tag*."""
-        self.problem(scope.path, tag.line, message)
+        self.problem(scope.path, tag.line, message, certain)
 
     def substituted(self, scope: Scope, tag: LaunchElement, raw: str) -> Text:
         """*raw* with its substitutions; what is wrong with them becomes problems at *tag*."""
         self.spend(1 + len(raw) // 20)
-        made = substitute(raw, Sources(scope.args, scope.missing, self.environment, scope.directory))
+        args: Mapping[str, Text] = scope.args if self.arguments is None else _Seen(self, scope)
+        made = substitute(raw, Sources(args, scope.missing, self.environment, scope.directory, self.compared))
         self.spend(len(made.text.raw) // 20)
         for error in made.errors:
             self.wrong(scope, tag, f"<{tag.tag}>: {error}")
         for name in made.missing:
             self._missing(scope, name)
+        if isinstance(args, _Seen) and args.reads:
+            self.reads.update(args.reads)
+            return self._traced(made.text, raw, args.reads, scope.directory)
         return made.text
+
+    def _traced(self, text: Text, raw: str, reads: Mapping[str, Text], directory: str) -> Text:
+        """*text*, which *raw* gives with the args that it *reads*, with its origin."""
+        origins = [each.origin for each in reads.values() if each.origin is not None]
+        if not origins:
+            return text
+        if len(reads) == 1 and raw == f"$(arg {next(iter(reads))})":
+            return replace(text, origin=origins[0])
+        depends = frozenset[str]().union(*(origin.arguments for origin in origins))
+        return replace(text, origin=Origin(depends, partial(self._again, raw, reads, directory)))
+
+    def _again(self, raw: str, reads: Mapping[str, Text], directory: str, assumed: Assumed) -> Text:
+        """What *raw* gives with what it has read, where args are as *assumed*."""
+        assert self.arguments is not None
+        self.spend(1 + len(raw) // 20)
+        found = {name: self.arguments.resolved(text, assumed) for name, text in reads.items()}
+        args = {name: text for name, text in found.items() if text is not None}
+        return substitute(raw, Sources(args, {}, self.environment, directory, self.compared)).text
 
     def attribute(self, scope: Scope, tag: LaunchElement, name: str) -> Text | None:
         """The attribute *name* of *tag*, substituted; None if it is not there."""
@@ -190,6 +248,8 @@ class State:
         full = canonical(name.raw)
         unknowns = name.unknown("name", parameter.location) if parameter.location else ()
         made = replace(parameter, name=Text(full).shown, unknowns=(*unknowns, *parameter.unknowns))
+        if self.presence:
+            made = replace(made, presence=together(parameter.presence, self.presence) or self.presence)
         before = self.parameters.setdefault(made.name, [])
         if name.known:
             conditions = set(made.conditions)
@@ -202,10 +262,10 @@ class State:
         self.spend(len(self.parameters) // 10)
         reason = f"it may be set anew: {why}"
         unknowns = unset("value", reason, place) + unset("type", reason, place)
-        for other, together in self.parameters.items():
+        for other, those in self.parameters.items():
             if other == full or other.startswith(f"{full}/"):
-                together[:] = [
-                    replace(old, type=None, value=None, unknowns=(*_names(old.unknowns), *unknowns)) for old in together
+                those[:] = [
+                    replace(old, type=None, value=None, unknowns=(*_names(old.unknowns), *unknowns)) for old in those
                 ]
 
     def _missing(self, scope: Scope, name: str) -> None:
@@ -217,6 +277,38 @@ class State:
             scope.missing[name],
             f"argument {quoted(name)} has neither value nor default; what depends on it is unknown: {how}",
         )
+
+
+class _Seen(Mapping[str, Text]):
+    """The args of a scope as they are with what is assumed; it remembers which have been read."""
+
+    def __init__(self, state: State, scope: Scope) -> None:
+        self._state, self._scope = state, scope
+        self.reads: dict[str, Text] = {}
+
+    def __getitem__(self, name: str) -> Text:
+        assert self._state.arguments is not None
+        found = self._scope.args.get(name)
+        kept = found if found is not None else self._scope.unset.get(name)
+        if kept is not None:
+            self.reads[name] = kept
+            if kept.origin is not None and not kept.origin.arguments.isdisjoint(self._state.assumed):
+                found = self._state.arguments.resolved(kept, self._state.assumed)
+        if found is None:
+            raise KeyError(name)
+        return found
+
+    def __contains__(self, name: object) -> bool:
+        try:
+            return isinstance(name, str) and self[name] is not None
+        except KeyError:
+            return False
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._scope.args)
+
+    def __len__(self) -> int:
+        return len(self._scope.args)
 
 
 def location(scope: Scope, tag: LaunchElement) -> Location:

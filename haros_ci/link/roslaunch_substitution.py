@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from haros_ci.link.roslaunch_expression import Scopes, Undecided, Wrong, evaluate
 from haros_ci.link.roslaunch_names import Text, join_texts, literal, quoted, unknown
@@ -25,12 +25,16 @@ class Substituted:
 
 @dataclass(frozen=True, slots=True)
 class Sources:
-    """What substitutions see: args, those declared but not set, the environment and this file's directory."""
+    """What substitutions see: args, those declared but not set, the environment and this file's directory.
+
+    *compared* gets what an expression compares ``OTHER`` with.
+    """
 
     args: Mapping[str, Text]
     missing: Mapping[str, int]
     environment: Mapping[str, str]
     directory: str
+    compared: set[str] = field(default_factory=set)
 
 
 def substitute(raw: str, sources: Sources) -> Substituted:
@@ -127,7 +131,11 @@ def anonymous_text(name: str) -> Text:
 def _eval(expression: str, sources: Sources) -> Substituted:
     try:
         scopes = Scopes(
-            sources.args, lambda name: environment_text(name, sources), sources.environment, sources.directory
+            sources.args,
+            lambda name: environment_text(name, sources),
+            sources.environment,
+            sources.directory,
+            sources.compared,
         )
         return Substituted(literal(evaluate(expression, scopes)))
     except Undecided as err:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
-from haros_ci.link.launch_presence import OTHER, Arguments, Assumed
+from haros_ci.link.launch_presence import OTHER, Arguments, Assumed, is_elsewhere
 from haros_ci.link.launching.places import Places
 from haros_ci.link.launching.substitutions import perform
 from haros_ci.link.roslaunch_names import MARK, Origin, Text, literal, quoted, unknown
@@ -158,9 +158,10 @@ class Context:
     def swapped(self, reads: Mapping[str, Text | None], assumed: Assumed, path: str) -> tuple[Any, ...]:
         """Go where only what has been *read* is set, and arguments are as *assumed*; what ``restore`` needs to come back."""
         before = (self.scope, self.assumed, self.is_asking, self.is_again, self.reads, self.path)
-        known = {name: text for name, text in reads.items() if text is not None}
+        known = {name: text for name, text in reads.items() if text is not None and not is_elsewhere(text)}
         self.scope = Scope(known, self.scope.environment)
-        self.scope.unset = {name: unknown("it is not set") for name, text in reads.items() if text is None}
+        nothing = unknown("it is not set")
+        self.scope.unset = {name: text or nothing for name, text in reads.items() if name not in known}
         self.assumed, self.is_asking, self.is_again, self.reads, self.path = assumed, True, True, None, path
         return before
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from haros_ci.link.launch_presence import OTHER, Assumed, Question
+from haros_ci.link.launch_presence import OTHER, Assumed, Question, elsewhere
 from haros_ci.link.launching.context import NAMESPACE, Context, Exhausted
 from haros_ci.link.launching.node import joined_namespace
 from haros_ci.link.launching.settings import value_of
@@ -186,4 +186,4 @@ def guard(context: Context, action: Action, key: str, before: Text | None) -> No
     if now is not None:
         scope.configurations[key] = Text(now.raw, now.reasons, origin)
     else:
-        scope.unset[key] = Text("", ("it is set under other launch arguments only",), origin)
+        scope.unset[key] = elsewhere(origin)
