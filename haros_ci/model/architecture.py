@@ -9,9 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from haros_ci.model.launch_facts import LaunchFact
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
-from haros_ci.model.presence import Presence
+from haros_ci.model.presence import ALWAYS, Presence
 from haros_ci.model.workspace import Problem
 
 #: Kinds of endpoints, in the order in which they are listed.
@@ -101,13 +102,34 @@ class Endpoint:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RemapRule:
+    """Where a remapping rule of a node stands. *source* and *target* are as written, substitutions performed.
+
+    *source_name* and *target_name* are full, None where a part is not known or the rule is none that names a topic. *node* is the
+    one node of the process that it is for (``node:from:=to``), "" for all; *is_global* if it is set for all nodes
+    of a scope (ROS 2 SetRemap, ROS 1 a ``<remap>`` outside the ``<node>``). *conditions* are undecided ones around the rule itself.
+    """
+
+    source: str
+    target: str
+    location: Location
+    source_name: str | None = None
+    target_name: str | None = None
+    node: str = ""
+    presence: Presence = ALWAYS
+    conditions: tuple[Condition, ...] = ()
+    is_global: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Node:
     """A node of a running system. *kind* is node, nodelet, component or lifecycle; *ros* is 1 or 2; *type* the executable, or a nodelet's class as looked up.
 
     Of the kind library is what a class of a library, its *type*, brings into the node of whoever uses it.
     *package* and *type* are ``kobuki_node`` and ``KobukiNodelet`` for ``kobuki_node/KobukiNodelet``; *class_name* is the C++
     class of a nodelet; *container* the manager's full name; *process* is shared by the nodes of one process.
-    *remaps* are fully resolved pairs, *arguments* the text of the launch file's ``args``.
+    *remaps* are fully resolved pairs, *rules* the remapping rules that they come from in the order in which they apply;
+    *arguments* is the text of the launch file's ``args``.
     """
 
     name: str
@@ -116,6 +138,7 @@ class Node:
     type: str
     arguments: str = ""
     remaps: tuple[tuple[str, str], ...] = ()
+    rules: tuple[RemapRule, ...] = ()
     conditions: tuple[Condition, ...] = ()
     location: Location | None = None
     endpoints: tuple[Endpoint, ...] = ()
@@ -149,7 +172,8 @@ class Parameter:
 class Configuration:
     """One system: the nodes that *launch* (paths ``package/path``) starts together. *arguments* are its launch args.
 
-    *closed* says that nothing outside it takes part, so that what is not there is missing.
+    *closed* says that nothing outside it takes part, so that what is not there is missing. *launch_facts* is what its
+    launch files say besides, for checks.
     """
 
     name: str
@@ -162,6 +186,7 @@ class Configuration:
     #: Nodes that are there under other arguments only, each with its presence, and what is set under them.
     alternatives: tuple[Node, ...] = ()
     alternative_parameters: tuple[Parameter, ...] = ()
+    launch_facts: tuple[LaunchFact, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
