@@ -12,6 +12,7 @@ from haros_ci.link.follow import Entry
 from haros_ci.link.kept import Followed
 from haros_ci.link.names import clean
 from haros_ci.link.parameters import ParameterServer
+from haros_ci.link.remap_rules import of_ros2_node, ros2_rules
 from haros_ci.link.ros2_implicit import implicit
 from haros_ci.link.ros2_nodes import ALONE, SIM_TIME
 from haros_ci.link.ros2_process import (
@@ -28,7 +29,7 @@ from haros_ci.link.run import Context, Made
 from haros_ci.link.system import PROGRAM, Job, Types, files_key, followed_in, incomplete, same
 from haros_ci.link.values import Known, Opaque, Value
 from haros_ci.link.words import shell_words
-from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
+from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, RemapRule, Unknown
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.location import Location
 from haros_ci.model.presence import together
@@ -51,6 +52,8 @@ class Started:
     parameters: Parameters
     words: tuple[str, ...]
     is_component: bool
+    #: The remapping rules of launch files, with the places they stand at.
+    written: tuple[RemapRule, ...] = ()
     #: The rules of the container that a component is loaded into.
     around: tuple[Rule, ...] = ()
     #: Whether every plug-in that it could load is followed.
@@ -114,7 +117,8 @@ def started_by(node: LaunchedNode) -> Started:
     if node.kind == "component" and node.container is not None and "?" not in node.container:
         space, _, name = node.container.rpartition("/")
         around = (Rule("", "__node", name), Rule("", "__ns", space or "/"))
-    return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component", around)
+    written = ros2_rules((*more.rules, *said.rules), node.rules, node.location)
+    return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component", written, around)
 
 
 def _words(text: str, first: str = "") -> list[str]:
@@ -182,7 +186,7 @@ def nodes_of(
     if not followed.nodes:
         kind = node.kind if is_named or followed.made or node.source == "launch" else PROGRAM
         ends = endpoints(followed.made, lambda item: item.name, NOTHING)
-        return (replace(node, kind=kind, endpoints=ends, unknowns=unknowns),), followed.problems
+        return (_with_rules(replace(node, kind=kind, endpoints=ends, unknowns=unknowns), started),), followed.problems
     found: list[Node] = []
     groups = grouped(followed)
     main = followed.nodes[0]
@@ -203,6 +207,7 @@ def nodes_of(
                 process=node.container or main.name,
                 class_name=node.class_name if each is main and node.class_name else _class_name(each),
                 remaps=_remaps(each, ends),
+                rules=of_ros2_node(started.written, each.whole),
                 conditions=(*node.conditions, *each.conditions),
                 location=node.location if node.source == "launch" and each is main else each.location,
                 source=node.source if each is main else "source",
@@ -306,7 +311,15 @@ def run_process(types: Types, entry: Entry, files: frozenset[str], started: Star
 
 def _not_followed(types: Types, launched_node: LaunchedNode, node: Node, started: Started) -> tuple[Node, ...]:
     """A node whose code is not in the workspace: with what is known of its type."""
-    return (outside.ros2_described(node, types, launched_node, started.rules, started.parameters),)
+    made = outside.ros2_described(node, types, launched_node, started.rules, started.parameters)
+    return (_with_rules(made, started),)
+
+
+def _with_rules(node: Node, started: Started) -> Node:
+    """*node* with the rules of launch files by the names that they have there."""
+    space = node.name.rpartition("/")[0] or "/"
+    itself = RosNode(node.name, space, space, node.kind, "", node.location or Location(""))
+    return replace(node, rules=of_ros2_node(started.written, itself))
 
 
 def given_parameters(nodes: Iterable[tuple[Node, Parameters]]) -> tuple[Parameter, ...]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
+from haros_ci.link.remap_rules import written_rule
 from haros_ci.link.roslaunch_names import (
     MARK,
     Text,
@@ -62,7 +63,7 @@ def node(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condi
     if not _options_accepted(state, scope, tag, options):
         return
     state.spend(25 + len(scope.args) // 2)
-    own = scope.child(namespace, conditions)
+    own = replace(scope.child(namespace, conditions), is_shared=False)
     full = Text(canonical(f"{namespace.raw}/{name.raw}"), namespace.reasons + name.reasons)
     inner = scope.child(full, conditions)
     outer = scope.child(scope.namespace, conditions)
@@ -140,14 +141,18 @@ def remap(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Cond
             said = f"{quoted(text.raw)} is no legal name" if text.raw else "'from' and 'to' cannot be empty"
             state.wrong(scope, tag, f"<remap>: {said}; correct it. The tag is left out")
             return
-    if len(conditions) > len(scope.conditions):
+    undecided = conditions[len(scope.conditions) :]
+    rule = written_rule(
+        source.shown, target.shown, location(scope, tag), conditions=undecided, is_global=scope.is_shared
+    )
+    if undecided:
         old = next((remap.target.raw for remap in scope.remaps if remap.source.raw == source.raw), source.raw)
         if target.known and old == target.raw:
             return
         shown = f"whether {quoted(source.shown)} is remapped to {quoted(target.shown)}: "
         target = unknown(shown + unknown_condition(conditions))
     state.spend(len(scope.remaps) // 10)
-    scope.add_remap(Remap(source, target, location(scope, tag)))
+    scope.add_remap(Remap(source, target, location(scope, tag), rule))
 
 
 def environment(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condition, ...]) -> None:
@@ -300,6 +305,7 @@ def _started(
         location=place,
         arguments=options["args"].shown,
         remaps=tuple((entry.source.shown, entry.target.shown, entry.location) for entry in own.remaps),
+        rules=tuple(entry.rule for entry in own.remaps),
         conditions=own.conditions,
         presence=own.presence,
         environment=tuple((name.shown, value.shown) for name, value in own.environment),

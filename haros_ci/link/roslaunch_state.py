@@ -13,7 +13,7 @@ from haros_ci.link.roslaunch_names import Origin, Text, canonical, join_in, quot
 from haros_ci.link.roslaunch_substitution import Sources, substitute
 from haros_ci.link.roslaunch_types import boolean
 from haros_ci.link.roslaunch_yaml import YamlValue
-from haros_ci.model.architecture import Condition, Parameter, Unknown
+from haros_ci.model.architecture import Condition, Parameter, RemapRule, Unknown
 from haros_ci.model.launch import LaunchElement, LaunchFile, Started
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence, in_words, together
@@ -41,11 +41,12 @@ class Private:
 
 @dataclass(frozen=True, slots=True)
 class Remap:
-    """A ``<remap>`` tag; its target is unknown where it is undecided whether it holds."""
+    """A ``<remap>`` tag; its target is unknown where it is undecided whether it holds. *rule* is what is written."""
 
     source: Text
     target: Text
     location: Location
+    rule: RemapRule
 
 
 @dataclass(slots=True, kw_only=True)
@@ -72,6 +73,8 @@ class Scope:
     presence: Presence = ()
     #: Args that are set with other args of the top level only.
     unset: dict[str, Text] = field(default_factory=dict)
+    #: Whether what is set here counts for all nodes of the scope, not for one.
+    is_shared: bool = True
 
     def apart(self) -> Scope:
         """A copy of which nothing that is done in it is seen outside."""

@@ -19,6 +19,7 @@ from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.names import clean, pattern, resolve, resolve_target
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.relevance import Relevance
+from haros_ci.link.remap_rules import of_ros1_node, written_rule
 from haros_ci.link.ros2_process import Parameters
 from haros_ci.link.run import Context, Exact, Made, Renamed, Run
 from haros_ci.link.trace import Trace
@@ -125,7 +126,9 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         resolve(source, namespace, started.name): resolve_target(target, namespace, started.name)
         for source, target, _ in started.remaps
     }
+    rules = [*started.rules]
     for source, target in words.remaps:
+        rules.append(written_rule(source, target, started.location))
         if "?" not in source:
             remaps[resolve(source, namespace, started.name)] = resolve_target(target, namespace, started.name)
     node = Node(
@@ -135,6 +138,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         type=started.type,
         arguments=started.arguments,
         remaps=tuple(sorted(remaps.items())),
+        rules=of_ros1_node(rules, namespace, started.name),
         conditions=started.conditions,
         presence=started.presence,
         location=started.location,

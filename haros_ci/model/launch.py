@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.model.architecture import Condition, Parameter, Unknown
+from haros_ci.model.architecture import Condition, Parameter, RemapRule, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Problem
@@ -18,7 +18,8 @@ class Started:
 
     *remaps* are in scope order, as written but substituted (to be resolved by the node's name and namespace); a later
     pair with the same source wins. *arguments* is the substituted ``args``. What could not be substituted is ``?`` in
-    the text, with an entry in *unknowns*; the target of a remap whose condition is undecided is ``?``, too.
+    the text, with an entry in *unknowns*; the target of a remap whose condition is undecided is ``?``, too. *rules* are
+    the same remaps as they are written, with their conditions, names not yet resolved.
     """
 
     name: str
@@ -28,6 +29,7 @@ class Started:
     location: Location
     arguments: str = ""
     remaps: tuple[tuple[str, str, Location], ...] = ()
+    rules: tuple[RemapRule, ...] = ()
     conditions: tuple[Condition, ...] = ()
     environment: tuple[tuple[str, str], ...] = ()
     machine: str | None = None
@@ -88,7 +90,7 @@ class LaunchedNode:
     (``ns::Class``). *name* has no namespace, None where the program names itself; *namespace* is full, None where nothing
     gives it. *container* is the full name of a component's container. *parameters* are in order: of those that match
     a node the last counts, but one that names the node outright beats a wildcard of the same source. *remaps* are in order, the first
-    that matches counts; a source may be ``node:from``. *arguments* is the substituted ``args``, *ros_arguments* what
+    that matches counts; a source may be ``node:from``; *rules* are the same, as in ``Started``. *arguments* is the substituted ``args``, *ros_arguments* what
     follows ``--ros-args``. What could not be substituted is ``?`` in the text, with an entry in *unknowns*.
     """
 
@@ -101,6 +103,7 @@ class LaunchedNode:
     container: str | None = None
     parameters: tuple[ParameterRule, ...] = ()
     remaps: tuple[tuple[str, str, Location], ...] = ()
+    rules: tuple[RemapRule, ...] = ()
     arguments: str = ""
     ros_arguments: str = ""
     conditions: tuple[Condition, ...] = ()

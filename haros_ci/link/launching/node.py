@@ -11,9 +11,10 @@ from haros_ci.link.launching.context import NAMESPACE, Context
 from haros_ci.link.launching.parameter_files import Component, file_rules, missing
 from haros_ci.link.launching.parameters import node_rules
 from haros_ci.link.launching.substitutions import truth_of
+from haros_ci.link.remap_rules import written_rule
 from haros_ci.link.ros2_process import from_arguments, ros_arguments
 from haros_ci.link.roslaunch_names import MARK, Text, literal, unknown
-from haros_ci.model.architecture import Condition, Unknown
+from haros_ci.model.architecture import Condition, RemapRule, Unknown
 from haros_ci.model.launch import LaunchedNode, ParameterRule
 from haros_ci.model.launch_actions import Action, Substitution
 from haros_ci.model.location import Location
@@ -207,7 +208,7 @@ def _started(
     unknowns: list[Unknown] = []
     for field, text in (("name", name), ("namespace", namespace), ("package", package), ("type", type_)):
         unknowns.extend(text.unknown(field, place) if text is not None else ())
-    remaps, doubts = _remaps(context, action)
+    remaps, rules, doubts = _remaps(context, action)
     unknowns.extend(doubts)
     own = None
     if is_component:
@@ -227,19 +228,26 @@ def _started(
         container=None if container is None else container.shown,
         parameters=parameters,
         remaps=remaps,
+        rules=rules,
         conditions=conditions,
         presence=context.presence,
         unknowns=tuple(unknowns),
     )
 
 
-def _remaps(context: Context, action: Action) -> tuple[_Remaps, list[Unknown]]:
+def _remaps(context: Context, action: Action) -> tuple[_Remaps, tuple[RemapRule, ...], list[Unknown]]:
     """Rules set for all nodes first, then the node's own; a rule under an undecided condition leads to ``?``."""
     found: list[tuple[str, str, Location]] = []
+    rules: list[RemapRule] = []
     unknowns: list[Unknown] = []
     for rule in context.scope.remaps or ():
         target = "?" if rule.conditions else rule.target.shown
         found.append((rule.source.shown, target, rule.location))
+        rules.append(
+            written_rule(
+                rule.source.shown, rule.target.shown, rule.location, conditions=rule.conditions, is_global=True
+            )
+        )
         if rule.conditions:
             reason = f"it is set under the condition '{rule.conditions[-1].condition}', which is not decided"
             unknowns.append(Unknown("remaps", reason, rule.location))
@@ -248,5 +256,6 @@ def _remaps(context: Context, action: Action) -> tuple[_Remaps, list[Unknown]]:
     for source, target_phrase, location in action.remaps:
         one, other = context.text(source), context.text(target_phrase)
         found.append((one.shown, other.shown, location))
+        rules.append(written_rule(one.shown, other.shown, location))
         unknowns.extend(Text("", one.reasons + other.reasons).unknown("remaps", location))
-    return tuple(found), unknowns
+    return tuple(found), tuple(rules), unknowns
