@@ -42,7 +42,8 @@ class Workspace:
     ``root`` is the directory on disk that paths are relative to. ``files`` is sorted by path. ``targets`` are the
     paths to report on when file arguments were given, None for all. ``problems`` become notifications; ``faults``
     are malformed manifests, which become findings. ``links`` are symbolic links, sorted, each with the file or directory
-    inside the workspace that it leads to.
+    inside the workspace that it leads to. ``names`` are the paths of all files, those included that are not analysed (meshes,
+    maps); empty where that is not known.
     """
 
     root: Path
@@ -53,6 +54,7 @@ class Workspace:
     problems: tuple[Problem, ...] = ()
     faults: tuple[Problem, ...] = ()
     links: tuple[tuple[str, str], ...] = ()
+    names: frozenset[str] = frozenset()
 
     def text(self, path: str) -> str:
         """The decoded text of the file at *path*; "" if it is not there or not text."""

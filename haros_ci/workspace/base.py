@@ -79,6 +79,7 @@ def base_workspace(
                 context=[c for c in read_blobs(tree, manifests, max_file_size) if isinstance(c, Content)],
                 max_file_size=max_file_size,
                 name=root.name,
+                names=tree,
             )
             yield Base(base, commit, renames)
     except GitError as err:

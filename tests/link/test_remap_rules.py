@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from follow_kit import ROS2_HEAD, ROS2_NODE, ros2_files
+from follow_kit import ROS2_HEAD, ROS2_NODE, follow, ros2_files
 
 from haros_ci.model.architecture import Configuration, RemapRule
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from roslaunch_kit import MAIN, launch, messages, names, node, run, told, values
 
-from haros_ci.model.architecture import Condition, Unknown
+from haros_ci.model.architecture import Condition, RemapRule, Unknown
 from haros_ci.model.launch import Started
 from haros_ci.model.location import Location
 
@@ -46,6 +46,7 @@ def test_a_node_with_everything() -> None:
             location=at(2, 2),
             arguments="-f $(find cam)/x.yaml",
             remaps=(("image", "raw", at(3, 3)),),
+            rules=(RemapRule(source="image", target="raw", location=at(3, 3)),),
             environment=(("A", "1"),),
             machine="m",
             respawn=True,
