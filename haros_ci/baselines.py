@@ -6,7 +6,7 @@ Most runs need one of these ways or none, so each is imported where it is taken.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -95,16 +95,18 @@ def sarif_runs(data: bytes, name: str, root: Path) -> tuple[Run, ...]:
 
 def sides(
     workspace: Workspace,
-    runs: Iterable[Run],
+    runs: tuple[Run, ...],
     paths: tuple[str, ...],
     base: Workspace | None = None,
     renames: Mapping[str, str] | None = None,
+    past: tuple[Run, ...] | None = None,
 ) -> Sides:
     """The files on the two sides of a comparison, as the matcher asks for them.
 
-    *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone.
+    *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone. *past* are the runs
+    on the *base*.
     """
-    from haros_ci.results.known import Sides, rule_aliases
+    from haros_ci.results.known import Sides, names_in, rule_aliases
 
     language = {file.path: file.language for side in (base, workspace) if side for file in side.files}
     present = {file.path for file in workspace.files}
@@ -119,6 +121,8 @@ def sides(
         renames=renames or {},
         aliases=rule_aliases(runs),
         partial=workspace.targets is not None,
+        head_names=names_in(runs),
+        base_names=None if past is None else names_in(past),
     )
 
 
@@ -140,7 +144,9 @@ def _difference(settings: Settings) -> tuple[Notification, ...]:
             return ()
     except (OSError, TooLarge):
         pass
-    return (Notification(Level.NOTE, f"{name} differs from the base revision's, which this run uses", configuration=True),)
+    return (
+        Notification(Level.NOTE, f"{name} differs from the base revision's, which this run uses", configuration=True),
+    )
 
 
 def _against_revision(
@@ -155,7 +161,7 @@ def _against_revision(
         past = examine(base.workspace)
         known = known_from_results(result for run in past for result in run.results)
         compared = tuple(run for run in runs if not run.imported)
-        found = sides(workspace, compared, settings.paths, base.workspace, base.renames)
+        found = sides(workspace, compared, settings.paths, base.workspace, base.renames, past)
         matched = _matched(compared, known, found)
     logs = tuple(run for run in runs if run.imported)
     notes = [

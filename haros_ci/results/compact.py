@@ -10,6 +10,7 @@ import json
 import re
 from collections.abc import Iterable
 
+from haros_ci.results.fingerprint import MOST_NAMES, names_digest
 from haros_ci.results.known import Known
 
 VERSION_KEY = "haros-ci-baseline"
@@ -28,10 +29,11 @@ _STRINGS = {
     "shape": "shape",
     "before": "before",
     "after": "after",
+    "roles": "roles",
     "reason": "reason",
 }
 _REQUIRED = ("path", "tool", "rule")
-_HASHES = frozenset({"text", "shape", "before", "after"})
+_HASHES = frozenset({"text", "shape", "before", "after", "roles"})
 _HASH = re.compile(r"[0-9a-f]{16}\Z")
 _LONGEST = 4_000
 _ANEW = "restore it from git, or write it anew with 'haros-ci baseline create'"
@@ -86,6 +88,8 @@ def read_compact(data: bytes, name: str) -> tuple[Known, ...]:
 
 def _entry(known: Known) -> dict[str, object]:
     fields: dict[str, object] = {key: getattr(known, field) for key, field in _STRINGS.items() if getattr(known, field)}
+    if known.subject:
+        fields["subject"] = list(known.subject)
     if known.occurrence != 1:
         fields["occurrence"] = known.occurrence
     return fields
@@ -112,13 +116,16 @@ def _check_version(fields: dict[str, object], number: int) -> None:
 def _known(fields: dict[str, object], number: int) -> Known:
     strings: dict[str, str] = {}
     occurrence = 1
+    subject: tuple[str, ...] = ()
     for key, value in fields.items():
         if key == "occurrence":
             if not isinstance(value, int) or isinstance(value, bool) or not 0 < value < 10**9:
                 raise BaselineFormatError(number, "'occurrence' is not a number from 1 on")
             occurrence = value
+        elif key == "subject":
+            subject = _names(value, number)
         elif key not in _STRINGS:
-            names = ", ".join((*_STRINGS, "occurrence"))
+            names = ", ".join((*_STRINGS, "subject", "occurrence"))
             raise BaselineFormatError(number, f"unknown key '{key:.40}'; known are {names}")
         elif not isinstance(value, str) or len(value) > _LONGEST:
             raise BaselineFormatError(number, f"'{key}' is not a text of at most {_LONGEST} characters")
@@ -142,5 +149,15 @@ def _known(fields: dict[str, object], number: int) -> Known:
         after=strings.get("after", ""),
         template=strings.get("template", ""),
         occurrence=occurrence,
+        names=names_digest(subject),
+        roles=strings.get("roles", ""),
+        subject=subject,
         reason=strings.get("reason", ""),
     )
+
+
+def _names(value: object, number: int) -> tuple[str, ...]:
+    names = tuple(name for name in value if isinstance(name, str) and name) if isinstance(value, list) else ()
+    if not isinstance(value, list) or len(names) != len(value) or len(names) > MOST_NAMES:
+        raise BaselineFormatError(number, f"'subject' is not a list of at most {MOST_NAMES} names")
+    return names

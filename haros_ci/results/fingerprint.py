@@ -18,6 +18,9 @@ from haros_ci.results.scope import Scopes, scopes
 #: The hash of nothing: a context with this value begins or ends the file.
 EDGE = sha256(b"").hexdigest()[:16]
 
+#: No finding is about more; of one that is, the first count.
+MOST_NAMES = 1_000
+
 _CONTEXT_LINES = 3
 _LEAST_CONTEXT = 8  # letters and digits
 _LONGEST_SNIPPET = 300
@@ -68,6 +71,7 @@ def partial_fingerprints(result: Result) -> dict[str, str]:
 
     ``harosCi/v1`` is strict (rule, scope, text, then ``:occurrence``), ``harosCiScope/v1`` survives an edited line
     (rule, scope, message template); the others are the identity's own hashes, so that a log restores it.
+    ``harosCiSubject/v1`` and ``harosCiRoles/v1`` tell with the rule which finding of the architecture it is.
     """
     identity = result.identity
     if identity is None:
@@ -81,6 +85,8 @@ def partial_fingerprints(result: Result) -> dict[str, str]:
         "harosCiShape/v1": identity.shape,
         "harosCiBefore/v1": identity.before,
         "harosCiAfter/v1": identity.after,
+        "harosCiSubject/v1": identity.names,
+        "harosCiRoles/v1": identity.roles,
         "primaryLocationLineHash": identity.line_hash,
     }
     return {name: value for name, value in values.items() if value}
@@ -102,7 +108,26 @@ def restore_identity(fingerprints: Mapping[str, str], *, scope: str, template: s
         line_hash=fingerprints.get("primaryLocationLineHash", ""),
         snippet=snippet,
         shape=fingerprints.get("harosCiShape/v1", ""),
+        names=fingerprints.get("harosCiSubject/v1", ""),
+        roles=fingerprints.get("harosCiRoles/v1", ""),
     )
+
+
+def names_digest(subject: Iterable[str]) -> str:
+    """``Identity.names`` of the ROS names that a finding is about; the order and repetitions do not count."""
+    names = sorted_names(subject)
+    return digest("\0".join(names)) if names else ""
+
+
+def sorted_names(subject: Iterable[str]) -> tuple[str, ...]:
+    """Each name once."""
+    return tuple(sorted(set(subject))[:MOST_NAMES])
+
+
+def roles_digest(roles: Iterable[str]) -> str:
+    """``Identity.roles`` of what those names are; the order does not count."""
+    ordered = sorted(roles)
+    return digest("\0".join(ordered)) if ordered else ""
 
 
 def digest(text: str) -> str:
@@ -174,5 +199,7 @@ def _identities(results: list[Result], file: _Lines) -> list[Identity]:
             occurrence=counts[key],
             line_hash=hashes.get(line, "") if here else "",
             snippet=file.lines[line - 1][:_LONGEST_SNIPPET] if here else "",
+            names=names_digest(result.subject),
+            roles=roles_digest(result.roles),
         )
     return identities

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from haros_ci.results.fingerprint import message_template
+from haros_ci.results.fingerprint import message_template, names_digest, roles_digest, sorted_names
 from haros_ci.results.result import BaselineState, Identity, Result, Run
 from haros_ci.results.rule import Level
 
@@ -15,9 +15,10 @@ ABSENT = BaselineState.ABSENT
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Known:
-    """One finding of the past. The first eleven fields are all that a compact baseline holds, and ``reason``.
+    """One finding of the past. The fields up to ``reason`` are all that a compact baseline holds.
 
-    ``scope`` to ``occurrence`` are those of Identity. A finding of a foreign log has no ``text`` although it has a
+    ``scope`` to ``roles`` are those of Identity, ``subject`` are Result's names, sorted; ``graph`` is Result's and
+    ``related`` are the paths and lines of its related places. A finding of a foreign log has no ``text`` although it has a
     ``line``. ``message`` is "" and ``level``, ``value``, ``line`` are None where the baseline does not tell.
     ``reason`` is the user's own: why the finding is accepted.
     """
@@ -32,17 +33,22 @@ class Known:
     after: str = ""
     template: str = ""
     occurrence: int = 1
+    names: str = ""
+    roles: str = ""
+    subject: tuple[str, ...] = ()
     reason: str = ""
     message: str = ""
     level: Level | None = None
     value: float | None = None
     line: int | None = None
+    graph: str = ""
+    related: tuple[tuple[str, int], ...] = ()
 
     @property
     def sort_key(self) -> tuple[object, ...]:
         """By content, so that an entry keeps its place when lines move."""
-        content = (self.path, self.tool, self.rule, self.scope, self.template, self.text)
-        return (*content, self.occurrence, self.shape, self.before, self.after)
+        content = (self.path, self.tool, self.rule, self.scope, self.template, self.text, self.subject)
+        return (*content, self.occurrence, self.shape, self.before, self.after, self.roles)
 
 
 def _everything(tool: str, path: str) -> bool:
@@ -60,7 +66,8 @@ class Sides:
     *head* and *base* give a file's text, "" where there is none; *base* is None where the past's files cannot be had.
     *language* is of a path on either side. *renames* maps old paths to new, *aliases* old ``tool:rule`` to current.
     *analysed* tells whether this run's tool answered for a file, *exists* whether the file is in the workspace now.
-    *partial* runs did not look at every file: nothing is absent only because its file is gone.
+    *head_names* and *base_names* are the names in each graph of the two sides; *base_names* is None where the past's
+    graphs cannot be had. *partial* runs did not look at every file: nothing is absent only because its file is gone.
     """
 
     head: Callable[[str], str]
@@ -71,6 +78,8 @@ class Sides:
     renames: Mapping[str, str] = field(default_factory=dict)
     aliases: Mapping[str, str] = field(default_factory=dict)
     partial: bool = False
+    head_names: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    base_names: Mapping[str, frozenset[str]] | None = None
 
     def rule(self, known: Known) -> str:
         """Today's ``tool:rule`` of a known finding."""
@@ -99,7 +108,8 @@ def identity_of(result: Result) -> Identity:
     if result.identity is not None:
         return result.identity
     template = message_template(result.message, keep_names=result.location.line is None)
-    return Identity(scope=result.scope, template=template)
+    names, roles = names_digest(result.subject), roles_digest(result.roles)
+    return Identity(scope=result.scope, template=template, names=names, roles=roles)
 
 
 def known_from(result: Result, reason: str = "") -> Known:
@@ -116,12 +126,25 @@ def known_from(result: Result, reason: str = "") -> Known:
         after=identity.after,
         template=identity.template,
         occurrence=identity.occurrence,
+        names=identity.names,
+        roles=identity.roles,
+        subject=sorted_names(result.subject),
         reason=reason,
         message=result.message,
         level=result.level,
         value=result.value,
         line=result.location.line,
+        graph=result.graph,
+        related=tuple((r.location.path, r.location.line) for r in result.related if r.location.line is not None),
     )
+
+
+def names_in(runs: Iterable[Run]) -> dict[str, frozenset[str]]:
+    """The names of nodes, topics, services and actions in each graph of the runs."""
+    found: dict[str, set[str]] = {}
+    for graph in (graph for run in runs for graph in run.graphs):
+        found.setdefault(graph.name, set()).update(vertex.label for vertex in graph.vertices)
+    return {name: frozenset(names) for name, names in found.items()}
 
 
 def rule_aliases(runs: Iterable[Run]) -> dict[str, str]:

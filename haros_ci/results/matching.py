@@ -40,15 +40,20 @@ class _Past:
         self.rules: set[str] = set()
         self.files: set[tuple[str, str]] = set()
         self.texts: set[tuple[str, str, str]] = set()
+        self.named: dict[str, set[str]] = {}  # the digests of names by rule
         for entry in known:
             rule = sides.rule(entry)
             path = sides.renames.get(entry.path, entry.path)
             self.rules.add(rule)
             self.files.add((rule, path))
             self.texts.add((rule, path, entry.text))
+            if entry.names:
+                self.named.setdefault(rule, set()).add(entry.names)
 
     def why_new(self, result: Result) -> str:
         rule, path = result.full_id, result.location.path
+        if identity_of(result).names and rule in self.named:
+            return self.why_new_name(rule, result)
         text = identity_of(result).text
         if rule not in self.rules:
             return f"new: the baseline has no '{result.rule}'"
@@ -58,6 +63,12 @@ class _Past:
             return f"new: no earlier '{result.rule}' in this file has this text"
         return f"new: every earlier '{result.rule}' with this text stands elsewhere or is matched to another result"
 
+    def why_new_name(self, rule: str, result: Result) -> str:
+        names = ", ".join(f"'{name}'" for name in sorted(result.subject)) or "these names"
+        if identity_of(result).names in self.named[rule]:
+            return f"new: every earlier '{result.rule}' about {names} stands elsewhere or is matched to another result"
+        return f"new: no earlier '{result.rule}' is about {names}, or about names that gave way to them"
+
 
 def _matched(result: Result, known: Known, evidence: str) -> Result:
     now, place = identity_of(result), result.location
@@ -66,6 +77,8 @@ def _matched(result: Result, known: Known, evidence: str) -> Result:
         changes.append("file changed")
     if known.text and known.text != now.text:
         changes.append("text changed")
+    if known.names and now.names and known.names != now.names:
+        changes.append(_renamed(result, known))
     if known.template.rstrip(". ") != now.template.rstrip(". "):  # a message in SARIF is a full sentence
         changes.append("message changed")
     if known.level not in (None, result.level):
@@ -87,6 +100,12 @@ def _way(known: Known, place: Location) -> str:
     return f" (line {place.line})" if known.line == place.line else f" ({known.line} → {place.line})"
 
 
+def _renamed(result: Result, known: Known) -> str:
+    """Which names gave way to which."""
+    old, new = sorted({*known.subject} - {*result.subject}), sorted({*result.subject} - {*known.subject})
+    return f"names changed: {', '.join(old) or '?'} → {', '.join(new) or '?'}"
+
+
 def _absent(known: Known, sides: Sides) -> Result:
     now = sides.renames.get(known.path, known.path)
     return Result(
@@ -97,6 +116,8 @@ def _absent(known: Known, sides: Sides) -> Result:
         location=Location(known.path, known.line),
         scope=known.scope,
         value=known.value,
+        subject=known.subject,
+        graph=known.graph,
         identity=Identity(
             scope=known.scope,
             text=known.text,
@@ -105,6 +126,8 @@ def _absent(known: Known, sides: Sides) -> Result:
             after=known.after,
             template=known.template,
             occurrence=known.occurrence,
+            names=known.names,
+            roles=known.roles,
         ),
         state=BaselineState.ABSENT,
         reason=f"gone: '{known.rule}' is no longer found here" if sides.exists(now) else "gone with its file",

@@ -5,27 +5,20 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Container, Iterable, Sequence
-from dataclasses import dataclass, field
-from operator import itemgetter
+from dataclasses import dataclass
 
-from haros_ci.results.assignment import Place, assign
+from haros_ci.results.assignment import assign
+from haros_ci.results.candidate import Candidate, Key, Pair, features, grouped, picker
 from haros_ci.results.comments import lines_of
-from haros_ci.results.fingerprint import EDGE, text_hashes
+from haros_ci.results.fingerprint import text_hashes
 from haros_ci.results.known import Known, Sides, identity_of
 from haros_ci.results.line_map import line_mapper, words
-from haros_ci.results.result import Identity, Result
+from haros_ci.results.renaming import Evidence, pair_renamed
+from haros_ci.results.result import Result
 
 #: Lines that a mapped line may be off.
 NEAR = 3
 _KINSHIP = 0.6  # of the shorter line's words
-
-#: Feature letters of a key, in the order of _Thing.features:
-#: R rule, P path, N file name, L mapped line, S scope, T text of the line, X whole message, M message template,
-#: B lines before, A lines after, H shape of the line, E the file's first line, V a metric, U the text is not known.
-_LETTERS = "RPNLSTXMBAHEVU"
-
-
-_Key = tuple[object, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,9 +42,23 @@ class _Pass:
     @property
     def anchor(self) -> str:
         """The few letters that tell soonest what cannot be paired."""
+        if "W" in self.letters:
+            return "RW"
         return "RT" if "T" in self.letters else "RM" if "M" in self.letters else "RPS"
 
 
+#: For findings that are about ROS names: those say which finding it is, wherever it stands.
+_NAMED = (
+    _Pass("RWPLST", "same ROS names at its mapped line"),
+    _Pass("RWPST", "same ROS names, text and scope"),
+    _Pass("RWPT", "same ROS names and text"),
+    _Pass("RWPL", "same ROS names at its mapped line; the line was edited"),
+    _Pass("RWPS", "same ROS names in the same scope; the line was edited", scoped=True),
+    _Pass("RWP", "same ROS names in the same file"),
+    _Pass("RWST", "moved: same ROS names, text and scope in another file"),
+    _Pass("RWN", "moved: same ROS names in a file of the same name"),
+    _Pass("RW", "moved: same ROS names in another file"),
+)
 _IN_FILE = (
     _Pass("RPLSTX", "same text at its mapped line"),
     _Pass("RPLSTM", "same text at its mapped line"),
@@ -104,31 +111,10 @@ _MOVED = (
 _RENAMED = (_Pass("RNSM", "same message in a file of the same name; the old file is gone", gone=True),)
 
 
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """Result *new* is known finding *old* (positions in the inputs), for the reason *evidence*."""
-
-    new: int
-    old: int
-    evidence: str
-
-
-@dataclass(slots=True)
-class _Thing:
-    """A result or a known finding as the passes see it."""
-
-    index: int
-    path: str
-    line: int | None  # where it stands in the new file; of a known finding: by line map
-    place: Place  # to find the nearest: (line, or an estimate of it; position)
-    scope: str
-    text: str
-    features: tuple[object, ...] = field(default=())
-
-
 def pair(new: Sequence[Result], known: Sequence[Known], sides: Sides) -> tuple[Pair, ...]:
     """Pair results with known findings. No two pairs share a side; copies of a known finding stay unpaired."""
     matcher = _Matcher(new, known, sides)
+    matcher.run_named()
     matcher.run(_IN_FILE)
     matcher.run(_MOVED)
     if matcher.follow_renames():
@@ -153,46 +139,64 @@ class _Matcher:
         rules = {sides.rule(k) for k in known}
         self.new = [self.of_result(i, result) for i, result in enumerate(new) if result.full_id in rules]
 
-    def of_result(self, index: int, result: Result) -> _Thing:
+    def of_result(self, index: int, result: Result) -> Candidate:
         seen, line = identity_of(result), result.location.line
-        thing = _Thing(index, result.location.path, line, (line or 0, index), seen.scope, seen.text)
+        thing = Candidate(index, result.location.path, line, (line or 0, index), seen.scope, seen.text, seen.names)
         text = seen.text if seen.text or line is None else None
-        thing.features = _features(thing, result.full_id, seen, text, result.message, result.value is not None, True)
+        thing.features = features(thing, result.full_id, seen, text, result.message, result.value is not None, True)
         return thing
 
-    def of_known(self, index: int, known: Known, path: str | None = None) -> _Thing:
+    def of_known(self, index: int, known: Known, path: str | None = None) -> Candidate:
         path = path or self.sides.renames.get(known.path, known.path)
-        line = self.mapped(known, path)
+        line = self.mapped(known.line, known.path, path)
         place = (line or known.line or 0, known.occurrence)
-        thing = _Thing(index, path, line, place, known.scope, known.text)
+        thing = Candidate(index, path, line, place, known.scope, known.text, known.names)
         blind = not known.text and known.line is not None
         text = None if blind else known.text
-        thing.features = _features(thing, self.sides.rule(known), known, text, known.message, True, blind)
+        thing.features = features(thing, self.sides.rule(known), known, text, known.message, True, blind)
         return thing
 
-    def mapped(self, known: Known, path: str) -> int | None:
-        if known.line is None or self.sides.base is None:
+    def mapped(self, line: int | None, old_path: str, path: str) -> int | None:
+        if line is None or self.sides.base is None:
             return None
-        key = f"{known.path}\0{path}"
+        key = f"{old_path}\0{path}"
         if key not in self.maps:
-            old, head = self.sides.base(known.path), self.sides.head(path)
+            old, head = self.sides.base(old_path), self.sides.head(path)
             self.maps[key] = line_mapper(old, head) if old and head else None
         mapper = self.maps[key]
-        return mapper(known.line) if mapper else None
+        return mapper(line) if mapper else None
+
+    def place_of(self, path: str, line: int) -> tuple[str, int] | None:
+        """Where a line of the past stands now."""
+        now = self.sides.renames.get(path, path)
+        place = self.mapped(line, path, now)
+        return None if place is None else (now, place)
+
+    def run_named(self) -> None:
+        """Pair the findings about ROS names. A known one that has them is left to no pass that looks at lines: another
+        defect in its line is another finding."""
+        if not any(thing.names for thing in self.old):
+            return
+        self.run(_NAMED)
+        evidence = Evidence(self.results, self.known, self.sides, self.place_of)
+        renamed = pair_renamed(self.sides, self.new, self.old, evidence)
+        self.pairs += renamed
+        self.new = _without(self.new, {found.new for found in renamed})
+        self.old = [thing for thing in self.old if not thing.names]
 
     def run(self, passes: Iterable[_Pass]) -> None:
-        pools: dict[str, tuple[list[_Thing], list[_Thing]]] = {}
+        pools: dict[str, tuple[list[Candidate], list[Candidate]]] = {}
         for step in passes:
             if step.anchor not in pools:
-                pools[step.anchor] = _common(self.old, self.new, _key_of(step.anchor))
+                pools[step.anchor] = _common(self.old, self.new, picker(step.anchor))
             old, new = pools[step.anchor]
-            key_of = _key_of(step.letters)
-            olds = _grouped(old, key_of, {key_of(thing.features) for thing in new})
+            pick = picker(step.letters)
+            olds = grouped(old, pick, {pick(thing.features) for thing in new})
             if step.conditional:
                 olds = {key: fit for key, group in olds.items() if (fit := [t for t in group if self.fits(t, step)])}
             if not olds:
                 continue
-            news = _grouped(new, key_of, olds)
+            news = grouped(new, pick, olds)
             shared = list(olds)
             if step.edited:
                 news = {key: [thing for thing in news[key] if self.is_fresh(thing)] for key in shared}
@@ -213,7 +217,7 @@ class _Matcher:
             self.old, self.new = _without(self.old, taken_old), _without(self.new, taken_new)
             pools = {key: (_without(o, taken_old), _without(n, taken_new)) for key, (o, n) in pools.items()}
 
-    def fits(self, thing: _Thing, step: _Pass) -> bool:
+    def fits(self, thing: Candidate, step: _Pass) -> bool:
         """Whether a known finding may take part in a pass."""
         if (step.near and thing.line is None) or (step.scoped and not thing.scope):
             return False
@@ -226,18 +230,18 @@ class _Matcher:
             return True
         return not step.gone and self.sides.answered(known.tool, known.path)
 
-    def is_gone(self, thing: _Thing) -> bool:
+    def is_gone(self, thing: Candidate) -> bool:
         """Whether the line of a known finding stands in its file no more: else it was mended where it is."""
         return not thing.text or thing.text not in self.lines(self.sides.head, thing.path, is_head=True)
 
-    def is_fresh(self, thing: _Thing) -> bool:
+    def is_fresh(self, thing: Candidate) -> bool:
         """Whether the line of a result was not in the old file: else something else made the result."""
         base = self.sides.base
         if base is None or not thing.text:
             return True
         return thing.text not in self.lines(base, self.old_paths.get(thing.path, thing.path), is_head=False)
 
-    def akin(self, old: _Thing, new: _Thing) -> bool:
+    def akin(self, old: Candidate, new: Candidate) -> bool:
         """Whether one line is mostly part of the other, as when an expression was spread over several lines."""
         base, line = self.sides.base, self.known[old.index].line
         if base is None or line is None or new.line is None:
@@ -272,49 +276,14 @@ class _Matcher:
         return bool(moved)
 
 
-def _features(
-    thing: _Thing, rule: str, seen: Identity | Known, text: str | None, message: str, metric: bool, blind: bool
-) -> tuple[object, ...]:
-    """In the order of _LETTERS; None where a feature is missing or says too little to be evidence."""
-    return (
-        rule,
-        thing.path,
-        thing.path.rpartition("/")[2],
-        thing.line,
-        seen.scope,
-        text,
-        message or None,
-        seen.template,
-        seen.before if seen.before != EDGE and seen.before else None,
-        seen.after if seen.after != EDGE and seen.after else None,
-        seen.shape or None,
-        True if seen.before == EDGE else None,
-        metric or None,
-        blind or None,
-    )
+def _common(
+    old: list[Candidate], new: list[Candidate], pick: Callable[[Key], Key]
+) -> tuple[list[Candidate], list[Candidate]]:
+    """Those of each side whose key the other side has too, and that lack no part of it."""
+    keys = {pick(thing.features) for thing in old} & {pick(thing.features) for thing in new}
+    keys = {key for key in keys if None not in key}
+    return [t for t in old if pick(t.features) in keys], [t for t in new if pick(t.features) in keys]
 
 
-def _key_of(letters: str) -> Callable[[_Key], _Key]:
-    return itemgetter(*(_LETTERS.index(letter) for letter in letters))
-
-
-def _common(old: list[_Thing], new: list[_Thing], key_of: Callable[[_Key], _Key]) -> tuple[list[_Thing], list[_Thing]]:
-    """Those of each side whose key the other side has too."""
-    keys = {key_of(thing.features) for thing in old} & {key_of(thing.features) for thing in new}
-    return [t for t in old if key_of(t.features) in keys], [t for t in new if key_of(t.features) in keys]
-
-
-def _without(things: list[_Thing], taken: Container[int]) -> list[_Thing]:
+def _without(things: list[Candidate], taken: Container[int]) -> list[Candidate]:
     return [thing for thing in things if thing.index not in taken]
-
-
-def _grouped(
-    things: Iterable[_Thing], key_of: Callable[[_Key], _Key], wanted: Container[_Key]
-) -> dict[_Key, list[_Thing]]:
-    """The things by key, for keys that are *wanted* and of which no feature is missing."""
-    groups: dict[_Key, list[_Thing]] = {}
-    for thing in things:
-        key = key_of(thing.features)
-        if key in wanted and None not in key:
-            groups.setdefault(key, []).append(thing)
-    return groups

@@ -43,7 +43,8 @@ class Identity:
     ``text`` is of the normalised line, ``shape`` of that line with names and numbers replaced, ``before`` and
     ``after`` of the three nearest non-blank lines on each side; ``template`` is the message with numbers and quoted
     names replaced; ``occurrence`` counts equal (tool, rule, path, scope, text) from 1, top to bottom; ``line_hash`` is
-    GitHub's primaryLocationLineHash, "" if the file has no such line.
+    GitHub's primaryLocationLineHash, "" if the file has no such line. ``names`` is of the ROS names and ``roles`` of
+    their roles, "" for a result that is about none.
     """
 
     scope: str = ""
@@ -55,6 +56,8 @@ class Identity:
     line_hash: str = ""
     snippet: str = ""
     shape: str = ""
+    names: str = ""
+    roles: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,6 +23,7 @@ _MAX_CONTAINERS = 2_000_000
 _MAX_COMMAS = 5_000_000
 _MAX_RULES = 25_000
 _MAX_RELATED = 100
+_MAX_LOGICAL = 1_001
 _MAX_NOTIFICATIONS = 100
 _LONGEST_TEXT = 8_000
 _LINK = re.compile(r"\[((?:[^\[\]\\]|\\.){0,500})\]\(-?\d{1,9}\)")
@@ -188,9 +189,10 @@ def _result(reading: _Reading, value: object) -> Result | None:
     )
     if value.get("level") == "none" or kind in ("open", "review"):
         level = Level.NOTE
-    logical = mapping(next(iter(items(mapping(locations[0]), "logicalLocations")), None))
+    logical = [mapping(entry) for entry in items(mapping(locations[0]), "logicalLocations")[:_MAX_LOGICAL]]
     more = mapping(value, "properties")
-    scope = string(logical, "fullyQualifiedName") if logical.get("kind") != "rosName" else ""
+    scope = string(logical[0], "fullyQualifiedName") if logical and logical[0].get("kind") != "rosName" else ""
+    names = (string(entry, "fullyQualifiedName") for entry in logical if entry.get("kind") == "rosName")
     return Result(
         tool=reading.tool,
         rule=rule,
@@ -201,6 +203,7 @@ def _result(reading: _Reading, value: object) -> Result | None:
         scope=scope,
         value=number(more, "value"),
         limit=number(more, "limit"),
+        subject=tuple(name for name in names if name),
         also=strings(more, "also")[:20],
         identity=_identity(value, more, scope, message, place),
         suppressions=_suppressions(value),
