@@ -63,6 +63,11 @@ def compare(runs: tuple[Run, ...], workspace: Workspace, settings: Settings, *, 
 
 def known_findings(settings: Settings) -> tuple[Known, ...]:
     """What the baseline file of *settings* holds, read from the base revision if one is given."""
+    return _held(settings)[0]
+
+
+def _held(settings: Settings) -> tuple[tuple[Known, ...], tuple[Run, ...] | None]:
+    """The same, and the runs if it is a log."""
     from haros_ci.results.compact import BaselineFormatError, read_compact
     from haros_ci.results.known import known_from_sarif
 
@@ -70,9 +75,10 @@ def known_findings(settings: Settings) -> tuple[Known, ...]:
     name = settings.baseline
     data = _bytes_of(settings)
     if is_sarif(data):
-        return known_from_sarif(sarif_runs(data, name, settings.root))
+        runs = sarif_runs(data, name, settings.root)
+        return known_from_sarif(runs), runs
     try:
-        return read_compact(data, name)
+        return read_compact(data, name), None
     except BaselineFormatError as err:
         raise UserError(f"{name}:{err.line}: {err.message}", help="or write it anew: haros-ci baseline create") from err
 
@@ -85,7 +91,8 @@ def is_sarif(data: bytes) -> bool:
 
 def sarif_runs(data: bytes, name: str, root: Path) -> tuple[Run, ...]:
     """The runs of a SARIF log, with notifications of what was left out of them; UserError if it is none."""
-    from haros_ci.results.sarif_reader import SarifError, read_sarif
+    from haros_ci.results.sarif_file import SarifError
+    from haros_ci.results.sarif_reader import read_sarif
 
     try:
         return read_sarif(data, name, root=root.as_posix())
@@ -104,7 +111,7 @@ def sides(
     """The files on the two sides of a comparison, as the matcher asks for them.
 
     *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone. *past* are the runs
-    on the *base*.
+    of the past, for the names that were.
     """
     from haros_ci.results.known import Sides, names_in, rule_aliases
 
@@ -127,10 +134,10 @@ def sides(
 
 
 def _against_file(runs: tuple[Run, ...], workspace: Workspace, settings: Settings) -> Comparison:
-    known = known_findings(settings)
+    known, past = _held(settings)
     kind = "file" if settings.baseline_rev is None else "file at revision"
     return Comparison(
-        _matched(runs, known, sides(workspace, runs, settings.paths)),
+        _matched(runs, known, sides(workspace, runs, settings.paths, past=past)),
         Baseline(kind, settings.baseline or ""),
         _difference(settings),
     )

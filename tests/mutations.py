@@ -5,7 +5,7 @@ Every case watches the rules in ``rules`` only and switches on the tools in ``to
 all files of the repository. ``log`` edits a SARIF log made of ``before``, as another version of the tool would have
 written it; against a revision it changes nothing, because the base is analysed with today's tools.
 
-Five of the numbers 1 to 39 are not here, because they are about histories and flags: 26 (a rule under its old id, which
+Five of the numbers 1 to 40 are not here, because they are about histories and flags: 26 (a rule under its old id, which
 only a log can bring), 35 (merge, rebase and squash), 36 (shuffled input and --jobs), 37 (file arguments), 38 (no base).
 """
 
@@ -147,6 +147,67 @@ BOTH = WALKER.replace("  announce(", '  sprintf(label, "%d", second);\n  announc
 UNINITIALISED = WALKER.replace("  first += 2 * goal;\n", "  int speed;\n  first += speed;\n").replace(LINE, "")
 
 
+ROS2_MANIFEST = MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
+CMAKE = """\
+project(walker)
+find_package(rclcpp REQUIRED)
+add_executable(first src/first.cpp)
+add_executable(second src/second.cpp)
+install(TARGETS first second DESTINATION lib/walker)
+"""
+TALK = """\
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("first");
+  auto pub = node->create_publisher<std_msgs::msg::String>("goal", 10);
+  rclcpp::spin(node);
+}
+"""
+LISTEN = """\
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/int32.hpp>
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("second");
+  const int depth = 10;
+  auto sub = node->create_subscription<std_msgs::msg::Int32>("steps", depth, &take);
+  rclcpp::spin(node);
+}
+"""
+LAUNCH = """\
+<launch>
+  <node pkg="walker" exec="first" name="first"/>
+  <node pkg="walker" exec="second" name="second">
+    <remap from="steps" to="goal"/>
+  </node>
+</launch>
+"""
+TALKER_CPP, LISTENER_CPP, LAUNCH_XML = "walker/src/first.cpp", "walker/src/second.cpp", "walker/launch/all.launch.xml"
+ROS2: Files = {
+    "walker/package.xml": ROS2_MANIFEST,
+    "walker/CMakeLists.txt": CMAKE,
+    TALKER_CPP: TALK,
+    LISTENER_CPP: LISTEN,
+    LAUNCH_XML: LAUNCH,
+}
+SUBSCRIPTION = '  auto sub = node->create_subscription<std_msgs::msg::Int32>("steps", depth, &take);\n'
+
+
+def system(*changes: tuple[str, str, str]) -> Files:
+    """The two nodes with the first occurrence of each old text in a file replaced."""
+    made = dict(ROS2)
+    for path, old, new in changes:
+        assert old in made[path], old
+        made[path] = made[path].replace(old, new, 1)
+    return made
+
+
 def package(cpp: str = WALKER) -> Files:
     """The package with walker.cpp as given."""
     return {"walker/package.xml": MANIFEST, CPP: cpp, OTHER: TURNER}
@@ -218,6 +279,9 @@ COMPLEXITY: dict[str, Any] = {
     "rules": ("metrics:max-cyclomatic-complexity-10", "metrics:max-cyclomatic-complexity-15"),
     "tools": ("lizard",),
 }
+MISMATCH: dict[str, Any] = {"rules": ("haros-ci:topic-type-mismatch",), "tools": ()}
+TOPIC_RENAMED = ((TALKER_CPP, '"goal"', '"target"'), (LAUNCH_XML, 'to="goal"', 'to="target"'))
+NODE_RENAMED = ((TALKER_CPP, '"first"', '"chief"'), (LAUNCH_XML, 'name="first"', 'name="chief"'))
 
 MUTATIONS: tuple[Mutation, ...] = (
     Mutation(1, "one line above", package(), changed(("#include", "// more\n#include")), "unchanged"),
@@ -314,4 +378,40 @@ MUTATIONS: tuple[Mutation, ...] = (
              changed((LINE, LINE.replace(";", ";  // haros: ignore[runtime/printf] measured"))), "suppressed"),
     Mutation(39, "suppression comment removed",
              changed((LINE, LINE.replace(";", ";  // haros: ignore[runtime/printf] measured"))), package(), "new"),
+    Mutation(1, "lines above a call in a system", ROS2, system((LISTENER_CPP, "int main", "// more\nint main")),
+             "unchanged", **MISMATCH),
+    Mutation(7, "call in a system spread over three lines", ROS2,
+             system((LISTENER_CPP, SUBSCRIPTION, SUBSCRIPTION.replace('("', '(\n    "').replace("depth,", "depth,\n   "))),
+             "updated", **MISMATCH),
+    Mutation(10, "source of a node renamed", ROS2,
+             moved(system(("walker/CMakeLists.txt", "src/second", "src/other")), LISTENER_CPP, "walker/src/other.cpp"),
+             "updated", **MISMATCH),
+    Mutation(10, "launch file renamed", ROS2, moved(ROS2, LAUNCH_XML, "walker/launch/both.launch.xml"), "updated",
+             **MISMATCH),
+    Mutation(14, "call in a system moved to another file", ROS2,
+             {**system((LISTENER_CPP, SUBSCRIPTION, "  take_all(node);\n"),
+                       (LISTENER_CPP, "int main", '#include "taking.hpp"\n\nint main')),
+              "walker/src/taking.hpp": "inline void take_all(rclcpp::Node::SharedPtr node)\n{\n  int depth = 5;\n"
+              + SUBSCRIPTION.replace("auto sub", "static auto sub") + "}\n"}, "updated", **MISMATCH),
+    Mutation(21, "one wrong remapping mended, another made", ROS2,
+             system((TALKER_CPP, '"goal", 10', '"other", 10'), (LAUNCH_XML, "</launch>",
+                     '  <node pkg="walker" exec="second" name="third">\n    <remap from="steps" to="other"/>\n'
+                     "  </node>\n</launch>")), "new absent", **MISMATCH),
+    Mutation(40, "topic renamed in code and launch", ROS2, system(*TOPIC_RENAMED), "updated", **MISMATCH),
+    Mutation(40, "topic renamed in the call that is found", system((LAUNCH_XML, 'from="steps" to="goal"', 'from="a" to="b"'),
+             (LISTENER_CPP, '"steps"', '"goal"')),
+             system((LAUNCH_XML, 'from="steps" to="goal"', 'from="a" to="b"'), (LISTENER_CPP, '"steps"', '"target"'),
+                    (TALKER_CPP, '"goal"', '"target"')), "updated", **MISMATCH),
+    Mutation(40, "node renamed in code and launch", ROS2, system(*NODE_RENAMED), "updated", **MISMATCH),
+    Mutation(40, "node of the call that is found renamed", ROS2,
+             system((LISTENER_CPP, '"second"', '"chief"'), (LAUNCH_XML, 'name="second"', 'name="chief"')), "updated",
+             **MISMATCH),
+    Mutation(40, "node and topic renamed at once", ROS2, system(*NODE_RENAMED, *TOPIC_RENAMED), "updated",
+             sarif="new absent", compact="new absent",
+             why="without the old text one name may differ: more could be another defect", **MISMATCH),
+    Mutation(40, "topic renamed, and a second subscriber", ROS2,
+             system(*TOPIC_RENAMED, (LAUNCH_XML, "</launch>", '  <node pkg="walker" exec="second" name="third">\n'
+                     '    <remap from="steps" to="target"/>\n  </node>\n</launch>')),
+             "updated new", sarif="new new absent", compact="new new absent",
+             why="without the old text it is not known which of the two is the one that was", **MISMATCH),
 )  # fmt: skip

@@ -8,7 +8,7 @@ from itertools import groupby
 
 from haros_ci.report import summary as counts_of
 from haros_ci.report.escape import markdown, markdown_code, workflow_data, workflow_property
-from haros_ci.report.message import plain, shorten
+from haros_ci.report.message import label, plain, shorten
 from haros_ci.results.result import Notification, Report, Result
 from haros_ci.results.rule import Level
 
@@ -21,6 +21,7 @@ MAX_SUMMARY = 1024 * 1024
 MAX_ROWS = 500
 MAX_TROUBLE = 50
 MAX_TEXT = 500
+MAX_PLACES = 5
 
 
 def annotations(report: Report) -> str:
@@ -98,8 +99,15 @@ def _annotation(group: tuple[Result, ...]) -> tuple[Level, str]:
                 properties["endColumn"] = str(place.end_column)
     properties["title"] = first.full_id if len(ranked) == 1 else f"{len(ranked)} findings"
     if len(ranked) == 1:
-        return first.level, _command(first.level, properties, plain(first))
+        return first.level, _command(first.level, properties, _with_places(first))
     return first.level, _command(first.level, properties, "\n".join(f"{plain(r)} [{r.full_id}]" for r in ranked))
+
+
+def _with_places(result: Result) -> str:
+    """The message, and below it where the other ends of the finding stand: an annotation has no links."""
+    places = [f"{near.location}: {label(near)}" for near in result.related[:MAX_PLACES]]
+    more = len(result.related) - len(places)
+    return "\n".join([plain(result), *places, *([f"and {more:,} more places"] if more else [])])
 
 
 def _command(level: Level, properties: dict[str, str], message: str) -> str:

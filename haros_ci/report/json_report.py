@@ -7,7 +7,9 @@ notes, failing, unchanged, updated, absent, suppressed}, ``baseline`` {kind, sou
 ``runs`` [{tool, version, successful, imported, analysed, results}] (the last two are counts), ``notifications``
 [{level, message, tool, path, line, configuration}], and ``results``, one a line, in the order of every output:
 {tool, rule, level, message, path, line, column, endLine, endColumn, open, state, reason, scope, value, limit,
-subject, also, occurrence, snippet, related [{path, line, column, message}], suppressions [{kind, justification}]}.
+subject, roles, also, occurrence, snippet, related [{path, line, column, message}], flow (as related, in order), graph,
+edges [[id, id]], suppressions [{kind, justification}]}. ``subject`` are the ROS names that it is about, ``roles`` what
+they are; ``graph`` names the configuration through which the ``edges`` go, from id to id (``node:/talker``).
 A key without a value is null; lines and columns count as SARIF's do.
 """
 
@@ -77,10 +79,14 @@ def _result(result: Result) -> dict[str, Any]:
         "value": number(result.value),
         "limit": number(result.limit),
         "subject": list(result.subject),
+        "roles": list(result.roles),
         "also": list(result.also),
         "occurrence": identity.occurrence if identity else None,
         "snippet": (quoted(identity.snippet) if identity else "") or None,
         "related": [_related(near) for near in result.related],
+        "flow": [_related(step) for step in result.flow],
+        "graph": result.graph or None,
+        "edges": [list(edge) for edge in result.edges],
         "suppressions": [{"kind": s.kind, "justification": s.justification or None} for s in result.suppressions],
     }
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Literal
 
 from haros_ci import PROJECT_URL, __version__
-from haros_ci.report.sarif_limits import GITHUB, Limits, fit, for_github, shed
+from haros_ci.report.sarif_limits import GITHUB, Limits, fit, for_github, shed, without_graphs
 from haros_ci.report.source_lines import Reader
 from haros_ci.results.result import Notification, Report, Run, Tool
 from haros_ci.results.rule import Level
@@ -41,6 +41,11 @@ def log(
     runs, notes = fit(runs, limits)
     text = sarif_run.write_log(runs, report, audience, source)
     keep, too_big = sum(len(run.results) for run in runs), _size(text, limits.bytes)
+    if too_big > limits.bytes and any(run.graphs for run in runs) and audience == "archive":
+        runs, said = without_graphs(runs)
+        notes += said
+        text = sarif_run.write_log(runs, report, audience, source)
+        too_big = _size(text, limits.bytes)
     while too_big > limits.bytes and keep:
         keep = min(keep - 1, int(keep * limits.bytes / too_big * 0.95))
         fewer, said = shed(runs, keep)

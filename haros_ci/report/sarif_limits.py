@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from haros_ci.results.result import BaselineState, Notification, Result, Run, is_open
+from haros_ci.results.result import BaselineState, Notification, Related, Result, Run, is_open
 from haros_ci.results.rule import Level, Rule
 
 Cut = tuple[tuple[Run, ...], tuple[Notification, ...]]
@@ -20,6 +20,7 @@ class Limits:
     results: int = 25_000
     rules: int = 25_000
     locations: int = 1_000
+    steps: int = 10_000
     tags: int = 20
     bytes: int = 10_000_000
 
@@ -53,6 +54,14 @@ def fit(runs: tuple[Run, ...], limits: Limits) -> Cut:
     return tuple(kept), tuple(notes)
 
 
+def without_graphs(runs: tuple[Run, ...]) -> Cut:
+    """The runs without the graphs that results traverse, which are the first to go where a log would be too big."""
+    note = _note(None, "The graphs of nodes and topics are not in this log, which would be too big for GitHub.")
+    kept = [replace(run, graphs=()) for run in runs]
+    kept[0] = replace(kept[0], notifications=(*kept[0].notifications, note))
+    return tuple(kept), (note,)
+
+
 def shed(runs: tuple[Run, ...], keep: int) -> Cut:
     """Only the *keep* highest-ranked results of all runs, because the compressed log would be too big."""
     total = sum(len(run.results) for run in runs)
@@ -81,6 +90,11 @@ def _fit_run(run: Run, limits: Limits) -> tuple[Run, tuple[Notification, ...]]:
     if crowded := sum(len(r.related) >= limits.locations for r in results):
         said.append(f"Related locations past the first {limits.locations - 1} are left out of {crowded} results.")
         results = tuple(replace(r, related=r.related[: limits.locations - 1]) for r in results)
+    if winding := sum(len(r.flow) > limits.steps for r in results):
+        said.append(
+            f"Steps of the flow past the first {limits.steps - 1} and the last are left out of {winding} results."
+        )
+        results = tuple(replace(r, flow=_with_ends(r.flow, limits.steps)) for r in results)
     if tagged := sum(len(rule.tags) + len(rule.cwe) > limits.tags for rule in rules):
         said.append(f"Tags past the first {limits.tags} are left out of {tagged} rules.")
         rules = tuple(_with_tags(rule, limits.tags) for rule in rules)
@@ -91,6 +105,10 @@ def _fit_run(run: Run, limits: Limits) -> tuple[Run, tuple[Notification, ...]]:
 def _with_tags(rule: Rule, limit: int) -> Rule:
     cwe = rule.cwe[: limit // 2]
     return replace(rule, cwe=cwe, tags=rule.tags[: limit - len(cwe)])
+
+
+def _with_ends(flow: tuple[Related, ...], limit: int) -> tuple[Related, ...]:
+    return flow if len(flow) <= limit else (*flow[: limit - 1], flow[-1])
 
 
 def _rank(result: Result) -> tuple[object, ...]:

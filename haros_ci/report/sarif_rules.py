@@ -161,6 +161,8 @@ def _properties(rule: Rule) -> dict[str, object]:
     properties: dict[str, object] = {"problem.severity": PROBLEM_SEVERITY[rule.level]}
     if rule.precision in PRECISIONS:
         properties["precision"] = rule.precision
+    if rule.catalogue:
+        properties["catalogueId"] = terminal(rule.catalogue)
     if severity:
         properties["security-severity"] = severity
     if tags:

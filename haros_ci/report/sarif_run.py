@@ -14,6 +14,7 @@ from urllib.parse import quote
 from haros_ci.model.location import Location
 from haros_ci.report.escape import REPLACEMENT, terminal
 from haros_ci.report.message import label, linked, number, sentence
+from haros_ci.report.sarif_graphs import Drawn, build_flow, build_graphs, build_traversals, drawn
 from haros_ci.report.sarif_objects import dumps, om, properties, write
 from haros_ci.report.sarif_rules import GUIDS, all_rules, build_taxonomy, build_tool, trouble, troubles, weaknesses
 from haros_ci.report.source_lines import Reader, lines_of, quoted
@@ -39,6 +40,7 @@ class Setting:
     with_states: bool
     with_suppressions: bool
     lines: Callable[[str], list[str]]
+    graphs: Drawn
     places: dict[str, dict[str, Any]] = field(default_factory=dict)
 
 
@@ -67,6 +69,7 @@ def build_run(
         with_states=any(result.state for result in run.results),
         with_suppressions=any(result.suppressions for result in run.results),
         lines=lines,
+        graphs=drawn(run) if archive else Drawn(),
     )
     details = om.RunAutomationDetails(id=automation_id)
     built = om.Run(
@@ -80,6 +83,7 @@ def build_run(
         version_control_provenance=_provenance(report.provenance),
         artifacts=[build_artifact(artifact, run) for artifact in artifacts] or None,
         taxonomies=[build_taxonomy(cwe)] if cwe else None,
+        graphs=build_graphs(setting.graphs, lambda place, text: build_location(place, setting, message=text)) or None,
     )
     results = [dumps(build_result(result, setting)) for result in run.results]
     digest = hashlib.sha256("\n".join([dumps(built), *results]).encode("ascii")).hexdigest()
@@ -147,6 +151,10 @@ def build_result(result: Result, setting: Setting) -> om.Result:
             for i, near in enumerate(result.related, start=1)
         ]
         or None,
+        code_flows=[build_flow(result.flow, lambda place, text: build_location(place, setting, message=text))]
+        if result.flow
+        else None,
+        graph_traversals=build_traversals(result, setting.graphs) or None,
         partial_fingerprints=dict(sorted(partial_fingerprints(result).items())) or None,
         baseline_state=(result.state.value if result.state else "new") if setting.with_states else None,
         suppressions=[build_suppression(s, setting) for s in result.suppressions]
@@ -253,7 +261,7 @@ def _with_reason_of_failure(run: Run) -> Run:
 def _artifacts(run: Run, artifacts: tuple[Artifact, ...]) -> tuple[Artifact, ...]:
     """The known files that this run analysed or names."""
     named = {result.location.path for result in run.results}
-    named.update(near.location.path for result in run.results for near in result.related)
+    named.update(near.location.path for result in run.results for near in (*result.related, *result.flow))
     named.update(note.path for note in run.notifications if note.path)
     return tuple(sorted((a for a in artifacts if a.path in named or a.path in run.analysed), key=lambda a: a.path))
 
@@ -295,6 +303,7 @@ def _properties(result: Result) -> dict[str, object]:
         "also": [terminal(rule) for rule in result.also] or None,
         "limit": number(result.limit),
         "reason": terminal(result.reason) or None,
+        "roles": [terminal(role) for role in result.roles] or None,
         "template": (terminal(result.identity.template) if result.identity else "") or None,
         "value": number(result.value),
     }

@@ -14,6 +14,7 @@ from haros_ci.report.source_lines import Reader, lines_of
 from haros_ci.results.result import BaselineState, Notification, Report, Result
 from haros_ci.results.rule import Level
 
+MAX_STEPS = 12  # of one finding's flow
 MAX_TROUBLE = 10  # of one tool and level; the rest is counted
 TAB = "    "
 RESET, BOLD, DIM = "\x1b[0m", "\x1b[1m", "\x1b[2m"
@@ -96,6 +97,17 @@ def _file(
         for result in here:
             for near in result.related:
                 yield f"      {terminal(str(near.location))}: {paint(COLORS[Level.NOTE], 'note')}: {label(near)}"
+            yield from _flow(result, paint)
+
+
+def _flow(result: Result, paint: Paint) -> Iterator[str]:
+    """The places that lead to a finding, in order; of many the first ones and the last."""
+    steps = tuple(enumerate(result.flow, 1))
+    hidden = len(steps) - MAX_STEPS
+    for number, step in steps if hidden <= 0 else (*steps[: MAX_STEPS - 1], steps[-1]):
+        if hidden > 0 and number == len(steps):
+            yield paint(DIM, f"      and {hidden:,} more steps, then")
+        yield f"      {terminal(str(step.location))}: {paint(COLORS[Level.NOTE], f'step {number}')}: {label(step)}"
 
 
 def _head(result: Result, paint: Paint) -> str:

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from haros_ci.model.location import Location
@@ -13,29 +13,24 @@ from haros_ci.results.fingerprint import message_template, restore_identity
 from haros_ci.results.json_shape import boolean, items, mapping, natural, number, string, strings
 from haros_ci.results.result import Identity, Notification, Related, Result, Run, Suppression, Tool
 from haros_ci.results.rule import Level, Rule
+from haros_ci.results.sarif_file import SarifError, parse
+from haros_ci.results.sarif_graph_reader import ReadGraph, read_graphs, traversed
 from haros_ci.results.sarif_uri import UriError, workspace_path
 
-MAX_BYTES = 64_000_000
 MAX_RUNS = 100
 MAX_RESULTS = 250_000
-#: Brackets and commas in the text bound what the parser can allocate before anything of it is looked at.
-_MAX_CONTAINERS = 2_000_000
-_MAX_COMMAS = 5_000_000
 _MAX_RULES = 25_000
 _MAX_RELATED = 100
 _MAX_LOGICAL = 1_001
 _MAX_NOTIFICATIONS = 100
 _LONGEST_TEXT = 8_000
+_LONGEST_ID = 100
 _LINK = re.compile(r"\[((?:[^\[\]\\]|\\.){0,500})\]\(-?\d{1,9}\)")
 _ESCAPE = re.compile(r"\\([\[\]\\])")
 _PLACEHOLDER = re.compile(r"\{(\d{1,3})\}|(\{\{|\}\})")
 #: §3.27.9: what these results say is not that something is wrong.
 _NO_FINDING = frozenset({"pass", "notApplicable", "informational"})
 _SECURITY_SEVERITY = re.compile(r"\d{1,2}(?:\.\d)?\Z")
-
-
-class SarifError(ValueError):
-    """The file is no SARIF log that can be read; the message says why."""
 
 
 def read_sarif(data: bytes, name: str, *, root: str = "") -> tuple[Run, ...]:
@@ -46,7 +41,7 @@ def read_sarif(data: bytes, name: str, *, root: str = "") -> tuple[Run, ...]:
     kind. Results that the log itself calls absent are left out; suppressed ones carry their suppressions.
     Raises SarifError.
     """
-    log = _parse(data, name)
+    log = parse(data, name)
     if log.get("version") != "2.1.0":
         raise SarifError(f"{name}: not a SARIF 2.1.0 log (its version is {str(log.get('version'))[:40]!r})")
     runs = log.get("runs")
@@ -60,24 +55,6 @@ def read_sarif(data: bytes, name: str, *, root: str = "") -> tuple[Run, ...]:
     return tuple(_run(mapping(run), f"{name}: runs[{index}]", name, root) for index, run in enumerate(runs))
 
 
-def _parse(data: bytes, name: str) -> dict[str, object]:
-    if len(data) > MAX_BYTES:
-        raise SarifError(f"{name}: larger than {MAX_BYTES // 1_000_000} MB")
-    if data.count(b"{") + data.count(b"[") > _MAX_CONTAINERS or data.count(b",") > _MAX_COMMAS:
-        raise SarifError(f"{name}: too many values for a log of this size")
-    try:
-        log = json.loads(data.decode("utf-8-sig"))
-    except UnicodeDecodeError:
-        raise SarifError(f"{name}: not UTF-8") from None
-    except RecursionError:
-        raise SarifError(f"{name}: nested too deeply") from None
-    except ValueError as err:
-        raise SarifError(f"{name}: not JSON: {str(err)[:200]}") from None
-    if not isinstance(log, dict):
-        raise SarifError(f"{name}: not a SARIF log: not a JSON object")
-    return log
-
-
 @dataclass(slots=True)
 class _Reading:
     """What the results of one run refer to, and what was wrong with them."""
@@ -89,6 +66,7 @@ class _Reading:
     rules: list[list[object]]  # per component: the driver first, then the extensions
     known: dict[str, Rule]
     texts: dict[str, dict[str, str]]  # message strings by rule
+    graphs: tuple[ReadGraph, ...] = ()
     trouble: Counter[str] = field(default_factory=Counter)
 
 
@@ -108,6 +86,7 @@ def _run(run: dict[str, object], where: str, name: str, root: str) -> Run:
         known={},
         texts={},
     )
+    reading.graphs = read_graphs(run, lambda place: _place(reading, place))
     for component in reading.rules:
         for entry in component:
             _learn(reading, mapping(entry))
@@ -137,6 +116,7 @@ def _run(run: dict[str, object], where: str, name: str, root: str) -> Run:
         analysed=frozenset(result.location.path for result in results) | _targets(reading),
         successful=all(boolean(entry, "executionSuccessful", True) for entry in invocations),
         imported=True,
+        graphs=tuple(entry.graph for entry in reading.graphs),
     )
 
 
@@ -158,6 +138,7 @@ def _learn(reading: _Reading, entry: dict[str, object]) -> None:
         precision=string(more, "precision") if string(more, "precision") in _PRECISIONS else "high",
         tags=strings(more, "tags")[:20],
         deprecated_ids=strings(entry, "deprecatedIds")[:20],
+        catalogue=string(more, "catalogueId")[:_LONGEST_ID],
         security_severity=severity if isinstance(severity, str) and _SECURITY_SEVERITY.match(severity) else None,
     )
     messages = mapping(entry, "messageStrings")
@@ -192,6 +173,7 @@ def _result(reading: _Reading, value: object) -> Result | None:
     logical = [mapping(entry) for entry in items(mapping(locations[0]), "logicalLocations")[:_MAX_LOGICAL]]
     more = mapping(value, "properties")
     scope = string(logical[0], "fullyQualifiedName") if logical and logical[0].get("kind") != "rosName" else ""
+    graph, edges = traversed(value, reading.graphs)
     names = (string(entry, "fullyQualifiedName") for entry in logical if entry.get("kind") == "rosName")
     return Result(
         tool=reading.tool,
@@ -203,7 +185,11 @@ def _result(reading: _Reading, value: object) -> Result | None:
         scope=scope,
         value=number(more, "value"),
         limit=number(more, "limit"),
+        roles=strings(more, "roles")[:_MAX_LOGICAL],
         subject=tuple(name for name in names if name),
+        flow=_flow(reading, value),
+        graph=graph,
+        edges=edges,
         also=strings(more, "also")[:20],
         identity=_identity(value, more, scope, message, place),
         suppressions=_suppressions(value),
@@ -254,14 +240,30 @@ def _location(reading: _Reading, location: dict[str, object]) -> Location:
 
 
 def _related(reading: _Reading, result: dict[str, object]) -> tuple[Related, ...]:
+    return _places(reading, (*items(result, "locations")[1:_MAX_RELATED], *items(result, "relatedLocations")))
+
+
+def _flow(reading: _Reading, result: dict[str, object]) -> tuple[Related, ...]:
+    """§3.36: the first thread of the first flow."""
+    first = mapping(next(iter(items(result, "codeFlows")), None))
+    steps = items(mapping(next(iter(items(first, "threadFlows")), None)), "locations")
+    return _places(reading, [mapping(step).get("location") for step in map(mapping, steps[:_MAX_RELATED])])
+
+
+def _places(reading: _Reading, entries: Sequence[object]) -> tuple[Related, ...]:
+    """Those of the locations that stand in the workspace, with their messages."""
     found = []
-    for entry in (*items(result, "locations")[1:_MAX_RELATED], *items(result, "relatedLocations")[:_MAX_RELATED]):
-        try:
-            place = _location(reading, mapping(entry))
-        except UriError:
-            continue
-        found.append(Related(place, _text(mapping(mapping(entry), "message"))))
-    return tuple(found[:_MAX_RELATED])
+    for entry in map(mapping, entries[:_MAX_RELATED]):
+        if (place := _place(reading, entry)) is not None:
+            found.append(Related(place, _text(mapping(entry, "message"))))
+    return tuple(found)
+
+
+def _place(reading: _Reading, location: dict[str, object]) -> Location | None:
+    try:
+        return _location(reading, location)
+    except UriError:
+        return None
 
 
 def _identity(

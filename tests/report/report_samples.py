@@ -11,6 +11,7 @@ from haros_ci.results.result import (
     Baseline,
     BaselineState,
     Coverage,
+    Graph,
     Identity,
     Notification,
     Provenance,
@@ -20,6 +21,7 @@ from haros_ci.results.result import (
     Run,
     Suppression,
     Tool,
+    Vertex,
 )
 from haros_ci.results.rule import Level, Rule
 
@@ -171,6 +173,48 @@ IMPORTED = replace(
     ),
 )
 
+MISMATCH = Rule(
+    "topic-type-mismatch", "Both ends of a topic have one type.", Level.ERROR, aliases=("G06",), catalogue="G06"
+)
+LAUNCH = "base/launch/base.launch"
+ODOM_EDGES = (("node:/base", "topic:/odom"), ("topic:/odom", "node:/teleop"))
+MISMATCH_RESULT = Result(
+    "haros-ci",
+    "topic-type-mismatch",
+    Level.ERROR,
+    "/teleop subscribes to /odom as Pose, but /base publishes Odometry",
+    Location(PY, 6, 1),
+    related=(Related(Location(CPP, 5, 2), "/base publishes Odometry"),),
+    subject=("/base", "/odom", "/teleop"),
+    roles=("publishers base/base", "subscribers base/teleop"),
+    flow=(
+        Related(Location(LAUNCH, 3), "starts /base"),
+        Related(Location(LAUNCH, 4), "remaps odom to /odom"),
+        Related(Location(PY, 6, 1), "subscribes to odom"),
+    ),
+    graph="base/launch/base.launch",
+    edges=ODOM_EDGES,
+    identity=Identity(text="cd" * 8, template="'_' subscribes", names="12" * 8, roles="34" * 8),
+)
+ODOM_GRAPH = Graph(
+    "base/launch/base.launch",
+    (
+        Vertex("node:/base", "/base", "node", Location(LAUNCH, 3)),
+        Vertex("node:/teleop", "/teleop", "node", Location(LAUNCH, 4)),
+        Vertex("topic:/cmd_vel", "/cmd_vel", "topic"),
+        Vertex("topic:/odom", "/odom", "topic"),
+    ),
+    (("node:/teleop", "topic:/cmd_vel"), ("topic:/cmd_vel", "node:/base"), *ODOM_EDGES),
+)
+OWN_RUN = Run(
+    Tool("haros-ci", "0.1.0", "https://github.com/haros-ci/haros-ci"),
+    (MISMATCH,),
+    (MISMATCH_RESULT,),
+    analysed=frozenset({CPP, PY}),
+    graphs=(ODOM_GRAPH, Graph("base/launch/unused.launch", (Vertex("node:/n", "/n", "node"),))),
+)
+ARCHITECTURE = replace(PLAIN, runs=(OWN_RUN, PYLINT_RUN))
+
 #: Names and texts that attack a terminal, a workflow command, Markdown or a reader.
 HOSTILE = (
     "a\n::error file=x::owned",
@@ -190,8 +234,9 @@ HOSTILE = (
 def hostile(text: str) -> Report:
     """A report that says *text* wherever foreign text can stand."""
     rule = Rule(
-        text, text, Level.ERROR, help=text, help_uri=text, tags=(text,), aliases=(text,), deprecated_ids=(text,)
-    )
+        text, text, Level.ERROR, help=text, help_uri=text, tags=(text,), aliases=(text,), deprecated_ids=(text,),
+        catalogue=text,
+    )  # fmt: skip
     place = Location(f"src/{text}", 3, 2)
     result = Result(
         text,
@@ -201,18 +246,26 @@ def hostile(text: str) -> Report:
         place,
         related=(Related(place, text),),
         scope=text,
+        subject=(text,),
+        roles=(text,),
+        flow=(Related(place, text), Related(place, f"{text} "), Related(place, text)),
+        graph=text,
+        edges=((text, f"topic:{text}"),),
         also=(text,),
         reason=text,
         identity=Identity(scope=text, snippet=text),
         state=BaselineState.NEW,
     )
     old = replace(result, state=BaselineState.UNCHANGED, suppressions=(Suppression("inSource", text, place),))
+    ends = (Vertex(text, text, text, place), Vertex(f"topic:{text}", text, text))
+    graph = Graph(text, ends, ((text, f"topic:{text}"),))
     notes = (
         Notification(Level.ERROR, text, text, place.path, 1),
         Notification(Level.WARNING, text, configuration=True),
     )
+    run = Run(Tool(text, text, text, text), (rule,), (result, old), notes, frozenset({place.path}), successful=False)
     return Report(
-        (Run(Tool(text, text, text, text), (rule,), (result, old), notes, frozenset({place.path}), successful=False),),
+        (replace(run, graphs=(graph,)),),
         notifications=(Notification(Level.WARNING, text, path=place.path),),
         baseline=Baseline("revision", text, available=False, message=text),
         coverage=Coverage(1, 1, 1, 1, (text,)),
@@ -229,4 +282,5 @@ SHAPES = {
     "suppressed": SUPPRESSED,
     "failed": FAILED,
     "imported": IMPORTED,
+    "architecture": ARCHITECTURE,
 }

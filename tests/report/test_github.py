@@ -24,7 +24,7 @@ from report_samples import (
 
 from haros_ci.model.location import Location
 from haros_ci.report import github
-from haros_ci.results.result import BaselineState, Notification, Report, Result
+from haros_ci.results.result import BaselineState, Notification, Related, Report, Result
 from haros_ci.results.rule import Level
 
 COMMAND = re.compile(r"::(error|warning|notice) [A-Za-z]+=[^:,]*(,[A-Za-z]+=[^:,]*)*::.+")
@@ -45,10 +45,22 @@ def test_annotations() -> None:
     scope = f"file={CPP},line=5,endLine=5,col=9,title=cppcheck%3AvariableScope"
     assert github.annotations(PLAIN).splitlines() == [
         f"::error {undefined}::Undefined variable 'undefined'.",
-        f"::error {null}::Null pointer dereference: p.",
+        f"::error {null}::Null pointer dereference: p.%0A{CPP}:6:12: Assignment 'p=0', assigned value is 0",
         f"::notice {docstring}::Missing module docstring.",
         f"::notice {scope}::The scope of the variable 'x' can be reduced.",
     ]
+
+
+def test_other_ends_stand_below_the_message() -> None:
+    near = tuple(Related(Location(CPP, n), f"end {n}") for n in range(1, 9))
+    [said] = github.annotations(of(replace(NULL_RESULT, related=near))).splitlines()
+    assert said.partition("::Null")[2] == (
+        " pointer dereference: p." + "".join(f"%0A{CPP}:{n}: end {n}" for n in range(1, 6)) + "%0Aand 3 more places"
+    )
+    [said] = github.annotations(
+        of(replace(NULL_RESULT, related=(Related(Location("::error::x", 1), "a%\nb"),)))
+    ).splitlines()
+    assert said.endswith("p.%0A::error::x:1: a%25 b")
 
 
 def test_one_annotation_for_a_line() -> None:

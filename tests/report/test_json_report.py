@@ -8,7 +8,7 @@ import re
 from dataclasses import replace
 
 import pytest
-from report_samples import COMPARED, CPP, EMPTY, FAILED, HOSTILE, PLAIN, SHAPES, hostile
+from report_samples import ARCHITECTURE, COMPARED, CPP, EMPTY, FAILED, HOSTILE, PLAIN, SHAPES, hostile
 
 from haros_ci.report import json_report
 from haros_ci.results.result import Report
@@ -45,6 +45,24 @@ def test_a_result() -> None:
     assert result["related"] == [
         {"path": CPP, "line": 6, "column": 12, "message": "Assignment 'p=0', assigned value is 0"}
     ]
+
+
+def test_a_finding_of_the_architecture() -> None:
+    [result] = [r for r in json.loads(json_report.render(ARCHITECTURE))["results"] if r["tool"] == "haros-ci"]
+    assert result["subject"] == ["/base", "/odom", "/teleop"]
+    assert result["roles"] == ["publishers base/base", "subscribers base/teleop"]
+    assert result["flow"][1] == {
+        "path": "base/launch/base.launch",
+        "line": 4,
+        "column": None,
+        "message": "remaps odom to /odom",
+    }
+    assert (result["graph"], result["edges"]) == (
+        "base/launch/base.launch",
+        [["node:/base", "topic:/odom"], ["topic:/odom", "node:/teleop"]],
+    )
+    plain = json.loads(json_report.render(PLAIN))["results"][0]
+    assert (plain["roles"], plain["flow"], plain["graph"], plain["edges"]) == ([], [], None, [])
 
 
 def test_counts_add_up() -> None:

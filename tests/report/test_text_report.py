@@ -8,12 +8,14 @@ from dataclasses import replace
 
 import pytest
 from report_samples import (
+    ARCHITECTURE,
     COMPARED,
     CPP,
     CPPCHECK_RUN,
     EMPTY,
     FAILED,
     HOSTILE,
+    MISMATCH_RESULT,
     NULL_RESULT,
     PLAIN,
     SCOPE_RESULT,
@@ -25,7 +27,7 @@ from report_samples import (
 
 from haros_ci.model.location import Location
 from haros_ci.report import text
-from haros_ci.results.result import Baseline, Notification, Report
+from haros_ci.results.result import Baseline, Notification, Related, Report
 from haros_ci.results.rule import Level
 
 EDITOR = re.compile(r"(?m)^(\S+?)(?::(\d+))?(?::(\d+))?: (error|warning|note): (.+) \[(\S+?)(?:, \S+)*\]$")
@@ -56,6 +58,27 @@ def test_the_whole() -> None:
         "  Not seen: base/gen is generated when building.\n"
         "  What a rule means: haros-ci explain pylint:undefined-variable\n"
     )
+
+
+def test_the_flow_of_a_finding() -> None:
+    assert (
+        "base/scripts/teleop.py:6:1: error: /teleop subscribes to /odom as Pose, but /base publishes Odometry."
+        " [haros-ci:topic-type-mismatch]\n"
+        "     6 | def main():\n"
+        "       | ^\n"
+        "      base/src/odometry.cpp:5:2: note: /base publishes Odometry\n"
+        "      base/launch/base.launch:3: step 1: starts /base\n"
+        "      base/launch/base.launch:4: step 2: remaps odom to /odom\n"
+        "      base/scripts/teleop.py:6:1: step 3: subscribes to odom\n"
+    ) in shown(ARCHITECTURE)
+    assert "step" not in shown(PLAIN)
+
+
+def test_a_long_flow_keeps_its_end() -> None:
+    flow = tuple(Related(Location("all.launch", n), f"at {n}") for n in range(1, 41))
+    said = shown(Report((replace(CPPCHECK_RUN, results=(replace(MISMATCH_RESULT, flow=flow),)),)))
+    assert re.findall(r"step (\d+): at \1\n", said) == [*map(str, range(1, 12)), "40"]
+    assert "at 11\n      and 28 more steps, then\n      all.launch:40: step 40: at 40\n" in said
 
 
 def test_editors_find_each_finding() -> None:

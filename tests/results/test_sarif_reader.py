@@ -12,7 +12,8 @@ from haros_ci.model.location import Location
 from haros_ci.results.known import known_from_sarif
 from haros_ci.results.result import Run
 from haros_ci.results.rule import Level
-from haros_ci.results.sarif_reader import SarifError, read_sarif
+from haros_ci.results.sarif_file import SarifError
+from haros_ci.results.sarif_reader import read_sarif
 
 
 def result(uri: object = "a.cpp", **changes: Any) -> dict[str, Any]:
