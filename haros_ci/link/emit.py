@@ -43,7 +43,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
     if entry.kind not in KINDS:
         return None
     unknowns: Unknowns = []
-    name = _name(applied, entry, unknowns)
+    name, written = _name(applied, entry, unknowns)
     if name == "" and not unknowns:
         return None  # no name, no topic: a filter's subscriber that is to be told later
     value, default = _value(applied, entry, unknowns)
@@ -70,6 +70,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             implicit=entry.implicit,
             is_exact=applied.is_exact,
             unknowns=tuple(unknowns),
+            written=written,
         )
     )
     if entry.kind == "setters" and entry.each is None:
@@ -109,7 +110,8 @@ def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
     config.fields[member] = Cell(value if value is not None else Opaque("a parameter that is not set"))
 
 
-def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> str:
+def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[str, str]:
+    """The name in full, and as the call gives it; both empty where there is none."""
     from haros_ci.link.handles import namespace_of
     from haros_ci.link.selectors import value_of
 
@@ -131,12 +133,12 @@ def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> str:
         space = namespace_of(applied, applied.receiver)
     prefix, space_why, space_where = pattern(space)
     if why is None and not text and entry.kind in ("publishers", "subscribers"):
-        return ""
+        return "", ""
     if why is not None:
         unknowns.append(("name", why, where or applied.location))
     elif space_why is not None and text[:1] not in ("/", "~"):
         unknowns.append(("name", space_why, space_where or applied.location))
-    return resolve(text, prefix, context.name)
+    return resolve(text, prefix, context.name), text
 
 
 def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | None) -> str | None:

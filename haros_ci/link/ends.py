@@ -41,6 +41,7 @@ def endpoints(
             effective=item.effective,
             read_only=item.read_only,
             range=item.range,
+            written=item.written,
             source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),

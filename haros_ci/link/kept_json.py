@@ -108,6 +108,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "is_exact": _flag,
         "dead": _is(int),
         "unknowns": _every(_said),
+        "written": _optional(_text),
     },
     Opaque: {"reason": _text, "location": _place, "type": lambda value: value is None},
     Perhaps: {"reason": _text, "location": _place, "type": lambda value: value is None},

@@ -118,6 +118,7 @@ def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why
             unknowns=(*unknowns, *_beyond(applied)),
             node=node.whole if node is not None else None,
             qos=qos,
+            written=text,
         )
     )
     return None
@@ -201,6 +202,7 @@ def _parameter(
             effective=effective if entry.kind == "parameters" else None,
             read_only=read_only,
             range=limits,
+            written=text,
         )
     )
     if entry.kind == "setters" or entry.kind == "parameters":

@@ -118,6 +118,8 @@ class Made:
     #: Of the branches around it, those that are not taken as things are.
     dead: int = 0
     unknowns: tuple[tuple[str, str, Location | None], ...] = ()
+    #: The name as the call gives it, ``?`` for its unknown parts.
+    written: str | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -77,7 +77,8 @@ class Qos:
 class Endpoint:
     """One end of a topic, service, action or parameter. *kind* is one of ``KINDS``; ``parameters`` are ROS 2 declarations.
 
-    *name* is resolved and remapped, *original_name* resolved before remapping. *value* is a getter's or a declaration's
+    *name* is resolved and remapped, *original_name* resolved before remapping, *written* as the call gives it, ``?`` for unknown
+    parts (None if no call tells). *value* is a getter's or a declaration's
     default in the code, or what a setter writes; None if it has none or it is unknown. *effective* is what a declared
     parameter has once launch files and YAML are applied, *range* its least and greatest value and step. *queue_size* and
     *latched* are of ROS 1 topics, *qos* of ROS 2 topics and services.
@@ -99,6 +100,7 @@ class Endpoint:
     effective: Any = None
     read_only: bool | None = None
     range: tuple[float | None, float | None, float | None] | None = None
+    written: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
