@@ -5,38 +5,101 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Channel, Check, End, Finding, Level, System
+from haros_ci.api import Channel, Check, End, Finding, Level, Location, System, can_meet, named_at, rule_of, way_to
+
+#: Two types, the publisher's first, with all ends that have them.
+Pair = tuple[str, str]
+#: Defaults of parameters that have to be set: no names of topics.
+PLACEHOLDERS = ("unknown", "undefined", "unset", "none", "todo")
 
 
 def check(system: System) -> Iterator[Finding]:
+    by_place: dict[tuple[Location, str, str], dict[Channel | End, None]] = {}
     for topic in system.topics:
-        if len(topic.types) < 2 or any(end.type is None for end in topic.ends):
+        if len(topic.types) < 2 or topic.name.rpartition("/")[2].lower() in PLACEHOLDERS:
             continue
-        told = set()
+        found: dict[Pair, dict[End, None]] = {}
         for publisher, subscriber in topic.pairs():
-            kind = (publisher.type, subscriber.type)
-            if publisher.type == subscriber.type or kind in told or fits(topic, publisher, subscriber):
-                continue
-            told.add(kind)
-            alike = [p for p, s in topic.pairs() if (p.type, s.type) == kind and s.node is subscriber.node]
-            names = ", ".join(sorted({p.node.name for p in alike}))
-            yield Finding(
-                at=subscriber.location,
-                message=(
-                    f"{subscriber.node} subscribes to {topic} as {subscriber.type}, "
-                    f"but {names} publishes {publisher.type}: no such message arrives"
-                ),
-                about=(topic, publisher, subscriber),
-                related=tuple((p.location, f"{p.node} publishes {p.type}") for p in alike),
-            )
+            if _differ(publisher, subscriber, topic):
+                ends = found.setdefault((publisher.type or "", subscriber.type or ""), {})
+                ends.update({publisher: None, subscriber: None})
+        for pair, ends in found.items():
+            about = by_place.setdefault((named_at(_wrong(tuple(ends))), *pair), {})
+            about[topic] = None
+            about.update(dict.fromkeys(ends))
+        if not topic.subscribers:
+            yield from _among_publishers(topic)
+    for (_, given, taken), about in by_place.items():
+        yield _finding(tuple(about), given, taken)
 
 
-def fits(topic: Channel, publisher: End, subscriber: End) -> bool:
-    """Whether the two make a choice of types under conditions, and have one in common: then they may choose it together."""
-    if not publisher.conditions and not subscriber.conditions:
+def _differ(one: End, other: End, topic: Channel) -> bool:
+    """Whether their types differ, whichever of the alternatives in their code they are."""
+    if one.type is None or other.type is None or one.implicit or other.implicit:
         return False
-    given = {end.type for end in topic.publishers if end.node is publisher.node}
-    return any(end.type in given for end in topic.subscribers if end.node is subscriber.node)
+    types, others = _types(one, topic), _types(other, topic)
+    return None not in types | others and not types & others
+
+
+def _types(end: End, topic: Channel) -> frozenset[str | None]:
+    """Its type, and those of the ends that the same node has instead under other conditions."""
+    if not end.conditions:
+        return frozenset({end.type})
+    return frozenset(e.type for e in topic.ends if e.node is end.node and e.kind == end.kind and e.conditions)
+
+
+def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Finding:
+    """One mistake, however many topics and nodes it has to do with."""
+    topics = [each for each in about if isinstance(each, Channel)]
+    all_ends = tuple(each for each in about if isinstance(each, End))
+    ends = tuple(end for end in all_ends if end.name == topics[0].name)
+    publishers = [end for end in ends if end.kind == "publishers"]
+    subscribers = [end for end in ends if end.kind == "subscribers"]
+    wrong = _wrong(ends)
+    takes = f"{_nodes(subscribers)} subscribe{'s' if len(subscribers) == 1 else ''} to {topics[0]} as {taken}"
+    gives = f"{_nodes(publishers)} publish{'es' if len(publishers) == 1 else ''} {given}"
+    more = f"; so do {len(topics) - 1} more topics" if len(topics) > 1 else ""
+    return Finding(
+        at=named_at(wrong),
+        message=f"{takes}, but {gives}: no message arrives{_advice(wrong)}{more}",
+        about=about,
+        related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in all_ends),
+        flow=way_to(wrong),
+    )
+
+
+def _wrong(ends: tuple[End, ...]) -> End:
+    """The end that is most likely wrong: remapped, of the smaller side, a subscriber."""
+    sides = [[end for end in ends if end.kind == kind] for kind in ("subscribers", "publishers")]
+    sides.sort(key=len)
+    return next((end for side in sides for end in side if rule_of(end) is not None), sides[0][0])
+
+
+def _advice(end: End) -> str:
+    return "" if rule_of(end) is None else f"; {end.original_name} is remapped here to {end.name}"
+
+
+def _nodes(ends: list[End]) -> str:
+    names = sorted({end.node.name for end in ends})
+    return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
+
+
+def _among_publishers(topic: Channel) -> Iterator[Finding]:
+    """Publishers that leave whoever subscribes without the messages of one of them."""
+    for one, other in can_meet(topic.publishers, topic.publishers):
+        if _differ(one, other, topic):
+            wrong = next((end for end in (other, one) if rule_of(end) is not None), other)
+            yield Finding(
+                at=named_at(wrong),
+                message=(
+                    f"{one.node} publishes {one.type} on {topic}, and {other.node} {other.type}: "
+                    f"a subscriber gets one of them only{_advice(wrong)}"
+                ),
+                about=(topic, one, other),
+                related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in (one, other)),
+                flow=way_to(wrong),
+            )
+            return
 
 
 CHECK = Check(

@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 from haros_ci.checking.check import Check, Decidability, Finding, Status
+from haros_ci.checking.likeness import is_moved, is_slip
+from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System, SystemNode, can_meet
-from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos
+from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
 from haros_ci.model.location import Location
 from haros_ci.model.package import Dependency, Package
 from haros_ci.model.presence import ALWAYS, Presence, together
@@ -30,9 +32,15 @@ __all__ = [
     "Parameter",
     "Presence",
     "Qos",
+    "RemapRule",
     "Status",
     "System",
     "SystemNode",
     "can_meet",
+    "is_moved",
+    "is_slip",
+    "named_at",
+    "rule_of",
     "together",
+    "way_to",
 ]

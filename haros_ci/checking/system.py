@@ -234,7 +234,8 @@ class Channel:
 def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End, End]]:
     """The pairs of two different ends that can exist at the same time.
 
-    Their presence conditions do not contradict each other, and they are not on different branches of one statement of a program.
+    Their presence conditions do not contradict each other, they are not on different branches of one statement of a program, and
+    their nodes are not under different launch conditions that nobody has decided: one may be there instead of the other.
     """
     for one, other in product(tuple(first), tuple(second)):
         if one is not other and together(one.presence, other.presence) is not None and not _on_branches(one, other):
@@ -243,8 +244,9 @@ def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End,
 
 def _on_branches(one: End, other: End) -> bool:
     """Whether the code makes either the one or the other: below ``if`` and ``else`` of one statement, in one process."""
-    if one.node.raw.process != other.node.raw.process or one.node.type != other.node.type:
-        return False
+    first, second = one.node.raw, other.node.raw
+    if first.process != second.process or one.node.type != other.node.type:
+        return bool(first.conditions and second.conditions) and first.conditions != second.conditions
     mine, theirs = ((*end.node.raw.conditions, *end.conditions) for end in (one, other))
     return any(_branches(a, b) for a in mine for b in theirs)
 

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Two nodes of one system under the same full name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, System, SystemNode, together
+
+
+def check(system: System) -> Iterator[Finding]:
+    by_name: dict[str, list[SystemNode]] = {}
+    for node in system.nodes if system.is_launched else ():
+        if node.known and node.is_launched and not node.raw.conditions:
+            by_name.setdefault(node.name, []).append(node)
+    for nodes in by_name.values():
+        pair = _pair(nodes)
+        if pair is not None:
+            yield _finding(*pair)
+
+
+def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:
+    """The first two that can be there at the same time."""
+    for number, second in enumerate(nodes):
+        for first in nodes[:number]:
+            if together(first.presence, second.presence) is not None:
+                return first, second
+    return None
+
+
+def _finding(first: SystemNode, second: SystemNode) -> Finding:
+    if second.ros == 1:
+        effect = "the one that starts later shuts the other down"
+    else:
+        effect = "parameters and services of the two cannot be told apart"
+    kinds = f" ({first.type} and {second.type})" if first.type != second.type else f" ({first.type})"
+    return Finding(
+        at=second.location,
+        message=f"two nodes are named {second.name}{kinds}: {effect}; give one of them another name or namespace",
+        about=(first, second),
+        related=((first.location, f"the other {first.name}"),),
+        level=Level.ERROR if second.ros == 1 else None,
+    )
+
+
+CHECK = Check(
+    id="duplicate-node-name",
+    summary="The nodes of a system have different names.",
+    level=Level.WARNING,
+    catalogue="G12",
+    tags=("nodes",),
+    run=check,
+)

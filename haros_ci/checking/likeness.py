@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names that are nearly the same: a slip of the pen, or another namespace."""
+
+from __future__ import annotations
+
+#: Words that tell apart what belongs together: names that differ in them alone are meant to differ.
+_TWINS = frozenset(
+    {
+        frozenset(pair)
+        for pair in (
+            ("left", "right"),
+            ("front", "rear"),
+            ("front", "back"),
+            ("in", "out"),
+            ("input", "output"),
+            ("low", "high"),
+            ("min", "max"),
+            ("x", "y"),
+            ("x", "z"),
+            ("y", "z"),
+            ("raw", "rect"),
+        )
+    }
+)
+
+
+def is_slip(one: str, other: str) -> bool:
+    """Whether two words differ by one slip: a letter too much, too few, wrong, or two swapped; or only in case and ``_``.
+
+    Digits tell things apart, as do words such as left and right: those are no slips. Words of less than five letters are too short.
+    """
+    if one == other or min(len(one), len(other)) < 5:
+        return False
+    if _bare(one) == _bare(other):
+        return True
+    if [c for c in one if c.isdigit()] != [c for c in other if c.isdigit()]:
+        return False
+    words, others = one.split("_"), other.split("_")
+    if len(words) == len(others):
+        apart = [pair for pair in zip(words, others) if pair[0] != pair[1]]
+        if any(frozenset(pair) in _TWINS or min(map(len, pair)) < 3 for pair in apart):
+            return False
+    return _one_edit(one.lower(), other.lower())
+
+
+def is_moved(one: str, other: str) -> bool:
+    """Whether two full names are the same but for namespaces that one has and the other lacks: /scan and /robot/scan."""
+    short, long = sorted((one.split("/")[1:], other.split("/")[1:]), key=len)
+    if len(short) == len(long) or short[-1] != long[-1]:
+        return False
+    rest = iter(long)
+    return all(segment in rest for segment in short)
+
+
+def _bare(word: str) -> str:
+    return word.replace("_", "").lower()
+
+
+def _one_edit(one: str, other: str) -> bool:
+    """Whether Damerau's distance is one."""
+    if abs(len(one) - len(other)) > 1:
+        return False
+    at = next((i for i, (a, b) in enumerate(zip(one, other)) if a != b), min(len(one), len(other)))
+    if len(one) == len(other):
+        return one[at + 1 :] == other[at + 1 :] or (
+            one[at : at + 2] == other[at : at + 2][::-1] and one[at + 2 :] == other[at + 2 :]
+        )
+    short, long = sorted((one, other), key=len)
+    return short[at:] == long[at + 1 :]
