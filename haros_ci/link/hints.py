@@ -239,14 +239,20 @@ def _links(
                     reading.say(f"{here} needs a {name_key!r}: a ROS name as text")
                 continue
             full = _full(name, node)
-            fits = [n for n, pair in enumerate(names) if pair == (kind, full)]
+            fits = [n for n, pair in enumerate(names) if pair == (kind, full)] or _known_now(ends, kind, full, fields, node)
             misfit = _misfit(noun, full, len(fits), [other for own, other in names if own == kind])
             is_wanted = bool(given.get("create")) or is_new
-            if not is_wanted and len(fits) == 1:
+            there = [n for n in fits if ends[n].type in (None, fields.get(type_key, ends[n].type))] if is_wanted else []
+            if there and not is_new:
+                reading.say(f"{here}: {node.name} has {full} without this hint; it adds only what was not known")
+                ends[there[0]] = _completed(ends[there[0]], kind, fields, reading, packages, here)
+            elif not is_wanted and len(fits) == 1:
                 end = edited(ends[fits[0]], fields, reading, packages, here)
                 if "original_name" in fields:
                     original = _full(fields["original_name"] or "?", node)
                     end = named(end, original, dict(node.remaps).get(original, original))
+                    if end.given is None or "?" in end.given:
+                        end = replace(end, given=fields["original_name"])
                 ends[fits[0]] = end
             elif not is_wanted and fits:
                 reading.say(f"{here}: {misfit}")
@@ -258,6 +264,24 @@ def _links(
                     reading.say(f"{here}: {misfit}; it was created; write 'create: true' if that is meant")
                 ends.append(_made(node, kind, full, fields, here, reading, packages))
     return replace(node, endpoints=tuple(ends))
+
+
+def _known_now(ends: Sequence[Endpoint], kind: str, name: str, fields: Mapping[str, Any], node: Node) -> list[int]:
+    """The one link that a hint for a *name* with ``?`` means, where the name is known now and is the hint's ``original_name``."""
+    if "?" not in name or not fields.get("original_name"):
+        return []
+    original = _full(fields["original_name"], node)
+    found = [n for n, end in enumerate(ends) if end.kind == kind and end.original_name == original]
+    return found if len(found) == 1 else []
+
+
+def _completed(
+    end: Endpoint, kind: str, fields: Mapping[str, Any], reading: Reading, packages: Sequence[Package], at: str
+) -> Endpoint:
+    """*end* with those values of a hint that were not known."""
+    have = {LINKS[kind][1]: end.type, "queue_size": end.queue_size, "latched": end.latched, "traceability": end.location}
+    new = {key: value for key, value in fields.items() if key in have and have[key] is None}
+    return edited(end, new, reading, packages, at)
 
 
 def _made(
@@ -279,6 +303,7 @@ def _made(
         location=None,
         latched=False if kind == "publishers" else None,
         source="hint",
+        given=fields.get("original_name") or name,
         unknowns=(Unknown("queue_size", "the hint gives no queue_size"),) if "queue_size" in end_keys(kind) else (),
     )
     return edited(blank, fields, reading, packages, at)
@@ -300,7 +325,7 @@ def _call(
     else:
         full = resolved(name if name[0] in "/~" or not space else f"{space.rstrip('/')}/{name}", node.name)
         fields = {**fields, "traceability": fields["location"]} if "location" in fields else fields
-        return _made(node, kind, full, fields, at, reading, packages)
+        return replace(_made(node, kind, full, fields, at, reading, packages), given=name)
     return None
 
 

@@ -13,7 +13,7 @@ from typing import Any
 from haros_ci.query.access import attribute, call, call_method, indexed
 from haros_ci.query.fault import QueryError, suggestion
 from haros_ci.query.free import free
-from haros_ci.query.functions import truth
+from haros_ci.query.functions import BUILTINS, truth
 from haros_ci.query.machine import Machine, Scope
 from haros_ci.query.operators import ARITHMETIC, COMPARISONS, SET_COMPARISONS, SETS, contains, negated
 from haros_ci.query.syntax import (
@@ -50,7 +50,7 @@ class UnknownVariable(QueryError):
     """A variable that a query uses and nothing has bound."""
 
     def __init__(self, name: str, at: int, known: Collection[str]) -> None:
-        super().__init__(f"there is no variable {name!r}", at, suggestion(name, known))
+        super().__init__(f"there is no variable {name!r}", at, suggestion(name, known, set(known) - BUILTINS.keys()))
         self.name = name
 
 

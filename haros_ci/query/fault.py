@@ -34,13 +34,15 @@ def place(text: str, at: int) -> tuple[int, int]:
     return before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
 
 
-def suggestion(word: str, known: Iterable[str]) -> str:
-    """What *word* was meant to be, as a question; else what there is."""
+def suggestion(word: str, known: Iterable[str], main: Iterable[str] | None = None) -> str:
+    """What *word* was meant to be, as a question; else what there is, or the *main* part of it."""
     import difflib
 
     words = sorted(known)
+    shown = words if main is None else sorted(main)
     near = difflib.get_close_matches(word[:LONGEST], words, n=1, cutoff=0.6)
-    return f"did you mean {near[0]!r}?" if near else f"there is {', '.join(words)}" if words else ""
+    near = near or [name for name in shown if word and name.startswith(word)][:1]
+    return f"did you mean {near[0]!r}?" if near else f"there is {', '.join(shown)}" if shown else ""
 
 
 def short(text: str) -> str:

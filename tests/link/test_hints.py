@@ -197,6 +197,52 @@ def test_a_link_is_created_beside_one_of_the_same_name() -> None:
     assert [e.type for e in node.endpoints if e.name == "/cmd"] == ["a/T", "b/U"]
 
 
+def test_a_link_that_the_source_has_is_not_created_again() -> None:
+    hint = {"topic": "/cmd", "msg_type": "a/T", "queue_size": 3, "create": True}
+    result, messages = applied({"nodes": {"/mux": {"publishers": [hint]}}})
+    assert result.nodes[0].endpoints == MUX.endpoints
+    assert messages == [
+        "hints.nodes./mux.publishers[0]: /mux has /cmd without this hint; it adds only what was not known"
+    ]
+
+
+def test_a_link_that_the_source_has_in_part_is_completed() -> None:
+    blank = replace(OUT, type=None, queue_size=None, unknowns=(*unknown("type"), *unknown("queue_size")))
+    robot = replace(ROBOT, nodes=(replace(MUX, endpoints=(blank,)),))
+    hint = {"topic": "/cmd", "msg_type": "a/T", "queue_size": 3, "create": True}
+    result, _ = applied({"nodes": {"/mux": {"publishers": [hint]}}}, robot)
+    assert result.nodes[0].endpoints == (replace(OUT, queue_size=3, source="hint"),)
+
+
+def test_a_hint_for_an_unknown_name_finds_the_link_whose_name_is_known_now() -> None:
+    hint = {"topic": "/mux/x/?", "original_name": "/mux/out", "conditional": False}
+    assert node_of({"publishers": [hint]}).endpoints[0] == replace(OUT, conditions=(), source="hint")
+
+
+def test_a_hint_for_an_unknown_name_stays_without_effect_where_two_links_may_be_meant() -> None:
+    robot = replace(ROBOT, nodes=(replace(MUX, endpoints=(OUT, replace(OUT, type="b/U"))),))
+    hint = {"topic": "/mux/x/?", "original_name": "/mux/out", "conditional": False}
+    result, messages = applied({"nodes": {"/mux": {"publishers": [hint]}}}, robot)
+    assert result == robot
+    assert len(messages) == 1
+
+
+def test_a_name_is_as_its_hint_gives_it_unless_the_call_is_known() -> None:
+    node = node_of(
+        {
+            "publishers": [
+                {"topic": "/new", "msg_type": "a/T", "queue_size": 1, "create": True},
+                {"topic": "/mux/x/?", "original_name": "/mux/out", "conditional": False},
+            ]
+        }
+    )
+    assert [end.given for end in node.endpoints if end.kind == "publishers"] == ["/mux/out", None, "/new"]
+    known = replace(ROBOT, nodes=(replace(MUX, endpoints=(replace(OUT, given="out"),)),))
+    hint = {"topic": "/cmd", "original_name": "/mux/out", "conditional": False}
+    result, _ = applied({"nodes": {"/mux": {"publishers": [hint]}}}, known)
+    assert result.nodes[0].endpoints[0].given == "out"
+
+
 def test_a_full_hint_that_fits_nothing_creates_with_a_notice() -> None:
     hint = {"nodes": {"/mux": {"publishers": [{"topic": "/cmds", "msg_type": "a/T"}]}}}
     result, messages = applied(hint)
