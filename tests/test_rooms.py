@@ -22,6 +22,7 @@ DOORS: dict[str, set[str]] = {
     "link": {"model", "errors"},
     "report": {"model", "results", "errors"},
     "checking": {"model", "results", "errors"},
+    "query": {"model", "results", "errors"},
     "registry": {"model", "results", "errors", "linters", "checking"},
     "api": {"model", "results", "checking"},
     "baselines": {"model", "results", "errors", "config", "workspace"},

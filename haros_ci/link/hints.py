@@ -251,8 +251,8 @@ def _links(
                 if "original_name" in fields:
                     original = _full(fields["original_name"] or "?", node)
                     end = named(end, original, dict(node.remaps).get(original, original))
-                    if end.given is None or "?" in end.given:
-                        end = replace(end, given=fields["original_name"])
+                    if end.written is None or "?" in end.written:
+                        end = replace(end, written=fields["original_name"])
                 ends[fits[0]] = end
             elif not is_wanted and fits:
                 reading.say(f"{here}: {misfit}")
@@ -303,7 +303,7 @@ def _made(
         location=None,
         latched=False if kind == "publishers" else None,
         source="hint",
-        given=fields.get("original_name") or name,
+        written=fields.get("original_name") or name,
         unknowns=(Unknown("queue_size", "the hint gives no queue_size"),) if "queue_size" in end_keys(kind) else (),
     )
     return edited(blank, fields, reading, packages, at)
@@ -325,7 +325,7 @@ def _call(
     else:
         full = resolved(name if name[0] in "/~" or not space else f"{space.rstrip('/')}/{name}", node.name)
         fields = {**fields, "traceability": fields["location"]} if "location" in fields else fields
-        return replace(_made(node, kind, full, fields, at, reading, packages), given=name)
+        return replace(_made(node, kind, full, fields, at, reading, packages), written=name)
     return None
 
 

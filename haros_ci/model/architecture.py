@@ -100,7 +100,7 @@ class Endpoint:
     effective: Any = None
     read_only: bool | None = None
     range: tuple[float | None, float | None, float | None] | None = None
-    written: str | None = None
+    written: str | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

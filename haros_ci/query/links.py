@@ -33,7 +33,7 @@ class Link(Entity):
     @property
     def rosname(self) -> RosName:
         """The name before remapping."""
-        return RosName(self.end.original_name, self.end.given)
+        return RosName(self.end.original_name, self.end.written)
 
     @property
     def name(self) -> str:

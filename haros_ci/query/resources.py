@@ -64,7 +64,7 @@ class Resource(Entity):
     @property
     def rosname(self) -> RosName:
         first = next(iter(self.all_links()), None)
-        return RosName(self.full, first.end.given if first is not None else None)
+        return RosName(self.full, first.end.written if first is not None else None)
 
     @property
     def unresolved(self) -> bool:

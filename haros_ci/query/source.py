@@ -358,13 +358,13 @@ class RosCall(Entity):
 
     @property
     def name(self) -> str:
-        given = RosName(self.end.original_name, self.end.given).given
+        given = RosName(self.end.original_name, self.end.written).given
         return str(given) if given is not UNKNOWN else self.end.original_name.rpartition("/")[2]
 
     @property
     def namespace(self) -> str:
         """What the handle puts in front: "" for the node's namespace, ``~`` for its own name, else a path."""
-        full, given = self.end.original_name, self.end.given
+        full, given = self.end.original_name, self.end.written
         if given is None or given[:1] in ("/", "~") or not full.endswith(f"/{given}"):
             return ""
         prefix, own = full[: -len(given) - 1], self.node.name

@@ -13,7 +13,7 @@ from haros_ci.query.fault import QueryError
 from haros_ci.query.links import LINKS
 from haros_ci.query.places import RuntimeLocation, readers
 from haros_ci.query.resources import Action, NodeInstance, Parameter, Resource, Service, Topic
-from haros_ci.query.source import NOTHING, DependencySet, World
+from haros_ci.query.source import DependencySet, World
 from haros_ci.query.values import DEEPEST, Entity, Listing, Record, Value
 
 KINDS: dict[str, type[Resource]] = {"topics": Topic, "services": Service, "actions": Action, "parameters": Parameter}

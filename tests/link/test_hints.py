@@ -236,11 +236,11 @@ def test_a_name_is_as_its_hint_gives_it_unless_the_call_is_known() -> None:
             ]
         }
     )
-    assert [end.given for end in node.endpoints if end.kind == "publishers"] == ["/mux/out", None, "/new"]
-    known = replace(ROBOT, nodes=(replace(MUX, endpoints=(replace(OUT, given="out"),)),))
+    assert [end.written for end in node.endpoints if end.kind == "publishers"] == ["/mux/out", None, "/new"]
+    known = replace(ROBOT, nodes=(replace(MUX, endpoints=(replace(OUT, written="out"),)),))
     hint = {"topic": "/cmd", "original_name": "/mux/out", "conditional": False}
     result, _ = applied({"nodes": {"/mux": {"publishers": [hint]}}}, known)
-    assert result.nodes[0].endpoints[0].given == "out"
+    assert result.nodes[0].endpoints[0].written == "out"
 
 
 def test_a_full_hint_that_fits_nothing_creates_with_a_notice() -> None:

@@ -134,7 +134,7 @@ def _end(known: KnownEndpoint, start: Start, unknowns: list[Unknown]) -> Endpoin
         source="known-node",
         qos=qos,
         unknowns=tuple(unknowns),
-        given=text,
+        written=text,
     )
 
 

@@ -52,5 +52,5 @@ def declared(known: KnownEndpoint, start: Start, unknowns: list[Unknown]) -> End
         unknowns=tuple(unknowns),
         effective=effective,
         read_only=known.read_only,
-        given=name,
+        written=name,
     )
