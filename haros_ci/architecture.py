@@ -23,7 +23,7 @@ from haros_ci.link.kept import digest_of
 from haros_ci.link.known.entry import KnownNode
 from haros_ci.link.launching.dialect import description_reader
 from haros_ci.link.launching.places import Places
-from haros_ci.link.link import Ros2Launch, Wanted, link
+from haros_ci.link.link import Linked, Ros2Launch, Wanted, linked
 from haros_ci.link.system import KnownNodes
 from haros_ci.link.trace import XML_FILES, YAML_FILES
 from haros_ci.model.api import Row, RowError, load_row
@@ -56,6 +56,27 @@ def architecture(
     *wanted* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees. With *exact*
     libclang fills what is not known, where headers are installed. Up to so many *processes* do the work.
     """
+    options: dict[str, Any] = {"environment": environment, "known_nodes": known_nodes, "exact": exact, "processes": processes}
+    return varied(workspace, settings, store, wanted=wanted, alternatives=False, **options).architecture
+
+
+def varied(
+    workspace: Workspace,
+    settings: Settings,
+    store: Store,
+    *,
+    wanted: tuple[Wanted, ...] | None = None,
+    environment: Mapping[str, str] | None = None,
+    known_nodes: bool = True,
+    exact: bool = False,
+    processes: int = 1,
+    alternatives: bool = True,
+) -> Linked:
+    """The same with the presence of all that launch files start, and *alternatives*: nodes of other launch arguments.
+
+    ``under(name, arguments)`` of it is the configuration *name* with these launch arguments, as the command line would set
+    them; it is linked when it is asked for, with what has been followed before.
+    """
     built = builds(workspace)
     problems: list[Problem] = []
     where = settings.project_file or "the project file"
@@ -64,7 +85,7 @@ def architecture(
     own = frozenset(package.name for package in workspace.packages)
     known = known_types(project.get("known_nodes"), where, problems, own) if known_nodes else None
     link_all = partial(
-        link,
+        linked,
         workspace,
         programs(workspace, built, store, problems, processes),
         launch_reader(workspace),
@@ -75,33 +96,34 @@ def architecture(
         known=known,
         ros2=ros2_launch(workspace, built, environment or {}),
         share=partial(shared, processes=processes),
+        alternatives=alternatives,
     )
-    found = link_all(keeper=keeper(workspace, store))
+    made = link_all(keeper=keeper(workspace, store))
     if exact:
         from haros_ci.exactness import ask, doubtful
 
-        told, said = ask(workspace, settings, doubtful(found))
+        told, said = ask(workspace, settings, doubtful(made.architecture))
         problems += said
         if told:
-            found = link_all(exact=partial(filled, told))
+            made = link_all(exact=partial(filled, told))
+    found = made.architecture
     hinted: list[Configuration] = []
-    declared = project.get("configurations")
     for configuration in found.configurations:
-        if project.get("nodes"):
-            configuration, said = hints.apply_specifications(configuration, project["nodes"], where, workspace.packages)
-            problems += said
-        entry = declared.get(configuration.name) if isinstance(declared, Mapping) else None
-        given = entry.get("hints") if isinstance(entry, Mapping) else None
-        if isinstance(given, Mapping):
-            configuration, said = hints.apply(configuration, given, where, workspace.packages)
-            problems += said
+        configuration, wrong = hints.applied(configuration, workspace.packages, project, where)
+        problems += wrong
         hinted.append(configuration)
     said_before = dict.fromkeys((*found.problems, *problems))
-    return replace(
+
+    def under(name: str, arguments: Mapping[str, str]) -> Configuration | None:
+        other = made.under(name, arguments)
+        return hints.applied(other, workspace.packages, project, where)[0] if other is not None else None
+
+    whole = replace(
         found,
         configurations=tuple(hinted),
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
     )
+    return Linked(whole, under)
 
 
 def keeper(workspace: Workspace, store: Store) -> Keeper:

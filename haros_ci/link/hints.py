@@ -23,6 +23,23 @@ PARAMETER_KEYS = ("rosname", "param_type", "default_value", "traceability", "con
 SPEC_KEYS = ("fix", "rosname", "nodelet", "hpl", "user_data")
 
 
+def applied(
+    configuration: Configuration, packages: Sequence[Package], project: Mapping[str, Any], where: str
+) -> tuple[Configuration, list[Problem]]:
+    """*configuration* with all that the project file *where* says of its nodes, and what is wrong with that."""
+    problems: list[Problem] = []
+    if project.get("nodes"):
+        configuration, said = apply_specifications(configuration, project["nodes"], where, packages)
+        problems += said
+    declared = project.get("configurations")
+    entry = declared.get(configuration.name) if isinstance(declared, Mapping) else None
+    given = entry.get("hints") if isinstance(entry, Mapping) else None
+    if isinstance(given, Mapping):
+        configuration, said = apply(configuration, given, where, packages)
+        problems += said
+    return configuration, problems
+
+
 def apply(
     configuration: Configuration, hints: Mapping[str, Any], where: str, packages: Sequence[Package] = ()
 ) -> tuple[Configuration, tuple[Problem, ...]]:

@@ -177,7 +177,7 @@ class Question:
             excludes = compared is not None and self.ask({**now, name: literal(OTHER)}) is True
         if excludes and len(failing) <= MOST_EXCLUDED:
             return tuple(Choice(name, value, equal=False) for value in failing)
-        return (choice(name, here, boolean=True),)
+        return (choice(name, here, boolean=not known.choices),)
 
     def nearest(self, presence: Presence) -> tuple[dict[str, Text], Presence] | None:
         """The arguments to set, as few as can be, for it to hold together with *presence*, and the presence that it has then."""
@@ -221,10 +221,11 @@ class Question:
                 if not is_told or self.ask({name: literal(OTHER)}) is not False:
                     continue
             possible = [value for value in others if self.ask({name: literal(value)}) is not False]
+            plain = bool(known.choices) and not known.is_boolean
             if now.known and not possible:
-                found.append((choice(name, now.raw, boolean=True),))
-            elif not now.known and len({choice(name, value, boolean=True) for value in possible}) == 1:
-                found.append((choice(name, possible[0], boolean=True),))
+                found.append((choice(name, now.raw, boolean=not plain),))
+            elif not now.known and len({choice(name, value, boolean=not plain) for value in possible}) == 1:
+                found.append((choice(name, possible[0], boolean=not plain),))
         return together(*found) or ()
 
 

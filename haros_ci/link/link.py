@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
 from typing import Any
@@ -14,6 +14,7 @@ from haros_ci.link import (
     controllers,
     keeping,
     library_yaml,
+    present,
     ros2_hosts,
     ros2_library,
     ros2_library_classes,
@@ -83,12 +84,28 @@ class Ros2Launch:
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """What the launch files of a configuration start, as jobs; and what else they say."""
+    """What the launch files of a configuration start, as jobs; and what else they say.
+
+    *others* and *other_parameters* are there with other launch arguments only.
+    """
 
     jobs: tuple[Job, ...]
     parameters: tuple[Parameter, ...]
     arguments: tuple[tuple[str, Any], ...]
     problems: tuple[Problem, ...]
+    others: tuple[Job, ...] = ()
+    other_parameters: tuple[Parameter, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Linked:
+    """An architecture; *under* gives a configuration of it by its name, with some launch arguments set otherwise.
+
+    It is linked as any other, with what has been followed before; None if no launch file starts it.
+    """
+
+    architecture: Architecture
+    under: Callable[[str, Mapping[str, str]], Configuration | None]
 
 
 def open_(
@@ -98,32 +115,39 @@ def open_(
     ros2: Ros2Launch | None,
     wanted: Wanted,
     environment: Mapping[str, str],
+    alternatives: bool = False,
 ) -> Opened:
-    """Evaluate the launch files of a configuration, each in its own dialect."""
+    """Evaluate the launch files of a configuration, each in its own dialect; perhaps with what other arguments start."""
     newer = tuple(path for path in wanted.launch if ros2 is not None and ros2.load(path) is not None)
     older = tuple(path for path in wanted.launch if path not in newer)
     jobs: list[Job] = []
     parameters: tuple[Parameter, ...] = ()
     arguments: list[tuple[str, Any]] = []
     problems: list[Problem] = []
+    others: list[Job] = []
+    other_parameters: tuple[Parameter, ...] = ()
     if older or not newer:
-        launched = evaluate(older, workspace, load, wanted.arguments, environment)
+        launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives)
         server = ParameterServer(launched.parameters)
         jobs += [system.launched(types, each, server) for each in launched.nodes if not each.is_test]
-        parameters = launched.parameters
+        others += present.launched(types, launched)
+        parameters, other_parameters = launched.parameters, launched.alternative_parameters
         arguments += launched.arguments
         problems += launched.problems
     if newer and ros2 is not None:
-        found = launch_system(newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo)
+        found = launch_system(
+            newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
+        )
         nodes = controllers.with_controllers(found.nodes, partial(parameter_file, ros2.places))
         containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in nodes if each.name is not None}
         jobs += [ros2_system.launched(types, each, containers) for each in nodes]
+        others += present.ros2_launched(types, found, partial(parameter_file, ros2.places))
         arguments += found.arguments
         problems += found.problems
-    return Opened(tuple(jobs), parameters, tuple(arguments), tuple(problems))
+    return Opened(tuple(jobs), parameters, tuple(arguments), tuple(problems), tuple(others), other_parameters)
 
 
-def link(
+def linked(
     workspace: Workspace,
     sources: Iterable[Source],
     load: Callable[[str], LaunchFile | None],
@@ -137,14 +161,16 @@ def link(
     share: Share = in_turn,
     keeper: Keeper | None = None,
     ros2: Ros2Launch | None = None,
-) -> Architecture:
+    alternatives: bool = False,
+) -> Linked:
     """The architecture of *workspace*.
 
     *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
     *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
     is one alone. *known* tells what is known of node types that are not of the workspace, *exact* what the exact
     tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes. *keeper* has what
-    earlier runs followed, *ros2* reads launch files of ROS 2.
+    earlier runs followed, *ros2* reads launch files of ROS 2. With *alternatives* each configuration has the nodes that
+    are there with other launch arguments, too.
     """
     types = types_of(workspace, sources, builds, rows, known or (lambda package, name, ros: None), exact, load)
     problems: dict[Problem, None] = {}
@@ -158,18 +184,20 @@ def link(
     else:
         chosen = wanted
     jobs: list[Job] = []
+    others: list[Job] = []
     started: set[tuple[str, str]] = set()
     opened: list[tuple[Wanted, Opened]] = []
     for item in chosen:
         seen = {**item.environment, **(environment or {})}
-        each = open_(types, workspace, load, ros2, item, seen)
+        each = open_(types, workspace, load, ros2, item, seen, alternatives)
         problems.update(dict.fromkeys(each.problems))
         started.update((job.node.package, job.node.type) for job in each.jobs)
         opened.append((item, each))
         jobs += each.jobs
+        others += each.others
     if wanted is None:
-        others = started & types.startable.keys() - types.executables.keys()
-        behind_links = {types.startable[each][1] for each in others}
+        linked_to = started & types.startable.keys() - types.executables.keys()
+        behind_links = {types.startable[each][1] for each in linked_to}
         for package, name in sorted(types.executables):
             if (package, name) not in started and types.executables[package, name][1] not in behind_links:
                 jobs.append(system.alone(types, package, name))
@@ -180,34 +208,25 @@ def link(
                 jobs.append(system.standalone(types, described.name))
     key = keeping.key_of(types, rows) if keeper is not None else ""
     old = keeping.take_up(types, keeper, key) if keeper is not None else []
-    order = sorted(range(len(jobs)), key=lambda number: -jobs[number].size)  # large ones first: nobody waits at the end
-    work = [partial(_worked, types, jobs[number]) for number in order]
-    done = dict(zip(order, share(work, [jobs[number].group for number in order]), strict=True))
-    made = ros2_library.seen_in(node for (nodes, _), _ in done.values() for node in nodes)
+    every = (*jobs, *others)
+    order = sorted(
+        range(len(every)), key=lambda number: -every[number].size
+    )  # large ones first: nobody waits at the end
+    work = [partial(_worked, types, every[number]) for number in order]
+    done = dict(zip(order, share(work, [every[number].group for number in order]), strict=True))
+    made = ros2_library.seen_in(node for number in range(len(jobs)) for node in done[number][0][0])
     more = [ros2_library.job(types, each) for each in _libraries(types, made)] if wanted is None else []
     brought = share([partial(_worked, types, job) for job in more], [job.group for job in more])
     if keeper is not None:
         keeping.hand_on(keeper, key, old, [each for _, fresh in (*done.values(), *brought) for each in fresh])
+    present.remember(types, (fresh for _, fresh in (*done.values(), *brought)))
     results = (done[number][0] for number in range(len(jobs)))
+    other_results = (done[number][0] for number in range(len(jobs), len(every)))
     for item, each in opened:
         followed = list(islice(results, len(each.jobs)))
         problems.update(dict.fromkeys(problem for _, said in followed for problem in said))
-        given = [
-            (node, job.parameters)
-            for job, (nodes, _) in zip(each.jobs, followed, strict=True)
-            for node in nodes
-            if job.parameters is not None
-        ]
         configurations.append(
-            Configuration(
-                name=item.name,
-                launch=tuple(path_name(workspace, path) for path in item.launch),
-                nodes=tuple(node for nodes, _ in followed for node in nodes),
-                parameters=(*each.parameters, *ros2_system.given_parameters(given)),
-                arguments=tuple((name, str(value)) for name, value in each.arguments),
-                user_data=item.user_data,
-                closed=item.closed,
-            )
+            _configuration(workspace, item, each, followed, list(islice(other_results, len(each.others))))
         )
     for (nodes, said), job in zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True):
         node = nodes[0]
@@ -226,10 +245,46 @@ def link(
             configurations.append(Configuration(name=name, nodes=nodes))
     for build in builds.values():
         problems.update(dict.fromkeys(build.problems))
-    return Architecture(
+    items = {item.name: item for item, _ in opened}
+
+    def under(name: str, assignment: Mapping[str, str]) -> Configuration | None:
+        if name not in items:
+            return None
+        item = replace(items[name], arguments={**items[name].arguments, **assignment})
+        each = open_(types, workspace, load, ros2, item, {**item.environment, **(environment or {})})
+        return _configuration(workspace, item, each, [job.follow() for job in each.jobs], ())
+
+    found = Architecture(
         configurations=tuple(configurations),
         packages=workspace.packages,
         problems=tuple(sorted(problems, key=lambda p: (p.path, p.line or 0, p.message))),
+    )
+    return Linked(found, under)
+
+
+def _configuration(
+    workspace: Workspace, item: Wanted, each: Opened, followed: Sequence[Result], others: Sequence[Result]
+) -> Configuration:
+    """The configuration *item* of what its jobs have given."""
+    return Configuration(
+        name=item.name,
+        launch=tuple(path_name(workspace, path) for path in item.launch),
+        nodes=tuple(node for nodes, _ in followed for node in nodes),
+        parameters=(*each.parameters, *_given(each.jobs, followed)),
+        arguments=tuple((name, str(value)) for name, value in each.arguments),
+        user_data=item.user_data,
+        closed=item.closed,
+        alternatives=tuple(node for nodes, _ in others for node in nodes),
+        alternative_parameters=(*each.other_parameters, *_given(each.others, others)),
+    )
+
+
+def _given(jobs: Sequence[Job], results: Sequence[Result]) -> tuple[Parameter, ...]:
+    return ros2_system.given_parameters(
+        (node, job.parameters)
+        for job, (nodes, _) in zip(jobs, results, strict=True)
+        for node in nodes
+        if job.parameters is not None
     )
 
 

@@ -58,7 +58,7 @@ def assignment(presence: Presence, defaults: Mapping[str, str]) -> tuple[tuple[s
         default = defaults.get(each.argument)
         same = default is not None and _same(default, each.value)
         if each.equal and not same:
-            wanted.append((each.argument, each.value))
+            wanted.append((each.argument, _spelled(each.value, default)))
         elif not each.equal and same:
             return None
     return tuple(wanted)
@@ -66,6 +66,14 @@ def assignment(presence: Presence, defaults: Mapping[str, str]) -> tuple[tuple[s
 
 def _same(default: str, value: str) -> bool:
     return default == value or (value in ("true", "false") and _TRUTH.get(default.strip().lower()) == value)
+
+
+def _spelled(value: str, default: str | None) -> str:
+    """A boolean as the default writes it, for expressions that only take it so."""
+    word = (default or "").strip()
+    if value not in ("true", "false") or word not in ("True", "False", "1", "0"):
+        return value
+    return value.capitalize() if word in ("True", "False") else "1" if value == "true" else "0"
 
 
 def in_words(wanted: Iterable[tuple[str, str]]) -> str:
