@@ -9,11 +9,12 @@ from dataclasses import dataclass, field
 from haros_ci.link.launch_presence import Arguments, Assumed
 from haros_ci.link.launching import presences
 from haros_ci.link.launching.context import Context, Exhausted, Scope
+from haros_ci.link.launching.including import include
 from haros_ci.link.launching.node import command, component, full_name, node
 from haros_ci.link.launching.places import Places
 from haros_ci.link.launching.settings import SETTERS, doubt, kept, name_of
 from haros_ci.link.launching.substitutions import truth_of
-from haros_ci.link.roslaunch_names import MARK, Text, literal, quoted, unknown
+from haros_ci.link.roslaunch_names import Text, literal, quoted, unknown
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_actions import Action, Description
@@ -289,51 +290,6 @@ class _Run:
         phrase = action.get(name)
         return phrase is None or truth_of(self.context.text(phrase)) is not False
 
-    def include(self, action: Action, conditions: _Conditions) -> None:
-        context = self.context
-        context.spend(50 + len(context.scope.configurations) // 4)
-        phrase = action.get("file")
-        file = context.text(phrase) if phrase is not None else unknown("no file is named")
-        passed = [(context.text(name), value) for name, value in action.arguments]
-        if not file.known:
-            message = f"includes {quoted(file.raw)}: {file.reasons[0]}; what it starts is unknown"
-            context.problem(action.location, message)
-            return
-        place = context.places.find(file.raw)
-        if place.path is None:
-            context.problem(action.location, f"includes {quoted(file.raw)}: {place.reason}; what it starts is unknown")
-            return
-        if not context.places.files.has(place.path):
-            message = f"includes {place.path}, which is not in the workspace; correct the path"
-            context.problem(action.location, message, certain=True)
-            return
-        found = self.description(place.path)
-        if found is None:
-            context.problem(action.location, f"includes {place.path}, which is no ROS 2 launch file; correct the path")
-            return
-        self.included.add(place.path)
-        for name, value in passed:
-            if name.known:
-                context.scope.configurations[name.raw] = context.text(value)
-        link = (place.path, tuple(sorted(context.scope.configurations.items(), key=lambda item: item[0])))
-        if link in self.chain:
-            message = f"includes {place.path}, which includes this again, without end; break the cycle"
-            context.problem(action.location, message)
-            return
-        self.check_arguments(action, place.path, found, {name.raw for name, _ in passed})
-        self.inside(place.path, found.actions, conditions)
-
-    def check_arguments(self, action: Action, path: str, found: Description, passed: set[str]) -> None:
-        """Launch refuses an include without an argument that has no default, even where it is set around it."""
-        for child in found.actions:
-            name = child.get("name")
-            if child.kind != "arg" or child.tests or child.get("default") is not None or name is None:
-                continue
-            text = self.context.text(name)
-            if text.known and text.raw not in passed and MARK not in "".join(passed):
-                what = f"includes {path} without its argument {quoted(text.raw)}, which has no default; pass it"
-                self.context.problem(action.location, what, certain=True)
-
     def node(self, action: Action, conditions: _Conditions) -> None:
         started = node(self.context, action, conditions)
         self.nodes.append(started)
@@ -405,7 +361,7 @@ _Handler = Callable[[_Run, Action, _Conditions], None]
 _HANDLERS: Mapping[str, _Handler] = {
     "arg": _Run.arg,
     "group": _Run.group,
-    "include": _Run.include,
+    "include": include,
     "node": _Run.node,
     "lifecycle-node": _Run.node,
     "container": _Run.node,

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Launch files that include others."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from haros_ci.link.launching.context import Context
+from haros_ci.link.roslaunch_names import MARK, quoted, unknown
+from haros_ci.model.architecture import Condition
+from haros_ci.model.launch_actions import Action, Description
+
+if TYPE_CHECKING:
+    from haros_ci.link.launching.evaluate import _Run
+
+
+def include(run: _Run, action: Action, conditions: tuple[Condition, ...]) -> None:
+    """IncludeLaunchDescription: perform the file in the scope that it is included in."""
+    context = run.context
+    context.spend(50 + len(context.scope.configurations) // 4)
+    phrase = action.get("file")
+    file = context.text(phrase) if phrase is not None else unknown("no file is named")
+    passed = [(context.text(name), value) for name, value in action.arguments]
+    if not file.known:
+        message = f"includes {quoted(file.raw)}: {file.reasons[0]}; what it starts is unknown"
+        context.problem(action.location, message)
+        return
+    place = context.places.find(file.raw)
+    if place.path is None:
+        context.problem(action.location, f"includes {quoted(file.raw)}: {place.reason}; what it starts is unknown")
+        return
+    if not context.places.files.has(place.path):
+        message = f"includes {place.path}, which is not in the workspace; correct the path"
+        context.problem(action.location, message, certain=True)
+        return
+    found = run.description(place.path)
+    if found is None:
+        context.problem(action.location, f"includes {place.path}, which is no ROS 2 launch file; correct the path")
+        return
+    run.included.add(place.path)
+    for name, value in passed:
+        if name.known:
+            context.scope.configurations[name.raw] = context.text(value)
+    link = (place.path, tuple(sorted(context.scope.configurations.items(), key=lambda item: item[0])))
+    if link in run.chain:
+        message = f"includes {place.path}, which includes this again, without end; break the cycle"
+        context.problem(action.location, message)
+        return
+    _check_arguments(context, action, place.path, found, {name.raw for name, _ in passed})
+    run.inside(place.path, found.actions, conditions)
+
+
+def _check_arguments(context: Context, action: Action, path: str, found: Description, passed: set[str]) -> None:
+    """Launch refuses an include without an argument that has no default, even where it is set around it."""
+    for child in found.actions:
+        name = child.get("name")
+        if child.kind != "arg" or child.tests or child.get("default") is not None or name is None:
+            continue
+        text = context.text(name)
+        if text.known and text.raw not in passed and MARK not in "".join(passed):
+            what = f"includes {path} without its argument {quoted(text.raw)}, which has no default; pass it"
+            context.problem(action.location, what, certain=True)
