@@ -214,8 +214,35 @@ def model(**flags: Any) -> int:
 
 
 @haros_ci.command()
+@click.argument("text", metavar="QUERY", required=False)
+@click.argument("paths", nargs=-1, type=click.Path())
+@click.option("--file", type=click.Path(dir_okay=False), help="Read the query here; all arguments are PATHS then.")
+@click.option(
+    "--scope", type=click.Choice(["configuration", "package", "global"]), default="configuration", show_default=True,
+    help="What the query is asked of, one after the other.",
+)  # fmt: skip
+@click.option("--format", type=click.Choice(["text", "json"]), default="text", show_default=True)
+@click.option("--fail-on-match", is_flag=True, help="Exit with 1 if anything matches.")
+@click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
+@click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
+@click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
+@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
+@click.option("--isolated", is_flag=True, help="Read no project file.")
+@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
+@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
+@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+def query(**flags: Any) -> int:
+    """Ask a QUERY of the running systems, as HAROS does: topics[len(self.publishers) > 1] (docs/queries.md)."""
+    from haros_ci import query_command
+
+    return query_command.query(flags)
+
+
+@haros_ci.command()
 @click.option("--json", "as_json", is_flag=True, help="As JSON.")
-@click.option("--checks", "as_checks", is_flag=True, help="Only our own checks, as the Markdown table of docs/checks.md.")
+@click.option(
+    "--checks", "as_checks", is_flag=True, help="Only our own checks, as the Markdown table of docs/checks.md."
+)
 @click.option("--profile", metavar="NAME", default="ros", show_default=True, help="Mark what this profile enables.")
 def rules(as_json: bool, as_checks: bool, profile: str) -> int:
     """List every documented rule: id, level, and whether the profile enables it."""

@@ -20,6 +20,7 @@ DOORS: dict[str, set[str]] = {
     "linters": {"model", "results", "errors"},
     "extract": {"model", "errors"},
     "link": {"model", "errors"},
+    "query": {"model", "results"},
     "report": {"model", "results", "errors"},
     "checking": {"model", "results", "errors"},
     "query": {"model", "results", "errors"},
@@ -35,6 +36,9 @@ DOORS: dict[str, set[str]] = {
     "model_command": {
         "architecture", "baselines", "commands", "errors", "interface_files", "link", "model", "output", "readme_check",
         "report", "workspace",
+    },
+    "query_command": {
+        "architecture", "baselines", "commands", "errors", "model_command", "query", "report", "workspace",
     },
     "interface_files": {"model", "errors", "output", "report"},
     "readme_check": {"model", "report"},
@@ -52,7 +56,7 @@ DOORS: dict[str, set[str]] = {
         "cli",
     },
     "new_check": {"errors"},
-    "cli": {"errors", "commands", "model_command", "new_check", "report"},
+    "cli": {"errors", "commands", "model_command", "query_command", "new_check", "report"},
     "__main__": {"cli"},
     "__init__": set(),
 }

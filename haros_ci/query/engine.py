@@ -20,12 +20,18 @@ class Query:
     def __init__(self, text: str, variables: Collection[str], steps: int = STEPS) -> None:
         self.text = text
         self.machine = Machine(left=steps)
+        self._steps = steps
         tree = parse(text)
         self._is_collection = isinstance(tree, Flwr) and bool(tree.collects)
         try:
             self._run = Compiler(self.machine, {*BUILTINS, *variables}).make(tree, frozenset())
         except RecursionError:
             raise QueryError("the query is nested too deeply") from None
+
+    @property
+    def taken(self) -> int:
+        """The steps that it has taken so far."""
+        return self._steps - self.machine.left
 
     def matches(self, variables: Mapping[str, Value]) -> tuple[Value, ...]:
         """What the query gives for *variables*, one after the other; QueryError if it cannot be evaluated.

@@ -260,7 +260,9 @@ class Compiler:
         steps = list(zip(tree.steps[1:], conditions[1:], strict=True))
         machine = self.machine
 
-        def kept(value: Value, condition: Callable[[Scope], bool] | None, scope: Scope, into: dict[Value, None]) -> None:
+        def kept(
+            value: Value, condition: Callable[[Scope], bool] | None, scope: Scope, into: dict[Value, None]
+        ) -> None:
             for item in elements(value):
                 machine.tick()
                 if condition is not None:

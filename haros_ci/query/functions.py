@@ -57,7 +57,9 @@ def whole(value: Value, base: Value = None) -> int:
             return int(value)
     except (ValueError, OverflowError):
         pass
-    raise QueryError(f"{kind_of(value)} {str(value)[:40]!r} is no whole number" if isinstance(value, str) else _no(value))
+    raise QueryError(
+        f"{kind_of(value)} {str(value)[:40]!r} is no whole number" if isinstance(value, str) else _no(value)
+    )
 
 
 def real(value: Value) -> float:

@@ -179,7 +179,11 @@ class Edge:
 
 
 def _edge(
-    sides: tuple[Use, Use], pools: Sequence[tuple[Value, ...]], left: Sequence[list[int]], scope: Scope, machine: Machine
+    sides: tuple[Use, Use],
+    pools: Sequence[tuple[Value, ...]],
+    left: Sequence[list[int]],
+    scope: Scope,
+    machine: Machine,
 ) -> Edge:
     keys: list[dict[int, Value]] = []
     is_exact = True

@@ -137,7 +137,9 @@ class ServiceLink(Link):
     __slots__ = ()
     KIND = "ServiceLink"
     FORM = "Service({}, {}, {})"
-    ATTRIBUTES: ClassVar[dict[str, Any]] = attributes("qos", service="resource", topic_name="end.name", service_name="end.name")
+    ATTRIBUTES: ClassVar[dict[str, Any]] = attributes(
+        "qos", service="resource", topic_name="end.name", service_name="end.name"
+    )
 
 
 class ClientLink(Link):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from haros_ci.model.architecture import Condition, Node
 from haros_ci.model.architecture import Parameter as ModelParameter
 from haros_ci.model.location import Location as Place
-from haros_ci.query.links import Link
+from haros_ci.query.links import LINKS, Link
 from haros_ci.query.places import RosName, SourceCondition, readers
 from haros_ci.query.values import UNKNOWN, Entity, Listing, Record, Value
 
@@ -21,6 +21,10 @@ COMMON = (
     "id", "name", "namespace", "rosname", "conditions", "enabled", "disabled", "conditional", "unresolved", "location",
     "resource_type", "configuration", "type", "location2",
 )  # fmt: skip
+
+
+#: The lists of ends, in the order in which they are gone through: who gives stands before who takes.
+ORDER = tuple(dict.fromkeys(name for _, name, _ in LINKS.values()))
 
 
 def resolve_name(self: Resource, name: Value) -> Value:
@@ -113,8 +117,8 @@ class Resource(Entity):
         return Listing.of(SourceCondition(one, self.system.world) for one in dict.fromkeys(found))
 
     def all_links(self) -> Iterator[Link]:
-        for links in self.links.values():
-            yield from links
+        for kind in ORDER:
+            yield from self.links.get(kind, ())
 
     def of(self, kind: str) -> Listing:
         return Listing.of(self.links.get(kind, ()))
@@ -162,13 +166,9 @@ class NodeInstance(Resource):
     __slots__ = ("made",)
     KIND = "NodeInstance"
     TYPE = "node"
-    LINKS = (
-        "publishers", "subscribers", "servers", "clients", "reads", "writes", "action_servers", "action_clients",
-        "declarations",
-    )  # fmt: skip
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
         **readers(*COMMON, "node", "launch", "argv", "remaps", "rt_outlinks", "package"),
-        **listed(*LINKS),
+        **listed(*ORDER),
         **{name: attrgetter(f"made.{name}") for name in ("kind", "container", "process", "ros", "source")},
         "variables": lambda self: Listing.of(()),
     }

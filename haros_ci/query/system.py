@@ -209,4 +209,3 @@ def plain(value: Any, depth: int = 0) -> Value:
     except QueryError:
         return None
     return str(value)[:1000]
-

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From what a query has found to results: where they stand, what they say, what they are about."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from haros_ci.model.location import Location
+from haros_ci.query.declared import Declared
+from haros_ci.query.engine import entities_of
+from haros_ci.query.links import Link
+from haros_ci.query.resources import NodeInstance, Parameter, Resource
+from haros_ci.query.source import RosCall, SourceEntity
+from haros_ci.query.system import System
+from haros_ci.query.values import Entity, Value, words
+from haros_ci.results.own import TOOL
+from haros_ci.results.result import Related, Result
+
+#: Further places that one result names.
+MOST_RELATED = 20
+_FIELD = re.compile(r"\{\{|\}\}|\{(entities|value|n)\}")
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """*value* is what the *query* has found in *configuration*; "" outside any."""
+
+    query: Declared
+    value: Value
+    configuration: str = ""
+
+
+def results(matches: Iterable[Match], elsewhere: Location) -> tuple[Result, ...]:
+    """One result for each match; the same one in several configurations is one. What has no place stands *elsewhere*."""
+    found: dict[tuple[object, ...], tuple[Match, list[str]]] = {}
+    for match in matches:
+        entities = entities_of(match.value)
+        key = (match.query.id, _said(match), *(place.sort_key for place in places(entities)))
+        names = found.setdefault(key, (match, []))[1]
+        if match.configuration and match.configuration not in names:
+            names.append(match.configuration)
+    made = (_result(match, names, elsewhere) for match, names in found.values())
+    return tuple(sorted(made, key=lambda result: result.sort_key))
+
+
+def _result(match: Match, configurations: list[str], elsewhere: Location) -> Result:
+    entities = entities_of(match.value)
+    where = places(entities) or (elsewhere,)
+    sources = dict.fromkeys(source for entity in entities for source in provenance(entity))
+    about = [f"learned from: {', '.join(sources)}"] if sources else []
+    if configurations:
+        more = f" and {len(configurations) - 1} more" if len(configurations) > 1 else ""
+        about.append(f"in {configurations[0]}{more}")
+    message = _said(match)
+    return Result(
+        tool=TOOL,
+        rule=match.query.id,
+        level=match.query.level,
+        message=f"{message} ({'; '.join(about)})" if about else message,
+        location=where[0],
+        related=_related(entities, where[0]),
+        subject=tuple(sorted({name for entity in entities for name in names_of(entity)})),
+        roles=tuple(sorted({role(entity) for entity in entities})),
+    )
+
+
+def _said(match: Match) -> str:
+    """The user's ``details`` with their fields filled, or what was found, in HAROS's words."""
+    entities = entities_of(match.value)
+    shown = f"[{', '.join(entity.words() for entity in entities)}]"
+    if not match.query.details:
+        title = match.query.title if match.query.aliases else "Query"
+        return f"{title} found: {words(match.value)}"
+    fields = {
+        "entities": shown,
+        "value": words(match.value) if not entities else "None",
+        "n": str(len(entities) or 1),
+    }
+    return filled(match.query.details, fields)
+
+
+def filled(details: str, fields: Mapping[str, str]) -> str:
+    """*details* with ``{entities}``, ``{value}`` and ``{n}`` replaced; no other field of a format means anything here."""
+    return _FIELD.sub(lambda found: fields[found[1]] if found[1] else found[0][0], details)
+
+
+def places(entities: Iterable[Entity]) -> tuple[Location, ...]:
+    """The places of *entities*, the main one of each first."""
+    every = [places_of(entity) for entity in entities]
+    first = [one[0] for one in every if one]
+    return tuple(dict.fromkeys((*first, *(place for one in every for place in one[1:]))))
+
+
+def places_of(entity: Entity) -> tuple[Location, ...]:
+    """Where *entity* stands, the main place first."""
+    if isinstance(entity, Resource):
+        return entity.places()
+    if isinstance(entity, (Link, RosCall, SourceEntity, System)):
+        return (entity.place,) if entity.place is not None else ()
+    place = getattr(entity, "place", None)
+    return (place,) if isinstance(place, Location) else ()
+
+
+def _related(entities: Iterable[Entity], at: Location) -> tuple[Related, ...]:
+    """The other entities, and the other ends of a topic, service, action or parameter."""
+    found: dict[Location, str] = {}
+    for entity in entities:
+        own = places_of(entity)
+        for place in own[:1]:
+            found.setdefault(place, entity.words())
+        for link in entity.all_links() if isinstance(entity, Resource) and not isinstance(entity, NodeInstance) else ():
+            if link.place is not None:
+                found.setdefault(link.place, link.words())
+    found.pop(at, None)
+    return tuple(Related(place, text) for place, text in list(found.items())[:MOST_RELATED])
+
+
+def provenance(entity: Entity) -> tuple[str, ...]:
+    """Where *entity* was learned: source, launch, hint, known-node, exact-tier."""
+    if isinstance(entity, (Link, RosCall)):
+        return (entity.end.source,)
+    if isinstance(entity, NodeInstance):
+        return (entity.made.source,)
+    if isinstance(entity, Resource):
+        own = (entity.made.source,) if isinstance(entity, Parameter) and entity.made is not None else ()
+        return tuple(dict.fromkeys((*own, *(link.end.source for link in entity.all_links()))))
+    return ()
+
+
+def names_of(entity: Entity) -> tuple[str, ...]:
+    """The names that a result about *entity* is about."""
+    if isinstance(entity, Link):
+        return (entity.node.full, entity.resource.full)
+    if isinstance(entity, Resource):
+        return (entity.full,)
+    if isinstance(entity, RosCall):
+        return (f"{entity.node.package}/{entity.node.type}", entity.name)
+    if isinstance(entity, (SourceEntity, System)):
+        return (entity.id,)
+    return (entity.words(),)
+
+
+def role(entity: Entity) -> str:
+    """What *entity* is, apart from names that a user gives."""
+    if isinstance(entity, Link):
+        return f"{entity.KIND} of {entity.node.type}"
+    if isinstance(entity, RosCall):
+        return f"{entity.kind} of {entity.node.package}/{entity.node.type}"
+    return f"{entity.KIND} {entity.type}" if isinstance(entity, NodeInstance) else entity.KIND

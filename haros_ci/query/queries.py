@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All queries of a project file, asked of an architecture: their rules, results, and what is to be told besides."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.model.architecture import LIBRARY, Architecture
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
+from haros_ci.query.declared import Declared, declared
+from haros_ci.query.engine import Query
+from haros_ci.query.fault import QueryError
+from haros_ci.query.findings import Match, results
+from haros_ci.query.machine import STEPS
+from haros_ci.query.source import World
+from haros_ci.query.system import System
+from haros_ci.query.values import Listing, Value
+from haros_ci.results.own import TOOL
+from haros_ci.results.result import Notification, Result
+from haros_ci.results.rule import Level, Rule
+
+#: Steps that all queries of a run may take together.
+ALL_STEPS = 50_000_000
+#: Matches of one query that are reported.
+MOST_MATCHES = 2_000
+
+#: The variables of each scope; of ``configuration``, those after ``parameters`` are ours.
+VARIABLES = {
+    "global": ("files", "packages", "nodes", "configs"),
+    "package": ("package", "files", "nodes"),
+    "configuration": (
+        "config", "nodes", "topics", "services", "parameters", "actions", "files", "packages", "configs",
+    ),
+}  # fmt: skip
+Variables = dict[str, Value]
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What the queries gave. *failed* are the ids of those that could not be read or evaluated; *notifications* say why."""
+
+    rules: tuple[Rule, ...] = ()
+    results: tuple[Result, ...] = ()
+    notifications: tuple[Notification, ...] = ()
+    failed: tuple[str, ...] = ()
+
+
+def run(
+    found: Architecture,
+    project: Mapping[str, Any],
+    where: str,
+    files: Iterable[SourceFile] = (),
+    *,
+    wanted: Callable[[Rule], bool] = lambda rule: True,
+) -> Asked:
+    """Ask the queries of the *project* file *where* of the architecture *found*; of them, those whose rule is *wanted*.
+
+    A query that is wrong is an error notification and stops no other.
+    """
+    every, said = declared(project)
+    chosen = [query for query in every if wanted(query.rule())]
+    notifications = [Notification(Level.ERROR, text, TOOL, where, configuration=True) for text in said]
+    matches: list[Match] = []
+    failed = []
+    scenes = Scenes(found, files, project) if chosen else None
+    left = ALL_STEPS
+    for query in chosen:
+        assert scenes is not None
+        own: list[Match] = []
+        asked: Query | None = None
+        try:
+            asked = Query(query.text, VARIABLES[query.scope], min(STEPS, left))
+            for configuration, variables in scenes.of(query.scope, query.configurations):
+                own += (Match(query, value, configuration) for value in asked.matches(variables))
+        except QueryError as err:
+            failed.append(query.id)
+            notifications.append(_fault(query, err, where))
+        left -= asked.taken if asked is not None else 0
+        if len(own) > MOST_MATCHES:
+            text = f"{query.id} has {len(own)} matches; the first {MOST_MATCHES} are reported"
+            notifications.append(Notification(Level.WARNING, text, TOOL, where, configuration=True))
+        matches += own[:MOST_MATCHES]
+        notifications += _notes(query, asked, where)
+    return Asked(
+        rules=tuple(query.rule() for query in every),
+        results=results(matches, Location(where)),
+        notifications=tuple(notifications),
+        failed=tuple(failed),
+    )
+
+
+class Scenes:
+    """The variables of queries: everything of the workspace, each package, each configuration."""
+
+    def __init__(self, found: Architecture, files: Iterable[SourceFile], project: Mapping[str, Any]) -> None:
+        systems = [one for one in found.configurations if not all(node.kind == LIBRARY for node in one.nodes)]
+        self.world = World(found.packages, files, systems)
+        entries = project.get("configurations")
+        self.systems = tuple(System(one, self.world, _properties(entries, one.name)) for one in systems)
+        self.world.systems = self.systems
+
+    def of(self, scope: str, names: Iterable[str] | None = None) -> Iterator[tuple[str, Variables]]:
+        """The name of a configuration ("" outside any) and the variables, one after the other; of *names*, if there are any."""
+        world = self.world
+        everything = {
+            "files": Listing.of(world.files.values(), True),
+            "packages": Listing.of(world.packages.values(), True),
+            "nodes": Listing.of(world.nodes.values(), True),
+            "configs": Listing.of(self.systems, True),
+        }
+        if scope == "global":
+            yield "", everything
+        elif scope == "package":
+            for package in world.packages.values():
+                yield "", {"package": package, "files": package.source_files, "nodes": package.nodes}
+        else:
+            chosen = None if names is None else set(names)
+            for system in self.systems:
+                if chosen is None or system.name in chosen:
+                    own = ("nodes", "topics", "services", "parameters", "actions")
+                    yield system.name, {**everything, "config": system, **{name: system.part(name) for name in own}}
+
+
+def _properties(entries: object, name: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The HPL properties and assumptions of a configuration, as text."""
+    entry = entries.get(name) if isinstance(entries, Mapping) else None
+    hpl = entry.get("hpl") if isinstance(entry, Mapping) else None
+    found = []
+    for key in ("properties", "assumptions"):
+        items = hpl.get(key) if isinstance(hpl, Mapping) else None
+        found.append(tuple(str(item)[:10_000] for item in items[:1000]) if isinstance(items, list) else ())
+    return found[0], found[1]
+
+
+def _fault(query: Declared, err: QueryError, where: str) -> Notification:
+    text = f"the query {query.id} ({query.place}) has no result: {err.told(query.text)}"
+    return Notification(Level.ERROR, text, TOOL, where, configuration=True)
+
+
+def _notes(query: Declared, asked: Query | None, where: str) -> Iterator[Notification]:
+    for at, text in asked.notes() if asked is not None else ():
+        told = QueryError(text, at).told(query.text)
+        yield Notification(Level.NOTE, f"the query {query.id}: {told}", TOOL, where, configuration=True)
