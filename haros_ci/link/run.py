@@ -119,7 +119,7 @@ class Made:
     dead: int = 0
     unknowns: tuple[tuple[str, str, Location | None], ...] = ()
     #: The name as the call gives it, ``?`` for its unknown parts.
-    written: str | None = None
+    written: str | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
