@@ -17,6 +17,7 @@ from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.linter import LintOptions
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.run import lint
+from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import LINTERS, check_rules, checks
 from haros_ci.results import own
@@ -45,21 +46,22 @@ OPEN_ENDED = ("catkin_lint", "clang-tidy", "cppcheck", "pylint", "ruff")
 
 def analyse(settings: Settings, store: Store, *, progress: Progress | None = None) -> tuple[Report, Workspace]:
     """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed."""
-    selection = Selection(settings, rules_of, unlisted=catalogue.rule)
+    rules = with_queries(settings)
+    selection = Selection(settings, rules, unlisted=catalogue.rule)
     misfits = check_selectors(
-        settings, rules_of, TOOLS, linters=ADAPTERS, unserved=catalogue.UNSERVED, open_tools=OPEN_ENDED
+        settings, rules, TOOLS, linters=ADAPTERS, unserved=catalogue.UNSERVED, open_tools=OPEN_ENDED
     )
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     workspace = narrowed(workspace, settings, selection)
     runs = examine(workspace, settings, selection, store, progress)
-    runs = tuple(described(run) for run in (*runs, *imported(settings, workspace, selection)))
+    runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
     compared = compare(
         runs,
         workspace,
         settings,
         examine=lambda base: examine(narrowed(base, settings, selection), settings, selection, store, progress),
     )
-    runs = tuple(described(run) for run in compared.runs)  # absent results bring rules of their own
+    runs = tuple(described(run, selection) for run in compared.runs)  # absent results bring rules of their own
     report = Report(
         runs=runs,
         notifications=(
@@ -130,7 +132,7 @@ def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection) 
         workspace.text,
         language,
         selection.matches,
-        enabled=lambda tool, path: (rule for rule in rules_of(tool) if selection.wants(tool, rule, path)),
+        enabled=lambda tool, path: (rule for rule in selection.rules(tool) if selection.wants(tool, rule, path)),
         mentions=lambda path: path in files and files[path].has_directive,
     )
     runs = distribute(runs, (*results_of(runs), *selected(unused, selection, workspace)))
@@ -199,25 +201,51 @@ def checked(
 ) -> Run:
     """*run* with what the checks say of the architecture, where any of them is on."""
     chosen = tuple(check for check in checks() if is_on(check_rules()[check.id], workspace, selection))
-    if not chosen or only_files(workspace, settings):
+    if not (chosen or asks(settings)) or only_files(workspace, settings):
         return run
-    from haros_ci.architecture import architecture
-    from haros_ci.checking.run import run_checks
-    from haros_ci.checking.system import systems
+    from haros_ci.architecture import varied
+    from haros_ci.checking.run import Assigned, run_checks
+    from haros_ci.checking.system import System, systems
 
     if progress is not None:
         progress("architecture")
-    found = architecture(workspace, settings, store, processes=settings.jobs)
+    made = varied(workspace, settings, store, processes=settings.jobs)
+    found = made.architecture
+
+    def under(system: System, arguments: Assigned) -> System | None:
+        configuration = made.under(system.name, dict(arguments))
+        return None if configuration is None else System(configuration, found, workspace)
+
     if progress is not None:
         progress(f"{len(chosen)} checks")
-    said = run_checks(chosen, systems(found, workspace), own.TOOL)
-    troubles = (Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line) for p in found.problems)
-    return replace(
+    said = run_checks(chosen, systems(found, workspace), own.TOOL, under)
+    run = replace(
         run,
         results=(*run.results, *said.results),
-        notifications=(*run.notifications, *said.notifications, *troubles),
+        notifications=(
+            *run.notifications,
+            *said.notifications,
+            *(Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line) for p in found.problems),
+        ),
         graphs=said.graphs,
         successful=run.successful and not said.notifications,
+    )
+    return queried(run, found, workspace, settings, selection) if asks(settings) else run
+
+
+def queried(run: Run, found: Architecture, workspace: Workspace, settings: Settings, selection: Selection) -> Run:
+    """*run* with the matches of the project file's queries."""
+    from haros_ci.query import queries
+
+    where = settings.project_file or "the project file"
+    asked = queries.run(
+        found, settings.project, where, workspace.files, wanted=lambda rule: is_on(rule, workspace, selection)
+    )
+    return replace(
+        run,
+        results=(*run.results, *asked.results),
+        notifications=(*run.notifications, *asked.notifications),
+        successful=run.successful and not asked.failed,
     )
 
 
@@ -255,6 +283,21 @@ def rules_of(tool: str) -> Mapping[str, Rule]:
     return {**own.RULES, **check_rules()} if tool == own.TOOL else catalogue.rules_of(tool)
 
 
+def with_queries(settings: Settings) -> Callable[[str], Mapping[str, Rule]]:
+    """``rules_of`` with the queries of the project file as rules of ours."""
+    if not asks(settings):
+        return rules_of
+    from haros_ci.query.declared import rules
+
+    own_ones = {**rules_of(own.TOOL), **rules(settings.project)}
+    return lambda tool: own_ones if tool == own.TOOL else rules_of(tool)
+
+
+def asks(settings: Settings) -> bool:
+    """Whether the project file may have queries."""
+    return "rules" in settings.project or "configurations" in settings.project
+
+
 def documented_rules() -> Iterator[tuple[str, Rule]]:
     """Every documented rule with its tool's name, in order."""
     for tool in sorted(TOOLS):
@@ -262,12 +305,12 @@ def documented_rules() -> Iterator[tuple[str, Rule]]:
             yield tool, rule
 
 
-def described(run: Run) -> Run:
+def described(run: Run, selection: Selection) -> Run:
     """The run with the rules that its results refer to."""
     if run.imported:
         return run
     ids = sorted({result.rule for result in run.results})
-    return replace(run, rules=tuple(rules_of(own.TOOL).get(id) or catalogue.rule(run.tool.name, id) for id in ids))
+    return replace(run, rules=tuple(selection.rule(run.tool.name, id) for id in ids))
 
 
 def coverage(workspace: Workspace) -> Coverage:

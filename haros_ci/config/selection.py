@@ -73,6 +73,10 @@ class Selection:
             return known
         return self._unlisted(tool, rule) if self._unlisted else Rule(id=rule, summary="")
 
+    def rules(self, tool: str) -> Mapping[str, Rule]:
+        """The documented rules of *tool*."""
+        return self._catalogue(tool)
+
     def matches(self, selector: str, result: Result) -> bool:
         """Whether *selector* names the rule of *result*, or a rule of another tool that found the same defect."""
         named = (
