@@ -156,15 +156,18 @@ class Question:
                 if name in kept and self.ask({**now, **kept, name: _ANY}) is True:
                     now[name] = _ANY
                     del kept[name]
-        presence = together(*((each,) for name in kept for each in self._choices(name, now)))
+        presence = together(*((each,) for name in kept for each in self._choices(name, now, name in given)))
         return presence or (), kept
 
-    def _choices(self, name: str, now: Mapping[str, Text]) -> tuple[Choice, ...]:
-        """What the value of *name* must be, or must not be, for it to hold, all else being as *now*."""
+    def _choices(self, name: str, now: Mapping[str, Text], is_given: bool) -> tuple[Choice, ...]:
+        """What the value of *name* must be, or must not be, for it to hold, all else being as *now*.
+
+        One that *is_given* is said as it is, for its assignment to be known.
+        """
         here = now[name].raw
         known = self.arguments.known[name]
-        if known.is_boolean:
-            return (choice(name, here, boolean=True),)
+        if known.is_boolean or is_given:
+            return (choice(name, here, boolean=known.is_boolean or not known.choices),)
         compared = self.literals(name)
         if known.choices:
             others = [value for value in known.choices if value != here]
