@@ -25,6 +25,7 @@ from haros_ci.link import (
 from haros_ci.link.index import Source
 from haros_ci.link.keeping import Keeper
 from haros_ci.link.kept import Followed
+from haros_ci.link.launch_facts.complete import Completion
 from haros_ci.link.launching.dialect import is_ros2_file
 from haros_ci.link.launching.entry import entry_files as ros2_entry_files
 from haros_ci.link.launching.evaluate import launch_system
@@ -43,6 +44,7 @@ from haros_ci.model.architecture import LIBRARY, Architecture, Configuration, No
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
+from haros_ci.model.launch_facts import LaunchFact
 from haros_ci.model.workspace import Problem, Workspace
 
 #: A node with its endpoints, and what went wrong.
@@ -95,6 +97,7 @@ class Opened:
     problems: tuple[Problem, ...]
     others: tuple[Job, ...] = ()
     other_parameters: tuple[Parameter, ...] = ()
+    facts: tuple[LaunchFact, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +129,7 @@ def open_(
     problems: list[Problem] = []
     others: list[Job] = []
     other_parameters: tuple[Parameter, ...] = ()
+    facts: list[LaunchFact] = []
     if older or not newer:
         launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives)
         server = ParameterServer(launched.parameters)
@@ -134,6 +138,7 @@ def open_(
         parameters, other_parameters = launched.parameters, launched.alternative_parameters
         arguments += launched.arguments
         problems += launched.problems
+        facts += launched.facts
     if newer and ros2 is not None:
         found = launch_system(
             newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
@@ -144,7 +149,10 @@ def open_(
         others += present.ros2_launched(types, found, partial(parameter_file, ros2.places))
         arguments += found.arguments
         problems += found.problems
-    return Opened(tuple(jobs), parameters, tuple(arguments), tuple(problems), tuple(others), other_parameters)
+        facts += found.facts
+    return Opened(
+        tuple(jobs), parameters, tuple(arguments), tuple(problems), tuple(others), other_parameters, tuple(facts)
+    )
 
 
 def linked(
@@ -222,11 +230,12 @@ def linked(
     present.remember(types, (fresh for _, fresh in (*done.values(), *brought)))
     results = (done[number][0] for number in range(len(jobs)))
     other_results = (done[number][0] for number in range(len(jobs), len(every)))
+    completion = Completion(workspace, builds, types)
     for item, each in opened:
         followed = list(islice(results, len(each.jobs)))
         problems.update(dict.fromkeys(problem for _, said in followed for problem in said))
         configurations.append(
-            _configuration(workspace, item, each, followed, list(islice(other_results, len(each.others))))
+            _configuration(completion, item, each, followed, list(islice(other_results, len(each.others))))
         )
     for (nodes, said), job in zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True):
         node = nodes[0]
@@ -252,7 +261,7 @@ def linked(
             return None
         item = replace(items[name], arguments={**items[name].arguments, **assignment})
         each = open_(types, workspace, load, ros2, item, {**item.environment, **(environment or {})})
-        return _configuration(workspace, item, each, [job.follow() for job in each.jobs], ())
+        return _configuration(completion, item, each, [job.follow() for job in each.jobs], ())
 
     found = Architecture(
         configurations=tuple(configurations),
@@ -263,17 +272,20 @@ def linked(
 
 
 def _configuration(
-    workspace: Workspace, item: Wanted, each: Opened, followed: Sequence[Result], others: Sequence[Result]
+    completion: Completion, item: Wanted, each: Opened, followed: Sequence[Result], others: Sequence[Result]
 ) -> Configuration:
     """The configuration *item* of what its jobs have given."""
+    done = (*zip(each.jobs, followed, strict=True), *zip(each.others, others, strict=True))
+    files = dict.fromkeys(fact for job, (nodes, _) in done for fact in completion.given(job, nodes))
     return Configuration(
         name=item.name,
-        launch=tuple(path_name(workspace, path) for path in item.launch),
+        launch=tuple(path_name(completion.workspace, path) for path in item.launch),
         nodes=tuple(node for nodes, _ in followed for node in nodes),
         parameters=(*each.parameters, *_given(each.jobs, followed)),
         arguments=tuple((name, str(value)) for name, value in each.arguments),
         user_data=item.user_data,
         closed=item.closed,
+        launch_facts=(*completion.completed(each.facts), *files),
         alternatives=tuple(node for nodes, _ in others for node in nodes),
         alternative_parameters=(*each.other_parameters, *_given(each.others, others)),
     )

@@ -91,7 +91,7 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
     )
     if found is None:
         outside_it = lambda: (_not_followed(types, node, basic, started), ())  # noqa: E731
-        return Job(basic, None, outside_it, parameters=started.parameters)
+        return Job(basic, None, outside_it, parameters=started.parameters, files=node.files)
     entry, files = found
     return Job(
         basic,
@@ -99,6 +99,7 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
         lambda: nodes_of(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
         _size(types, files),
         started.parameters,
+        node.files,
     )
 
 

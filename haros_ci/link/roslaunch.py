@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
+from haros_ci.link.launch_facts import ros1
 from haros_ci.link.launch_presence import Arguments
 from haros_ci.link.roslaunch_arg import arg, passed_arg
 from haros_ci.link.roslaunch_files import files_of
@@ -74,6 +75,7 @@ def evaluate(
         problems=(*state.problems, *_assumed_problems(state)),
         alternatives=tuple(state.alternatives),
         alternative_parameters=tuple(state.alternative_parameters),
+        facts=tuple(state.facts.found),
     )
 
 
@@ -110,6 +112,8 @@ def _root(state: State, path: str, included_by: tuple[Scope, LaunchElement] | No
             state.wrong(*included_by, message, certain=True)
         return None
     state.read.add(path)
+    scope = included_by[0] if included_by is not None else None
+    ros1.foreign(state, scope, path, launch)
     for line, message in launch.problems:
         state.problem(path, line, message)
     if launch.root is None:
@@ -169,6 +173,7 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
         shown = quoted(needed[0].shown)
         state.wrong(scope, tag, f"includes {shown}: {place.reason}; what it starts is unknown")
         state.is_partial = True
+        ros1.included(state, scope, tag, needed[0], passed=passed)
         return
     link = (place.path, _frozen(passed))
     if link in scope.chain:
@@ -180,6 +185,7 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
     root = _root(state, place.path, (scope, tag))
     if root is None:
         state.is_partial = True
+        ros1.included(state, scope, tag, needed[0], passed=passed)
         return
     state.included.add(place.path)
     child_scope = replace(
@@ -195,9 +201,12 @@ def _include(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[C
         privates=scope.privates if scope.privates else [],  # roslaunch shares this list, once there is something in it
         chain=(*scope.chain, link),
         included_at=location(scope, tag),
+        includes=(*scope.includes, location(scope, tag)),
     )
     names = tuple(passed)
     _walk(state, child_scope, root.children)
+    own = () if pass_all else names
+    ros1.included(state, scope, tag, needed[0], place.path, own, child_scope.declared, is_whole=pass_all is False)
     unused = [name for name in names if name not in child_scope.declared]
     if unused and pass_all is False:
         listed = ", ".join(quoted(name) for name in unused[:5])

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from haros_ci.link.launch_facts import ros1
 from haros_ci.link.roslaunch_names import Text, quoted, unknown
 from haros_ci.link.roslaunch_state import Scope, State, unknown_condition
 from haros_ci.model.architecture import Condition
@@ -17,6 +18,7 @@ def arg(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condit
     if given is None:
         return
     name, value, default = given
+    ros1.declared(state, scope, tag, name)
     undecided = len(conditions) > len(scope.conditions)
     if name in scope.declared:
         if not undecided and name not in scope.doubtful and not scope.overrides_allowed:

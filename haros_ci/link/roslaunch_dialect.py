@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.model.location import Location
 
 _ROS1_TAGS = frozenset(("machine", "rosparam", "test", "master"))
 _ROS2_TAGS = frozenset(("let", "executable", "timer", "shutdown", "log", "log_info", "ros_timer", "reset", "reset_env"))
@@ -45,6 +47,55 @@ def is_ros1(launch: LaunchFile, package_ros: int | None) -> bool:
         balance += _sign(element)
         todo.extend(element.children)
     return balance > 0 if balance else package_ros != 2
+
+
+#: What to write in ROS 2 for what is of ROS 1, and the other way round.
+_IN_ROS2 = {
+    "type": "exec",
+    "ns": "namespace, or <push_ros_namespace>",
+    "doc": "description",
+    "textfile": "$(file-content ...)",
+    "command": "value with $(command ...)",
+    "pass_all_args": "nothing: arguments are inherited",
+    "rosparam": "<param from=...>",
+    "find": "$(find-pkg-share ...)",
+    "arg": "$(var ...)",
+    "optenv": "$(env NAME default)",
+}
+_IN_ROS1 = {
+    "exec": "type",
+    "namespace": "ns",
+    "description": "doc",
+    "from": "<rosparam file=...>",
+    "let": "<arg>",
+    "push-ros-namespace": "ns of a <group>",
+    "push_ros_namespace": "ns of a <group>",
+    "find-pkg-share": "$(find ...)",
+    "var": "$(arg ...)",
+}
+
+
+def foreign_constructs(launch: LaunchFile, path: str, native: int) -> Iterator[tuple[Location, str, str]]:
+    """The constructs in the file at *path* that only the other ROS version than *native* has.
+
+    Each is a place, the construct, and what to write instead, "" where there is no such thing.
+    """
+    tags = _ROS1_TAGS if native == 2 else _ROS2_TAGS
+    attributes = _ROS1_ATTRIBUTES if native == 2 else _ROS2_ATTRIBUTES
+    words = _ROS1_SUBSTITUTION if native == 2 else _ROS2_SUBSTITUTION
+    instead = _IN_ROS2 if native == 2 else _IN_ROS1
+    todo = [launch.root] if launch.root is not None and launch.root.tag == "launch" else []
+    while todo:
+        element = todo.pop()
+        place = Location(path, element.line, element.column)
+        if element.tag in tags:
+            yield place, f"<{element.tag}>", instead.get(element.tag, "")
+        for name, value in element.attributes:
+            if name in attributes.get(element.tag, ()):
+                yield place, f"{name}= of <{element.tag}>", instead.get(name, "")
+            for match in words.finditer(value) if "$(" in value else ():
+                yield place, f"$({match[1]} ...)", instead.get(match[1], "")
+        todo.extend(reversed(element.children))
 
 
 def _sign(element: LaunchElement) -> int:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
+from haros_ci.link.launch_facts import ros1
 from haros_ci.link.remap_rules import written_rule
 from haros_ci.link.roslaunch_names import (
     MARK,
@@ -99,6 +100,7 @@ def node(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Condi
     state.spend(len(own.remaps) // 4 + len(own.environment) // 4)
     _check_duplicate(state, scope, tag, full, conditions)
     state.nodes.append(_started(scope, tag, full, namespace, package, type_, options, own))
+    ros1.started(state, scope, state.nodes[-1])
 
 
 def _own_parameter(state: State, inner: Scope, full: Text, child: LaunchElement, outer: Scope) -> None:

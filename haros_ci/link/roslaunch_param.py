@@ -62,7 +62,7 @@ def params(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Con
         state.wrong(scope, tag, f"<param name={quoted(name.shown)} type={quoted(kind)}>: write one of {allowed}")
     else:
         blank = Parameter(name="", type=TYPES[kind], value=None, conditions=conditions, location=place)
-        text = state.substituted(scope, tag, tag.get(given[0]) or "")
+        text = state.attribute(scope, tag, given[0]) or Text("")
         if given[0] == "value":
             yield from _converted(state, scope, tag, name, text.stripped(), kind, blank)
         elif given[0] == "textfile":

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 
+from haros_ci.link.launch_facts import ros1
+from haros_ci.link.launch_facts.record import Recorder
 from haros_ci.link.launch_presence import Arguments, Assumed
 from haros_ci.link.roslaunch_files import Files
 from haros_ci.link.roslaunch_names import Origin, Text, canonical, join_in, quoted
@@ -69,6 +71,8 @@ class Scope:
     chain: tuple[tuple[object, ...], ...] = ()
     included_at: Location | None = None
     depth: int = 0
+    #: The includes that lead here, outermost first.
+    includes: tuple[Location, ...] = ()
     #: Under which launch arguments that is done which is being evaluated.
     presence: Presence = ()
     #: Args that are set with other args of the top level only.
@@ -119,6 +123,7 @@ class State:
     arguments_shown: dict[str, str] = field(default_factory=dict)
     read: set[str] = field(default_factory=set)
     included: set[str] = field(default_factory=set)
+    facts: Recorder = field(default_factory=Recorder)
     documents: dict[str, YamlValue | None] = field(default_factory=dict)
     #: Whether an include could not be followed.
     is_partial: bool = False
@@ -168,6 +173,8 @@ class State:
         self.spend(len(made.text.raw) // 20)
         for error in made.errors:
             self.wrong(scope, tag, f"<{tag.tag}>: {error}")
+        if made.errors:
+            ros1.undeclared(self, scope, tag, raw)
         for name in made.missing:
             self._missing(scope, name)
         if isinstance(args, _Seen) and args.reads:
@@ -196,7 +203,11 @@ class State:
     def attribute(self, scope: Scope, tag: LaunchElement, name: str) -> Text | None:
         """The attribute *name* of *tag*, substituted; None if it is not there."""
         raw = tag.get(name)
-        return None if raw is None else self.substituted(scope, tag, raw)
+        if raw is None:
+            return None
+        made = self.substituted(scope, tag, raw)
+        ros1.attribute(self, scope, tag, name, made)
+        return made
 
     def required(self, scope: Scope, tag: LaunchElement, *names: str) -> list[Text] | None:
         """The attributes *names* of *tag*, substituted; None, and a problem, if one is missing."""
@@ -204,7 +215,7 @@ class State:
         if missing:
             self.wrong(scope, tag, f"<{tag.tag}> lacks the attribute {quoted(missing[0])}; add it")
             return None
-        return [self.substituted(scope, tag, tag.get(name) or "") for name in names]
+        return [self.attribute(scope, tag, name) or Text("") for name in names]
 
     def check_attributes(self, scope: Scope, tag: LaunchElement, allowed: tuple[str, ...]) -> None:
         for name, _ in tag.attributes:
@@ -236,6 +247,7 @@ class State:
         raw = tag.get(statement) or ""
         text = self.substituted(scope, tag, raw)
         if not text.known:
+            ros1.tested(self, scope, tag, statement, text, None)
             return (*scope.conditions, Condition(statement, raw, location(scope, tag)))
         try:
             holds = boolean(text.raw) == (statement == "if")
@@ -243,6 +255,7 @@ class State:
             shown = quoted(text.shown)
             self.wrong(scope, tag, f"<{tag.tag} {statement}={shown}>: neither true nor false. The tag is left out")
             return None
+        ros1.tested(self, scope, tag, statement, text, holds)
         return scope.conditions if holds else None
 
     def add_parameter(self, name: Text, parameter: Parameter) -> None:
@@ -275,6 +288,7 @@ class State:
         how = "set it in the configuration, or give it a default"
         if scope.included_at is not None:
             how = f"set it in the <include> at {scope.included_at.path}:{scope.included_at.line}, or give it a default"
+            self.facts.absent.setdefault((scope.included_at, scope.path), set()).add(name)
         self.problem(
             scope.path,
             scope.missing[name],

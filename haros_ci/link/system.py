@@ -30,6 +30,7 @@ from haros_ci.model.api import Row
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
 from haros_ci.model.launch import Started
+from haros_ci.model.launch_facts import ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class
 from haros_ci.model.workspace import Problem
@@ -110,6 +111,8 @@ class Job:
     size: int = 0
     #: What a ROS 2 process is given from outside.
     parameters: Parameters | None = None
+    #: The parameter files that a launch file gives to a ROS 2 process.
+    files: tuple[ParameterFileUse, ...] = ()
     #: What its configuration is called besides, where the node is followed alone.
     label: str = ""
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.architecture import Condition, Parameter, RemapRule, Unknown
+from haros_ci.model.launch_facts import LaunchFact, ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Problem
@@ -48,7 +49,7 @@ class Launched:
 
     *arguments* are its top-level args with their values (``?`` if unknown), *files* all files read, *includes* those of
     them that a launch file includes, both sorted. *alternatives* and *alternative_parameters* are there under other
-    arguments only.
+    arguments only. *facts* is what the launch files say besides, in launch order.
     """
 
     nodes: tuple[Started, ...] = ()
@@ -59,6 +60,7 @@ class Launched:
     problems: tuple[Problem, ...] = ()
     alternatives: tuple[Started, ...] = ()
     alternative_parameters: tuple[Parameter, ...] = ()
+    facts: tuple[LaunchFact, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,7 +93,7 @@ class LaunchedNode:
     gives it. *container* is the full name of a component's container. *parameters* are in order: of those that match
     a node the last counts, but one that names the node outright beats a wildcard of the same source. *remaps* are in order, the first
     that matches counts; a source may be ``node:from``; *rules* are the same, as in ``Started``. *arguments* is the substituted ``args``, *ros_arguments* what
-    follows ``--ros-args``. What could not be substituted is ``?`` in the text, with an entry in *unknowns*.
+    follows ``--ros-args``; *files* are the parameter files. What could not be substituted is ``?`` in the text, with an entry in *unknowns*.
     """
 
     kind: str
@@ -104,6 +106,7 @@ class LaunchedNode:
     parameters: tuple[ParameterRule, ...] = ()
     remaps: tuple[tuple[str, str, Location], ...] = ()
     rules: tuple[RemapRule, ...] = ()
+    files: tuple[ParameterFileUse, ...] = ()
     arguments: str = ""
     ros_arguments: str = ""
     conditions: tuple[Condition, ...] = ()
@@ -125,6 +128,7 @@ class LaunchedSystem:
     includes: tuple[str, ...] = ()
     problems: tuple[Problem, ...] = ()
     alternatives: tuple[LaunchedNode, ...] = ()
+    facts: tuple[LaunchFact, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

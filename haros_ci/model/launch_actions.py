@@ -129,7 +129,8 @@ class Action:
     shutdown, log       of no consequence
     ?                   what it does is not known: *reason*
 
-    *phrases* are pairs of an attribute's name and its phrase. *deferred* is the text of the event for ``event``.
+    *phrases* are pairs of an attribute's name and its phrase. *deferred* is the text of the event for ``event``. *deprecated*
+    are spellings that launch has given up, each with what to write instead.
     """
 
     kind: str
@@ -144,6 +145,7 @@ class Action:
     function: Callable[[LaunchContext], tuple[Action, ...]] | None = field(default=None, compare=False)
     reason: str = ""
     deferred: str = ""
+    deprecated: tuple[tuple[str, str], ...] = ()
 
     def get(self, name: str) -> Phrase | None:
         """The phrase of attribute *name*; None if it is not there."""
@@ -152,7 +154,11 @@ class Action:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Description:
-    """A launch file's actions in order; *problems* are pairs of a line and what is wrong with it."""
+    """A launch file's actions in order; *problems* are pairs of a line and what is wrong with it.
+
+    *foreign* are constructs of ROS 1: place, text, and what to write instead.
+    """
 
     actions: tuple[Action, ...] = ()
+    foreign: tuple[tuple[Location, str, str], ...] = ()
     problems: tuple[tuple[int, str], ...] = ()

@@ -34,12 +34,13 @@ class FileUse(LaunchFact):
     node's arguments, a parameter's value or a command) or ``default`` (of a launch argument). *text* is what is named
     (``$(find-pkg-share pkg)/launch/x.py``, or ``$(workspace dir)/x`` by the directory of the launch file itself), *package* the
     owner, "" where there is none; *inner* the path inside the package's share directory; *path* where it would lie, relative to the
-    root. *is_found* is None where that cannot be known: a package outside the workspace, a file that the build may make.
+    root. *name* says what it is the value of. *is_found* is None where that cannot be known: a package outside the workspace, a file that the build may make.
     *similar* are the files of the package that may be meant instead, nearest first.
     """
 
     kind: str
     text: str
+    name: str = ""
     package: str = ""
     inner: str = ""
     path: str | None = None
@@ -128,13 +129,15 @@ class IncludeUse(LaunchFact):
 class Comparison:
     """``left == right`` inside a condition: *left* as written, *right* a literal, *values* all that left can have here.
 
-    *values* holds defaults, choices and what callers give; () if that is not known. *sign* is ``==`` or ``!=``.
+    *values* holds defaults, choices and what callers give; () if that is not known. *sign* is ``==`` or ``!=``. *is_quoted* is False
+    where left stands in a Python expression without quotes: then Python evaluates its text.
     """
 
     left: str
     right: str
     values: tuple[str, ...] = ()
     sign: str = "=="
+    is_quoted: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -193,8 +196,9 @@ class ConstructUse(LaunchFact):
 class PathUse(LaunchFact):
     """An absolute path, or one below a home directory, where a launch file or its YAML surely names a path.
 
-    *kind*: ``home`` (somebody's own directory) or ``absolute``.
+    *kind*: ``home`` (somebody's own directory) or ``absolute``; *name* says what it is the value of.
     """
 
     kind: str
     text: str
+    name: str = ""

@@ -53,6 +53,7 @@ def started(kind: str) -> Summary:
             remaps=remaps(run, bound.get("remappings"), call),
             environment=tuple(pair for name in ("env", "additional_env") for pair in pairs(run, bound.get(name), call)),
             tests=tests_of(bound.get("condition"), call.location),
+            deprecated=dropped(bound),
         )
         fields = {"on_exit": bound.get("on_exit")}
         if kind == "container":
@@ -73,6 +74,12 @@ def renamed(run: Run, bound: dict[str, Value], call: Call) -> dict[str, Value]:
     return bound
 
 
+def dropped(bound: dict[str, Value]) -> tuple[tuple[str, str], ...]:
+    """The names among *bound* that launch_ros has dropped, with today's."""
+    names = ("executable", "plugin", "name", "namespace")
+    return tuple((f"node_{name}=", f"{name}=") for name in names if bound.get(f"node_{name}") is not None)
+
+
 def component(run: Run, call: Call) -> Value:
     """ComposableNode (launch_ros/descriptions/composable_node.py)."""
     names = "* package plugin name namespace parameters remappings extra_arguments condition"
@@ -91,6 +98,7 @@ def component(run: Run, call: Call) -> Value:
             parameters=sources(run, bound.get("parameters"), call.location),
             remaps=remaps(run, bound.get("remappings"), call),
             tests=tests_of(bound.get("condition"), call.location),
+            deprecated=dropped(bound),
         ),
     )
 

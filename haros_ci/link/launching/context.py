@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
+from haros_ci.link.launch_facts.record import Recorder
 from haros_ci.link.launch_presence import OTHER, Arguments, Assumed, is_elsewhere
 from haros_ci.link.launching.places import Places
 from haros_ci.link.launching.substitutions import perform
@@ -110,6 +111,9 @@ class Context:
     #: Steps that are left for all questions and assumptions, and whether they are being spent.
     spare: int = SPARE
     is_spare: bool = False
+    #: What is said besides, for checks, and the includes that lead to what is being performed.
+    facts: Recorder = field(default_factory=Recorder)
+    included: tuple[Location, ...] = ()
 
     def spend(self, steps: int) -> None:
         self.steps -= steps
@@ -206,6 +210,7 @@ class Context:
         return Performed(text.shown, "; ".join(dict.fromkeys(text.reasons)))
 
     def configuration(self, name: str) -> Performed | None:
+        self.facts.read.add(name)
         text = self.get(name)
         return None if text is None else Performed(text.shown, "; ".join(dict.fromkeys(text.reasons)))
 

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
-from haros_ci.link.roslaunch_dialect import is_ros1
+from haros_ci.link.roslaunch_dialect import foreign_constructs, is_ros1
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.workspace import Workspace
@@ -36,7 +37,7 @@ def description_reader(
         launch = read_launch(path)
         if launch is None or is_ros1(launch, ros.get(path)):
             return None
-        return read_xml(launch, path)
+        return replace(read_xml(launch, path), foreign=tuple(foreign_constructs(launch, path, 2)))
 
     def load(path: str) -> Description | None:
         if path not in known:

@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass, field
 
+from haros_ci.link.launch_facts import includes, ros2
+from haros_ci.link.launch_facts.includes import statics_of
 from haros_ci.link.launch_presence import Arguments, Assumed
 from haros_ci.link.launching import presences
 from haros_ci.link.launching.context import Context, Exhausted, Scope
@@ -68,6 +70,7 @@ def launch_system(
     except Exhausted:
         message = "the launch files start and include more than can be evaluated; what is left is unknown"
         context.problem(Location(paths[0]) if paths else None, message)
+        context.facts.is_open = True
     for name in given:
         if name not in run.declared and paths:
             context.problem(Location(paths[0]), f"argument {quoted(name)} is set, but not declared; correct its name")
@@ -78,6 +81,7 @@ def launch_system(
         includes=tuple(sorted(run.included)),
         problems=(*context.problems, *run.assumed_problems()),
         alternatives=tuple(run.alternatives),
+        facts=includes.finished(context, statics_of(load, shares)),
     )
     if memo is not None:
         memo[key] = system
@@ -95,7 +99,9 @@ class _Run:
     arguments: dict[str, Text] = field(default_factory=dict)
     declared: set[str] = field(default_factory=set)
     included: set[str] = field(default_factory=set)
-    waiting: list[tuple[Action, _Conditions, str, Presence, Assumed]] = field(default_factory=list)
+    waiting: list[tuple[Action, _Conditions, str, Presence, Assumed, tuple[Location, ...]]] = field(
+        default_factory=list
+    )
     #: The includes that lead here: path and configurations when it was begun.
     chain: list[tuple[str, tuple[tuple[str, Text], ...]]] = field(default_factory=list)
     #: Containers that have been started, by the handle that a load has of one.
@@ -132,13 +138,14 @@ class _Run:
         self.context.files.add(path)
         for line, message in found.problems:
             self.context.problem(Location(path, line), message)
+        ros2.foreign(self.context, found)
         return found
 
     def events(self) -> None:
         """What is done when something happens is done after all else, when every scope has been left."""
         done = 0
         while self.waiting and done < MAX_EVENTS:
-            action, conditions, path, presence, assumed = self.waiting.pop(0)
+            action, conditions, path, presence, assumed, self.context.included = self.waiting.pop(0)
             self.context.path = path
             done += 1
             if assumed:
@@ -187,7 +194,9 @@ class _Run:
             if action.kind not in ("shutdown", "log", "set-use-sim-time"):
                 reason = action.reason or f"an action '{action.kind}'"
                 self.context.problem(action.location, f"what this does is not known: {reason}")
+                self.context.facts.is_open = True
             return
+        ros2.constructs(self.context, action)
         if not undecided:
             handler(self, action, conditions)
             return
@@ -200,7 +209,8 @@ class _Run:
     def assume(self, assumed: Assumed, presence: Presence, work: Callable[[], None]) -> None:
         """Do *work* where launch arguments are as *assumed*; what it starts are alternatives, and all else is as before."""
         context, is_outermost = self.context, not self.assumptions
-        here = (context.scope, context.assumed, context.presence, context.path, context.files)
+        here = (context.scope, context.assumed, context.presence, context.path, context.files, context.included)
+        is_open = context.facts.is_open
         tables = (context.rewritten, context.rewritten_trees)
         ours = (self.nodes, self.arguments, self.declared, self.included, self.containers, self.chain, self.depth)
         context.scope, context.assumed, context.presence = context.scope.apart(), assumed, presence
@@ -217,7 +227,8 @@ class _Run:
                 raise
         finally:
             self.assumptions -= 1
-            context.scope, context.assumed, context.presence, context.path, context.files = here
+            context.scope, context.assumed, context.presence, context.path, context.files, context.included = here
+            context.facts.is_open = is_open
             context.rewritten, context.rewritten_trees = tables
             self.nodes, self.arguments, self.declared, self.included, self.containers, self.chain, self.depth = ours
 
@@ -234,6 +245,7 @@ class _Run:
         found: list[Condition] = []
         for test in action.tests:
             holds = self.context.test(test)
+            ros2.tested(self.context, test, holds, action.location)
             if holds is False:
                 return None
             if holds is None:
@@ -244,6 +256,8 @@ class _Run:
 
     def setting(self, action: Action, conditions: _Conditions) -> None:
         SETTERS[action.kind](self.context, action)
+        if action.kind == "let":
+            ros2.let(self.context, action)
 
     def nested(self, action: Action, conditions: _Conditions) -> None:
         self.actions(action.children, conditions)
@@ -254,15 +268,17 @@ class _Run:
             return
         configurations = self.context.scope.configurations
         self.declared.add(name)
+        default = action.get("default")
+        performed = None
         if name not in configurations:
-            default = action.get("default")
             if default is None:
                 configurations[name] = unknown(f"launch argument {quoted(name)} has no default and is not given")
             else:
-                configurations[name] = self.context.text(default)
+                performed = configurations[name] = self.context.text(default)
             is_own = True
         else:
             is_own = name in self.given and configurations[name].origin is None
+        ros2.declared(self.context, action, name, performed)
         if len(self.chain) == 1:
             if is_own and self.context.arguments is not None and not self.assumptions:
                 choices = (self.context.text(phrase).raw for key, phrase in action.phrases if key == "choices")
@@ -291,7 +307,8 @@ class _Run:
         return phrase is None or truth_of(self.context.text(phrase)) is not False
 
     def node(self, action: Action, conditions: _Conditions) -> None:
-        started = node(self.context, action, conditions)
+        self.context.facts.taken()
+        started = ros2.started(self.context, node(self.context, action, conditions))
         self.nodes.append(started)
         if action.kind == "container":
             name = full_name(started)
@@ -321,16 +338,20 @@ class _Run:
 
     def components(self, action: Action, conditions: _Conditions, container: Text) -> None:
         def load(run: _Run, child: Action, under: _Conditions) -> None:
-            run.nodes.append(component(run.context, child, under, container))
+            run.context.facts.taken()
+            run.nodes.append(ros2.started(run.context, component(run.context, child, under, container)))
 
         for child in action.children:
             self.context.spend(5)
             self.action(child, conditions, load if child.kind == "component" else None)
 
     def executable(self, action: Action, conditions: _Conditions) -> None:
+        self.context.facts.taken()
         started = command(self.context, action, conditions)
         if started is not None:
-            self.nodes.append(started)
+            self.nodes.append(ros2.started(self.context, started))
+        else:
+            ros2.command(self.context, self.context.text(action.get("cmd") or ()), action.location)
 
     def event(self, action: Action, conditions: _Conditions) -> None:
         """Put the children off; by then every scope is left, as launch does it."""
@@ -339,7 +360,9 @@ class _Run:
             return
         condition = Condition("if", action.deferred or "something happens", action.location)
         context = self.context
-        self.waiting.append((action, (*conditions, condition), context.path, context.presence, context.assumed))
+        self.waiting.append(
+            (action, (*conditions, condition), context.path, context.presence, context.assumed, context.included)
+        )
 
     def opaque(self, action: Action, conditions: _Conditions) -> None:
         """Call the function with the context; nothing that it does may end the evaluation."""
@@ -353,6 +376,7 @@ class _Run:
             raise
         except Exception as err:
             self.context.problem(action.location, f"what this function returns is not known: {err}")
+            self.context.facts.is_open = True
             return
         self.actions(tuple(made or ()), conditions)
 

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from haros_ci.link.launch_facts import ros2
+from haros_ci.link.launch_facts.sections import sections_of
 from haros_ci.link.launching.context import Context, Exhausted
 from haros_ci.link.launching.parameter_yaml import (
     Items,
@@ -52,7 +54,10 @@ def file_rules(
     try:
         file, trees = _trees(context, path, substitutes, location, 0)
     except _Missing as err:
+        ros2.parameter_file(context, path, location, None, None)
         return (missing(str(err), location),)
+    patterns = sections_of(context.places, file, trees, component.name if component is not None else None)
+    ros2.parameter_file(context, path, location, file, patterns)
     found: list[ParameterRule] = []
     for tree in trees:
         sections, reason = _for_nodes(tree) if component is None else _for_component(tree, component)
@@ -134,6 +139,7 @@ def _trees(
         context.rewritten_trees[path.raw] = (file, trees)
         return file, _performed(context, trees) if substitutes else trees
     found, content, reason = context.places.read(path.raw)
+    ros2.named(context, path, location, "parameters")
     if found is None:
         if not context.places.find(path.raw).outside:
             context.problem(location, f"parameter file {quoted(path.raw)}: {reason}")

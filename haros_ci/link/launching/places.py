@@ -29,6 +29,8 @@ class Places:
     files: Files = field(init=False)
     #: Parameter files that have been parsed, by path and text; they are read only.
     parsed: dict[tuple[str, Text], Any] = field(default_factory=dict, init=False, repr=False, compare=False)
+    #: What else is remembered of files, by what it is and their paths.
+    remembered: dict[tuple[str, str], Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         self.files = files_of(self.workspace)

@@ -8,6 +8,7 @@ import posixpath
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
+from haros_ci.link.launch_facts import ros2
 from haros_ci.link.launch_presence import OTHER, compared_with
 from haros_ci.link.launching.expression import expression_value
 from haros_ci.link.roslaunch_names import MARK, Text, join_texts, literal, quoted, unknown
@@ -54,6 +55,10 @@ def _substitution(context: Context, part: Substitution, depth: int) -> Text:
         return unknown(f"$({part.kind}) is not followed")
     if part.kind == "rewritten":
         return _rewritten(context, part, depth)
+    if part.kind == "var":
+        ros2.read(context, part)
+    elif part.kind == "command" and part.arguments and part.location is not None:
+        ros2.command(context, perform(context, part.arguments[0], depth), part.location)
     return maker(context, tuple(perform(context, argument, depth) for argument in part.arguments))
 
 

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the programs, components and nodelets are there that launch files start: built or installed by their packages."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
+
+from haros_ci.link.launch_facts.files import Finder
+from haros_ci.model.build import Build
+from haros_ci.model.launch_facts import ProgramUse
+
+#: Commands of CMake that make programs under names of their own.
+_MAKERS = re.compile(
+    r"^\s*(\w*(?:add_executable|add_node|register_node\w*|python_install\w*|add_program)\w*)\s*\(", re.M
+)
+_KNOWN_MAKERS = frozenset(
+    (
+        "add_executable",
+        "ament_auto_add_executable",
+        "rclcpp_components_register_node",
+        "rclcpp_components_register_nodes",
+    )
+)
+_KNOWN_MAKERS |= {"ament_python_install_package", "ament_python_install_module", "catkin_install_python"}
+_LOADED = ("rclcpp_components::NodeFactory", "rclcpp_components::NodeFactoryTemplate")
+_NODELET = "nodelet::Nodelet"
+
+
+@dataclass(slots=True)
+class Programs:
+    """Programs by package; *known* are those that the code of the workspace has, by package and name."""
+
+    finder: Finder
+    builds: Mapping[str, Build]
+    known: Collection[tuple[str, str]]
+    _found: dict[tuple[str, str, str, int], tuple[bool | None, tuple[str, ...]]] = field(default_factory=dict)
+
+    def completed(self, use: ProgramUse) -> ProgramUse:
+        key = (use.kind, use.package, use.program, use.ros)
+        if key not in self._found:
+            self._found[key] = self._look_up(use)
+        is_found, similar = self._found[key]
+        return replace(use, is_found=is_found, similar=similar)
+
+    def _look_up(self, use: ProgramUse) -> tuple[bool | None, tuple[str, ...]]:
+        build = self.builds.get(use.package)
+        start = self.finder.files.directories.get(use.package)
+        if start is None or build is None:
+            return None, ()
+        if (use.package, use.program) in self.known:
+            return True, ()
+        names = self._classes(build, use) if use.kind != "executable" else self._executables(build)
+        if use.program in names:
+            return True, ()
+        if self._may_be_made(use, start):
+            return None, ()
+        return False, tuple(get_close_matches(use.program, sorted(names), 3, 0.6))
+
+    def _classes(self, build: Build, use: ProgramUse) -> set[str]:
+        if use.kind == "nodelet":
+            return {each.name for each in build.plugins if each.base == _NODELET}
+        return {each.type for each in build.plugins if each.base in _LOADED or "NodeFactory" in each.base}
+
+    def _executables(self, build: Build) -> set[str]:
+        names = {each.output or each.name for each in build.targets if each.kind == "executable"}
+        names |= {each.name or posixpath.basename(each.path) for each in build.installed if each.kind == "program"}
+        return names | {each.name for each in build.entry_points} | {posixpath.basename(path) for path in build.scripts}
+
+    def _may_be_made(self, use: ProgramUse, start: str) -> bool:
+        """Whether the package may have it in a way that is not known: its build or a file names it, or makes names."""
+        if self.finder.is_doubled(use.package):
+            return True
+        last = use.program.rpartition("::")[2].rpartition("/")[2]
+        text = self.finder.script(use.package, start)
+        if not text or re.search(rf"(?<!\w){re.escape(last)}(?!\w)", text):
+            return True
+        if any(match[1].lower() not in _KNOWN_MAKERS for match in _MAKERS.finditer(text)):
+            return True
+        prefix = "" if start == "." else f"{start}/"
+        stem = last.partition(".")[0]
+        if use.kind == "executable":
+            return any(posixpath.basename(path) in (last, stem) for path in self.finder.below(prefix))
+        paths = (
+            path for path in self.finder.below(prefix) if path.endswith((".cpp", ".cc", ".cxx", ".hpp", ".h", ".xml"))
+        )
+        return any(last in self.finder.workspace.text(path) for path in paths)

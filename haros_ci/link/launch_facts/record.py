@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keeps launch facts in the order in which they are met, each once, up to a limit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from haros_ci.model.launch_facts import ArgumentDeclaration, LaunchFact, ParameterFileUse
+from haros_ci.model.location import Location
+
+MAX_FACTS = 50_000
+
+
+@dataclass(slots=True)
+class Recorder:
+    """Facts so far; *is_open* once something may have been set that is not known."""
+
+    found: dict[LaunchFact, None] = field(default_factory=dict)
+    #: Declarations of arguments, with the launch file that makes them; whether they are used is known at the end.
+    declared: dict[ArgumentDeclaration, str] = field(default_factory=dict)
+    #: Launch configurations that have been read.
+    read: set[str] = field(default_factory=set)
+    #: What launch arguments and configurations have been given so far, by name.
+    values: dict[str, dict[str, None]] = field(default_factory=dict)
+    #: The parameter files of the node that is being performed.
+    files: list[ParameterFileUse] = field(default_factory=list)
+    is_open: bool = False
+    #: ROS 1: the args that each file reads, and whether there may be more; and args that an include does not set, but its file reads.
+    texts: dict[str, tuple[frozenset[str], bool]] = field(default_factory=dict)
+    absent: dict[tuple[Location, str], set[str]] = field(default_factory=dict)
+
+    def add(self, fact: LaunchFact) -> None:
+        if len(self.found) < MAX_FACTS:
+            self.found[fact] = None
+
+    def taken(self) -> tuple[ParameterFileUse, ...]:
+        """The parameter files since the last time."""
+        files, self.files = tuple(self.files), []
+        return files

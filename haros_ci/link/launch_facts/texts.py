@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files, packages and absolute paths that a text of a launch file names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+#: A directory as launch text has it, and the path behind it. ROS 1: ``$(find pkg)``, ``$(workspace)``.
+_MARKED = re.compile(
+    r"\$\((find-pkg-share|find-pkg-prefix|find|workspace)(?: ([^\s()?\ue000]+))?\)((?:/[^\s'\";,:=|&<>`$(){}\[\]*?!%\\\ue000]*)*)"
+)
+_PACKAGE = re.compile(r"\$\((?:find-pkg-share|find-pkg-prefix|find) ([^\s()?\ue000]+)\)")
+_END = re.compile(r"[\s'\",;:)\]}]|\Z")
+_SUFFIX = re.compile(r"[^/.][^/]*\.[A-Za-z][A-Za-z0-9_]{0,11}\Z")
+_WORD = re.compile(r"(?<![^\s'\"=:,\[(])(?:file://)?(~|/)([^\s'\"$?\ue000,;:\])]*)(?=[\s'\",;:\])]|\Z)")
+_HOME = re.compile(r"~(/|\Z)|/(home|Users)/[^/]+/|/root/")
+#: Where programs and devices of every machine lie.
+_SYSTEM = tuple(f"/{name}/" for name in "dev tmp opt usr etc proc sys var bin sbin lib run mnt media".split())
+
+
+def named_files(text: str) -> Iterator[tuple[str, bool]]:
+    """The paths below packages in *text*, each as it begins (``$(find-pkg-share pkg)/x``), and whether all of it is known."""
+    if "$(" not in text:
+        return
+    for match in _MARKED.finditer(text):
+        yield match[0].rstrip("/."), bool(_END.match(text, match.end()))
+
+
+def is_file_name(path: str) -> bool:
+    """Whether *path* ends in the name of a file: with a suffix."""
+    return _SUFFIX.search(path) is not None
+
+
+def named_packages(text: str) -> Iterator[str]:
+    """The packages in *text* whose directories are asked for."""
+    if "$(" in text:
+        yield from (match[1] for match in _PACKAGE.finditer(text))
+
+
+def absolute_paths(text: str, is_path: bool = False) -> Iterator[tuple[str, str]]:
+    """Pairs of ``home`` or ``absolute`` and a path in *text* that is surely one.
+
+    That is one below ``/home``, else one with a file's suffix, outside of the directories that every machine has; ROS names
+    (``~/input``) are none. With *is_path* the whole text is one.
+    """
+    if "/" not in text and "~" not in text:
+        return
+    for match in _WORD.finditer(text):
+        path = match[1] + match[2]
+        if match[1] == "~" and not match[2].startswith("/"):
+            continue
+        if _HOME.match(path):
+            if is_file_name(path) or is_path or path.startswith(("/home/", "/Users/")):  # ~/x is a name, too
+                yield "home", path
+        elif match[1] == "/" and not path.startswith(_SYSTEM) and path.count("/") > 1:
+            if is_file_name(path) or (is_path and path.strip("/")):
+                yield "absolute", path
