@@ -280,6 +280,10 @@ COMPLEXITY: dict[str, Any] = {
     "tools": ("lizard",),
 }
 MISMATCH: dict[str, Any] = {"rules": ("haros-ci:topic-type-mismatch",), "tools": ()}
+OTHER_TOPIC = (
+    '  auto more = node->create_publisher<std_msgs::msg::String>("other", 10);\n  rclcpp::spin',
+    '  auto more = node->create_subscription<std_msgs::msg::Int32>("other", depth, &take);\n  rclcpp::spin',
+)
 TOPIC_RENAMED = ((TALKER_CPP, '"goal"', '"target"'), (LAUNCH_XML, 'to="goal"', 'to="target"'))
 NODE_RENAMED = ((TALKER_CPP, '"first"', '"chief"'), (LAUNCH_XML, 'name="first"', 'name="chief"'))
 
@@ -409,9 +413,9 @@ MUTATIONS: tuple[Mutation, ...] = (
     Mutation(40, "node and topic renamed at once", ROS2, system(*NODE_RENAMED, *TOPIC_RENAMED), "updated",
              sarif="new absent", compact="new absent",
              why="without the old text one name may differ: more could be another defect", **MISMATCH),
-    Mutation(40, "topic renamed, and a second subscriber", ROS2,
-             system(*TOPIC_RENAMED, (LAUNCH_XML, "</launch>", '  <node pkg="walker" exec="second" name="third">\n'
-                     '    <remap from="steps" to="target"/>\n  </node>\n</launch>')),
+    Mutation(40, "topic renamed, and another one made with the same defect", ROS2,
+             system(*TOPIC_RENAMED, (TALKER_CPP, "  rclcpp::spin", OTHER_TOPIC[0]),
+                    (LISTENER_CPP, "  rclcpp::spin", OTHER_TOPIC[1])),
              "updated new", sarif="new new absent", compact="new new absent",
              why="without the old text it is not known which of the two is the one that was", **MISMATCH),
 )  # fmt: skip
