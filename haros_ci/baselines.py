@@ -128,6 +128,7 @@ def sides(
         renames=renames or {},
         aliases=rule_aliases(runs),
         partial=workspace.targets is not None,
+        architecture=any(run.architecture for run in runs),
         head_names=names_in(runs),
         base_names=None if past is None else names_in(past),
     )

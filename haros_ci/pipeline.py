@@ -228,6 +228,7 @@ def checked(
             *(Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line) for p in found.problems),
         ),
         graphs=said.graphs,
+        architecture=not said.notifications,
         successful=run.successful and not said.notifications,
     )
     return queried(run, found, workspace, settings, selection) if asks(settings) else run
@@ -246,6 +247,7 @@ def queried(run: Run, found: Architecture, workspace: Workspace, settings: Setti
         results=(*run.results, *asked.results),
         notifications=(*run.notifications, *asked.notifications),
         successful=run.successful and not asked.failed,
+        architecture=run.architecture and not asked.failed,
     )
 
 

@@ -67,7 +67,7 @@ class Sides:
     *language* is of a path on either side. *renames* maps old paths to new, *aliases* old ``tool:rule`` to current.
     *analysed* tells whether this run's tool answered for a file, *exists* whether the file is in the workspace now.
     *head_names* and *base_names* are the names in each graph of the two sides; *base_names* is None where the past's
-    graphs cannot be had. *partial* runs did not look at every file: nothing is absent only because its file is gone.
+    graphs cannot be had. *architecture* tells whether this run looked at the architecture. *partial* runs did not look at every file: nothing is absent only because its file is gone.
     """
 
     head: Callable[[str], str]
@@ -78,6 +78,7 @@ class Sides:
     renames: Mapping[str, str] = field(default_factory=dict)
     aliases: Mapping[str, str] = field(default_factory=dict)
     partial: bool = False
+    architecture: bool = True
     head_names: Mapping[str, frozenset[str]] = field(default_factory=dict)
     base_names: Mapping[str, frozenset[str]] | None = None
 
@@ -86,10 +87,12 @@ class Sides:
         name = f"{known.tool}:{known.rule}"
         return self.aliases.get(name, name)
 
-    def answered(self, tool: str, path: str) -> bool:
-        """Whether this run can tell that a finding of *tool* in the old *path* is gone."""
-        now = self.renames.get(path, path)
-        return self.analysed(tool, now) if self.exists(now) else not self.partial
+    def answered(self, known: Known) -> bool:
+        """Whether this run can tell that a known finding is gone."""
+        if known.names and not self.architecture:
+            return False
+        now = self.renames.get(known.path, known.path)
+        return self.analysed(known.tool, now) if self.exists(now) else not self.partial
 
 
 def known_from_results(results: Iterable[Result]) -> tuple[Known, ...]:

@@ -228,7 +228,7 @@ class _Matcher:
         known = self.known[thing.index]
         if not self.sides.exists(thing.path):
             return True
-        return not step.gone and self.sides.answered(known.tool, known.path)
+        return not step.gone and self.sides.answered(known)
 
     def is_gone(self, thing: Candidate) -> bool:
         """Whether the line of a known finding stands in its file no more: else it was mended where it is."""

@@ -149,6 +149,7 @@ class Run:
     """All that one tool said, sorted. ``successful`` is False when the tool was missing, crashed or timed out.
 
     ``analysed`` are the paths the tool was asked about and answered for: only their old findings can be absent.
+    ``architecture`` says that all checks of the architecture could be made: else no old finding of theirs is absent.
     ``imported`` marks a log of another tool taken in with ``--import``.
     """
 
@@ -160,6 +161,7 @@ class Run:
     successful: bool = True
     imported: bool = False
     graphs: tuple[Graph, ...] = ()
+    architecture: bool = False
 
 
 @dataclass(frozen=True, slots=True)

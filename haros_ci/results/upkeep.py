@@ -24,7 +24,7 @@ def update(
         if index in news:
             if not new[news[index]].suppressions:
                 kept.append(known_from(new[news[index]], entry.reason))
-        elif not sides.answered(entry.tool, entry.path):
+        elif not sides.answered(entry):
             kept.append(entry)
     if accept_new:
         taken = set(news.values())
@@ -35,4 +35,4 @@ def update(
 def prune(known: Sequence[Known], new: Sequence[Result], sides: Sides) -> tuple[Known, ...]:
     """*known* without the absent entries; the others are not touched."""
     paired = {found.old for found in pair(new, known, sides)}
-    return tuple(k for i, k in enumerate(known) if i in paired or not sides.answered(k.tool, k.path))
+    return tuple(k for i, k in enumerate(known) if i in paired or not sides.answered(k))

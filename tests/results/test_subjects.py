@@ -456,6 +456,21 @@ def test_a_file_that_was_not_analysed_keeps_its_finding() -> None:
     assert states(match(now.results, known(past, AT_REMAP, "compact"), found)) == "new"
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_run_that_did_not_look_at_the_architecture_takes_nothing_for_gone(kind: str) -> None:
+    past = check(FILES)
+    none = replace(past, results=(), graphs=())
+    about = sides(FILES, FILES, past, none, kind)
+    entries = known(past, FILES, kind)
+    assert states(match((), entries, about)) == "absent"
+    assert match((), entries, replace(about, architecture=False)) == ()
+    assert update(entries, (), replace(about, architecture=False)) == entries
+    assert prune(entries, (), replace(about, architecture=False)) == entries
+    assert prune(entries, (), about) == ()
+    plain = [replace(entry, names="", roles="", subject=()) for entry in entries]
+    assert states(match((), plain, replace(about, architecture=False))) == "absent"
+
+
 class TestFingerprints:
     def test_names_and_roles_alone_make_them(self) -> None:
         [one] = check(FILES).results
