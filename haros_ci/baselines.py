@@ -110,7 +110,8 @@ def sides(
 ) -> Sides:
     """The files on the two sides of a comparison, as the matcher asks for them.
 
-    *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone. *past* are the runs
+    *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone, nor of a
+    finding of the architecture in them, as what it is about may lie outside. *past* are the runs
     of the past, for the names that were.
     """
     from haros_ci.results.known import Sides, names_in, rule_aliases
@@ -128,7 +129,7 @@ def sides(
         renames=renames or {},
         aliases=rule_aliases(runs),
         partial=workspace.targets is not None,
-        architecture=any(run.architecture for run in runs),
+        architecture="." in paths and any(run.architecture for run in runs),
         head_names=names_in(runs),
         base_names=None if past is None else names_in(past),
     )
