@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.checking.check import Check, Decidability, Finding, Status
+from haros_ci.checking.closed import told
 from haros_ci.checking.likeness import is_moved, is_slip
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System, SystemNode, can_meet
@@ -42,5 +43,6 @@ __all__ = [
     "named_at",
     "rule_of",
     "together",
+    "told",
     "way_to",
 ]

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Remapping rules of a name that the node does not use."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from haros_ci.api import Check, End, Finding, Level, Location, RemapRule, System, SystemNode, is_slip
+
+#: What libraries use inside nodes, seen or not.
+COMMON = frozenset(
+    {"tf", "tf_static", "clock", "rosout", "parameter_events", "diagnostics", "bond", "robot_description"}
+)
+#: Parameters can be remapped in ROS 1 alone.
+PARAMETERS = ("getters", "setters")
+
+
+@dataclass(slots=True)
+class _Used:
+    """A rule as it stands in the launch file, with the nodes that have it."""
+
+    rule: RemapRule
+    nodes: list[tuple[SystemNode, RemapRule]] = field(default_factory=list)
+
+
+def check(system: System) -> Iterator[Finding]:
+    rules: dict[tuple[Location, str], _Used] = {}
+    for node in system.nodes:
+        for rule in node.raw.rules:
+            rules.setdefault((rule.location, rule.source), _Used(rule)).nodes.append((node, rule))
+    for used in rules.values():
+        if all(_is_idle(node, rule) for node, rule in used.nodes):
+            yield _finding(used)
+
+
+def _is_idle(node: SystemNode, rule: RemapRule) -> bool:
+    """Whether it is certain that the node has no name that the rule is for."""
+    source = rule.source_name
+    if source is None or source == rule.target_name or not node.complete or not node.known or node.kind == "library":
+        return False
+    if source.rpartition("/")[2] in COMMON or not node.is_launched:
+        return False
+    if any(end.name == rule.target_name for end in node.ends):
+        return False  # the code may have resolved the name itself, and used what came out
+    return not any(_may_be(end, source) for end in node.ends)
+
+
+def _may_be(end: End, source: str) -> bool:
+    if end.kind in PARAMETERS and end.node.ros == 2:
+        return False
+    name = end.raw.original_name
+    if "?" in name and re.fullmatch(".*".join(map(re.escape, name.split("?"))), source):
+        return True
+    return source == name or source.startswith(f"{name}/")  # image/compressed, name/_action/send_goal
+
+
+def _finding(used: _Used) -> Finding:
+    node, rule = used.nodes[0]
+    meant = _meant(node, rule)
+    more = f" (nor have {len(used.nodes) - 1} more nodes)" if len(used.nodes) > 1 else ""
+    hint = ""
+    if meant is not None:
+        written = (
+            f", written {meant.raw.written} in its code" if meant.raw.written not in (None, meant.original_name) else ""
+        )
+        hint = f"; it has the {meant.word} {meant.original_name}{written}"
+        if (meant.raw.written or "").startswith("/"):
+            hint += ", a global name that no relative rule is for"
+    return Finding(
+        at=rule.location,
+        message=(
+            f"{node} has no topic or service {rule.source_name}{more}: remapping {rule.source} to {rule.target} does nothing{hint}"
+        ),
+        about=(node, rule.source_name or rule.source),
+        related=(
+            (node.location, f"{node} is started here"),
+            *(((meant.location, f"{meant.word} {meant.original_name}"),) if meant is not None else ()),
+        ),
+    )
+
+
+def _meant(node: SystemNode, rule: RemapRule) -> End | None:
+    """The end that the rule may have been meant for: of the same last part, or nearly."""
+    ends = [end for end in node.ends if not end.implicit and end.kind not in (*PARAMETERS, "parameters")]
+    last = (rule.source_name or "").rpartition("/")[2]
+    for fits in (str.__eq__, is_slip):
+        for end in ends:
+            if fits(end.original_name.rpartition("/")[2], last):
+                return end
+    return None
+
+
+CHECK = Check(
+    id="ineffective-remap",
+    summary="Each remapping rule is for a name that the node uses.",
+    level=Level.WARNING,
+    catalogue="G05",
+    tags=("remappings", "launch"),
+    run=check,
+)

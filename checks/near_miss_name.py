@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Two ends of one type that nobody else connects to, and whose names are nearly the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Channel,
+    Check,
+    Decidability,
+    End,
+    Finding,
+    Level,
+    Location,
+    System,
+    can_meet,
+    is_moved,
+    is_slip,
+    named_at,
+    rule_of,
+    way_to,
+)
+
+#: Nodes connect to these in every system, or tools do.
+COMMON = frozenset({"tf", "tf_static", "clock", "rosout", "parameter_events", "diagnostics", "robot_description"})
+#: More of one type than this say that the type tells nothing.
+MOST = 40
+
+
+def check(system: System) -> Iterator[Finding]:
+    if not system.is_launched:
+        return
+    found: dict[tuple[Location, str], list[tuple[Channel, Channel, End, End]]] = {}
+    for channels in (system.topics, system.services, system.actions):
+        for giver, taker in _lonely(channels):
+            pair = next((pair for pair in can_meet(giver.givers, taker.takers) if _fit(*pair)), None)
+            if pair is not None:
+                wrong = _wrong(*pair)
+                found.setdefault((named_at(wrong), wrong.original_name), []).append((giver, taker, *pair))
+    for each in found.values():
+        yield _finding(each)
+
+
+def _lonely(channels: tuple[Channel, ...]) -> Iterator[tuple[Channel, Channel]]:
+    """Pairs of one that only gives and one that only takes, of the same type and nearly the same name.
+
+    What instances of one program share is told by namespace-leak.
+    """
+    givers: dict[str, list[Channel]] = {}
+    takers: list[Channel] = []
+    for channel in channels:
+        if channel.name.rpartition("/")[2] in COMMON or len(channel.types) != 1:
+            continue
+        if any(end.implicit or end.type is None for end in channel.ends):
+            continue
+        if not channel.takers and len({end.location for end in channel.givers}) == len(channel.givers):
+            givers.setdefault(channel.types[0], []).append(channel)
+        elif channel.takers and not channel.givers:
+            takers.append(channel)
+    for taker in takers:
+        alike = givers.get(taker.types[0], [])
+        for giver in alike if len(alike) <= MOST else ():
+            if _is_near(giver.name, taker.name):
+                yield giver, taker
+
+
+def _is_near(one: str, other: str) -> bool:
+    if is_moved(one, other):
+        return True
+    segments, others = one.split("/"), other.split("/")
+    if len(segments) != len(others):
+        return False
+    apart = [pair for pair in zip(segments, others) if pair[0] != pair[1]]
+    return len(apart) == 1 and is_slip(*apart[0])
+
+
+def _fit(giver: End, taker: End) -> bool:
+    return giver.node is not taker.node and (giver.in_source or taker.in_source)
+
+
+def _wrong(giver: End, taker: End) -> End:
+    """The one whose name was chosen against the other: remapped, or written as a global name."""
+    for end in (taker, giver):
+        if rule_of(end) is not None:
+            return end
+    for end, other in ((giver, taker), (taker, giver)):
+        if (end.raw.written or "").startswith("/") and not (other.raw.written or "/").startswith("/"):
+            return end
+    return taker
+
+
+def _finding(found: list[tuple[Channel, Channel, End, End]]) -> Finding:
+    giver_name, taker_name, giver, taker = found[0]
+    wrong = _wrong(giver, taker)
+    other = taker if wrong is giver else giver
+    more = f" ({len(found) - 1} more such pairs)" if len(found) > 1 else ""
+    hint = ""
+    if rule_of(wrong) is not None:
+        hint = f"; {wrong.original_name} is remapped here"
+    elif (wrong.raw.written or "").startswith("/") and wrong is giver:
+        hint = "; the name is global in the code, so namespaces and relative remappings do not reach it"
+    return Finding(
+        at=named_at(wrong),
+        message=(
+            f"nothing connects to {giver_name}, {giver.word} of {giver.node}, nor to {taker_name}, {taker.word} of {taker.node}: "
+            f"they have the same type and nearly the same name{more}{hint}"
+        ),
+        about=tuple(dict.fromkeys(part for each in found for part in each)),
+        related=tuple(
+            (named_at(end), f"{end.word} {end.name} of {end.node}")
+            for each in found
+            for end in each[2:]
+            if end is not wrong
+        ),
+        flow=way_to(wrong) or way_to(other),
+    )
+
+
+CHECK = Check(
+    id="near-miss-name",
+    summary="Ends that are meant for each other have the same name.",
+    level=Level.WARNING,
+    decidability=Decidability.HEURISTIC,
+    catalogue="G04",
+    tags=("names",),
+    run=check,
+)

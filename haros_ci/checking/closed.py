@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What can be said of a system that is closed: what nothing in it has is not there at all."""
+
+from __future__ import annotations
+
+import re
+
+from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System
+
+_KINDS = {"topic": TOPIC, "service": SERVICE, "action": ACTION}
+
+
+def told(system: System, channel: Channel, side: str) -> bool:
+    """Whether it is certain that no node of *system* is on this *side* of *channel*, ``givers`` or ``takers``, unseen.
+
+    No node may have ends that are not told, and none of those whose names are partly unknown may be this one.
+    """
+    kind = _KINDS[channel.kind][0 if side == "givers" else 1]
+    for node in system.nodes:
+        if not node.ends or any(unknown.field == "endpoints" for unknown in node.raw.unknowns):
+            return False
+        if any(_may_be(end, channel.name) for end in node.of(kind)):
+            return False
+    return True
+
+
+def _may_be(end: End, name: str) -> bool:
+    pattern = ".*".join(map(re.escape, end.name.split("?")))
+    return "?" in end.name and re.fullmatch(pattern, name) is not None
