@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names that are nearly the same, and names that only look so."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from haros_ci.checking.likeness import is_moved, is_slip
+
+NAMES = st.text("abcde_1", max_size=9)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("velocity_comand", "velocity_command"),
+        ("velocity", "velocty"),
+        ("velocity", "velocoty"),
+        ("velocity", "veolcity"),
+        ("cmd_vel", "cmdvel"),
+        ("CmdVel", "cmd_vel"),
+        ("trajectories", "trajectorie"),
+    ],
+)
+def test_a_slip(one: str, other: str) -> None:
+    assert is_slip(one, other)
+    assert is_slip(other, one)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("velocity", "velocity"),
+        ("odom", "odon"),
+        ("camera1", "camera2"),
+        ("camera", "camera2"),
+        ("front_left", "front_right"),
+        ("joint_x", "joint_y"),
+        ("image_raw", "image_rect"),
+        ("scan_low", "scan_high"),
+        ("planning", "perception"),
+        ("velocity", "velocityyy"),
+        ("", ""),
+    ],
+)
+def test_no_slip(one: str, other: str) -> None:
+    assert not is_slip(one, other)
+    assert not is_slip(other, one)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("/scan", "/robot/scan"), ("/node/grid", "/node/layer/grid"), ("/a/b/scan", "/scan"), ("/a/scan", "/a/b/scan")],
+)
+def test_moved(one: str, other: str) -> None:
+    assert is_moved(one, other)
+    assert is_moved(other, one)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("/scan", "/scan"),
+        ("/a/scan", "/b/scan"),
+        ("/a/scan", "/b/c/scan"),
+        ("/scan", "/scan/raw"),
+        ("/scan", "/robot/scans"),
+    ],
+)
+def test_not_moved(one: str, other: str) -> None:
+    assert not is_moved(one, other)
+    assert not is_moved(other, one)
+
+
+@given(NAMES, NAMES)
+def test_likeness_is_mutual(one: str, other: str) -> None:
+    assert is_slip(one, other) == is_slip(other, one)
+    assert not is_slip(one, one)
