@@ -28,7 +28,9 @@ def check(system: System) -> Iterator[Finding]:
             about[topic] = None
             about.update(dict.fromkeys(ends))
         if not topic.subscribers:
-            yield from _among_publishers(topic)
+            yield from _among(topic, topic.publishers)
+        if not topic.publishers:
+            yield from _among(topic, topic.subscribers)
     for (_, given, taken), about in by_place.items():
         yield _finding(tuple(about), given, taken)
 
@@ -84,17 +86,19 @@ def _nodes(ends: list[End]) -> str:
     return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
 
 
-def _among_publishers(topic: Channel) -> Iterator[Finding]:
-    """Publishers that leave whoever subscribes without the messages of one of them."""
-    for one, other in can_meet(topic.publishers, topic.publishers):
+def _among(topic: Channel, ends: tuple[End, ...]) -> Iterator[Finding]:
+    """Ends of one kind without another end in the system: who is there outside of it fits one of their types."""
+    for one, other in can_meet(ends, ends):
         if _differ(one, other, topic):
             wrong = next((end for end in (other, one) if rule_of(end) is not None), other)
+            verb, effect = (
+                ("publishes", "a subscriber gets the messages of one of them")
+                if other.kind == "publishers"
+                else ("subscribes to", "one of them gets no message, whoever publishes it")
+            )
             yield Finding(
                 at=named_at(wrong),
-                message=(
-                    f"{one.node} publishes {one.type} on {topic}, and {other.node} {other.type}: "
-                    f"a subscriber gets one of them only{_advice(wrong)}"
-                ),
+                message=f"{one.node} {verb} {topic} as {one.type}, and {other.node} as {other.type}: {effect}{_advice(wrong)}",
                 about=(topic, one, other),
                 related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in (one, other)),
                 flow=way_to(wrong),
