@@ -176,7 +176,11 @@ def static_copy(run: Run, frame: Frame, expression: Expression) -> Type | None:
         kind = pointee(kind)
     elif tag == "call" and expression[1][0] == "name":
         kind = run.type_in((expression[1][1], expression[3], ""), frame)
-        return kind if run.class_of(kind[0], frame.source) is not None else None
+        is_class = kind[0] in qos_profiles.CLASSES or run.class_of(kind[0], frame.source) is not None
+        return kind if is_class else None
+    elif tag == "call" and expression[1][0] == "field" and expression[1][2] in qos_profiles.CHAINED:
+        kind = static_copy(run, frame, expression[1][1])
+        return kind if kind is not None and kind[0] in qos_profiles.CLASSES else None
     elif tag in ("name", "field", "index", "call"):
         cell = expressions.cell_of(run, frame, expression)
         kind = cell.type if cell is not None else None
@@ -189,7 +193,8 @@ def taken(run: Run, frame: Frame, kind: Type, expression: Expression, value: Val
     """The value of *expression* as a new variable of the resolved type *kind* takes it: copied if it is another's."""
     if frame.source.program.language == "python" or "*" in kind[2] or "&" in kind[2]:
         return value
-    if expression[0] == "call" and run.references is None and expression[1][-1] not in assignments.ACCESSORS:
+    is_made = expression[0] == "call" and run.references is None and expression[1][-1] not in assignments.ACCESSORS
+    if is_made and expression[1][-1] not in qos_profiles.CHAINED:
         return value
     if expression[0] in ("new", "lambda", "&", "this"):
         return value

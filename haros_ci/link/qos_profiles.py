@@ -70,6 +70,27 @@ CLASSES = {
     "nav2::qos::SensorDataQoS": replace(SENSOR_DATA, depth=10),
     "rclpy.qos.QoSProfile": DEFAULT,
 }
+#: Methods that change one policy and give the object itself (rclcpp/qos.hpp).
+CHAINED = frozenset(
+    (
+        "history",
+        "keep_last",
+        "keep_all",
+        "reliability",
+        "reliable",
+        "best_effort",
+        "reliability_best_available",
+        "durability",
+        "durability_volatile",
+        "transient_local",
+        "durability_best_available",
+        "deadline",
+        "lifespan",
+        "liveliness",
+        "liveliness_lease_duration",
+        "avoid_ros_namespace_conventions",
+    )
+)
 
 _ANY = {"system_default": None, "default": None, "best_available": "best_available"}
 #: What is written for a policy, and what it is; all else is not known.
