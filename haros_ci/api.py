@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import told
+from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.likeness import is_moved, is_slip
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System, SystemNode, can_meet
@@ -38,6 +39,7 @@ __all__ = [
     "System",
     "SystemNode",
     "can_meet",
+    "incompatible",
     "is_moved",
     "is_slip",
     "named_at",

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Subscribers that want what was published before they came, of publishers that keep nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, System, incompatible
+
+ADVICE = {
+    "publishers": "publish with transient local durability, or subscribe as volatile",
+    "subscribers": "subscribe as volatile, or publish with transient local durability",
+    "services": "use the default quality of service of services",
+}
+
+
+def check(system: System) -> Iterator[Finding]:
+    yield from incompatible(system, "durability", "giver", ADVICE)
+
+
+CHECK = Check(
+    id="durability-mismatch",
+    summary="What a node subscribes to as transient local is published as transient local.",
+    level=Level.ERROR,
+    catalogue="Q02",
+    tags=("topics", "qos"),
+    run=check,
+)
