@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import told
+from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.likeness import is_moved, is_slip
 from haros_ci.checking.remapping import named_at, rule_of, way_to
@@ -43,6 +44,7 @@ __all__ = [
     "is_moved",
     "is_slip",
     "named_at",
+    "qos_in_words",
     "rule_of",
     "together",
     "told",
