@@ -7,9 +7,11 @@ from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import told
 from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.incompatible import incompatible
+from haros_ci.checking.given import Given, Names, Whole, misplaced, near, taken
+from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.likeness import is_moved, is_slip
 from haros_ci.checking.remapping import named_at, rule_of, way_to
-from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System, SystemNode, can_meet
+from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
 from haros_ci.model.location import Location
 from haros_ci.model.package import Dependency, Package
@@ -29,8 +31,10 @@ __all__ = [
     "End",
     "Endpoint",
     "Finding",
+    "Given",
     "Level",
     "Location",
+    "Names",
     "Package",
     "Parameter",
     "Presence",
@@ -39,13 +43,17 @@ __all__ = [
     "Status",
     "System",
     "SystemNode",
+    "Whole",
     "can_meet",
     "incompatible",
     "is_moved",
     "is_slip",
+    "misplaced",
     "named_at",
     "qos_in_words",
+    "near",
     "rule_of",
+    "taken",
     "together",
     "told",
     "way_to",

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from haros_ci.checking.check import About, Check, Finding
-from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System, SystemNode
+from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
+from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.location import Location
 from haros_ci.model.presence import assignment, in_words, together
 from haros_ci.results.result import Graph, Notification, Related, Result, Vertex

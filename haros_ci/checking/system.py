@@ -8,6 +8,8 @@ from functools import cached_property
 from itertools import product
 from typing import TypeVar
 
+from haros_ci.checking.given import Given, Names, Whole, give
+from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC, WORDS
 from haros_ci.model.architecture import (
     Architecture,
     Condition,
@@ -23,23 +25,6 @@ from haros_ci.model.presence import Presence, together
 from haros_ci.model.workspace import Workspace
 
 Fact = TypeVar("Fact")
-
-#: Kinds of endpoints that are the two ends of a topic, a service, an action: who gives, then who takes.
-TOPIC = ("publishers", "subscribers")
-SERVICE = ("servers", "clients")
-ACTION = ("action_servers", "action_clients")
-#: One end of each kind in words.
-WORDS = {
-    "publishers": "publisher",
-    "subscribers": "subscriber",
-    "servers": "service server",
-    "clients": "service client",
-    "action_servers": "action server",
-    "action_clients": "action client",
-    "getters": "read",
-    "setters": "write",
-    "parameters": "parameter",
-}
 
 
 class End:
@@ -124,6 +109,8 @@ class SystemNode:
         self.raw = raw
         self.is_default = is_default
         self.ends = tuple(End(self, each) for each in raw.endpoints)
+        #: The parameters that it is given from outside (ROS 2).
+        self.given: tuple[Given, ...] = ()
 
     @property
     def name(self) -> str:
@@ -178,6 +165,11 @@ class SystemNode:
             and not any(unknown.field == "endpoints" for unknown in self.raw.unknowns)
             and all(end.raw.source != "known-node" for end in self.ends)
         )
+
+    @cached_property
+    def names(self) -> Names:
+        """The names of its parameters (ROS 2)."""
+        return Names(self)
 
     def of(self, *kinds: str) -> tuple[End, ...]:
         """Its ends of these kinds."""
@@ -271,6 +263,9 @@ class System:
             *(SystemNode(node) for node in configuration.nodes),
             *(SystemNode(node, is_default=False) for node in alternatives),
         )
+        self.given: tuple[Given, ...] = give(self)
+        #: All systems of the architecture.
+        self.whole = Whole((self,))
 
     @property
     def name(self) -> str:
@@ -340,5 +335,8 @@ class System:
 
 def systems(architecture: Architecture, workspace: Workspace | None = None) -> Iterator[System]:
     """Every configuration as a system, in the architecture's order."""
-    for configuration in architecture.configurations:
-        yield System(configuration, architecture, workspace)
+    found = tuple(System(configuration, architecture, workspace) for configuration in architecture.configurations)
+    whole = Whole(found)
+    for system in found:
+        system.whole = whole
+    yield from found

@@ -42,6 +42,8 @@ def endpoints(
             read_only=item.read_only,
             range=item.range,
             written=item.written,
+            is_dynamic=item.is_dynamic,
+            is_strict=item.is_strict,
             source="exact-tier" if item.is_exact else "source",
             unknowns=(
                 *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 #: Namespaces of the C++ and Boost functions below.
 SPACES = (
     "",
@@ -126,6 +128,8 @@ READERS = frozenset(
     "translate upper values viewitems viewkeys viewvalues zfill difference intersection issubset issuperset union "
     "symmetric_difference isdisjoint".split()
 )
+#: Exceptions that end a program (docs.python.org/3/library/exceptions.html; rclpy/executors.py).
+ENDS = ("KeyboardInterrupt", "SystemExit", "ShutdownException", "GeneratorExit")
 
 
 def is_harmless(name: str, is_python: bool) -> bool:
@@ -137,3 +141,8 @@ def is_harmless(name: str, is_python: bool) -> bool:
         return True
     last = name.rpartition("::")[2]
     return name.startswith(LIBRARIES) and not last.startswith(GETTERS)
+
+
+def are_ends(handlers: tuple[Any, ...]) -> bool:
+    """Whether all that the handlers of a ``try`` catch is that the program is to end."""
+    return all(any(word in f"{text} {kind}" for word in ENDS) for _, _, text, _, kind, _ in handlers)

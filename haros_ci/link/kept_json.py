@@ -104,6 +104,8 @@ CLASSES: dict[type, dict[str, Check]] = {
         "effective": _plain,
         "read_only": _optional(_flag),
         "range": _optional(_every(_optional(_is(int, float)))),
+        "is_dynamic": _flag,
+        "is_strict": _flag,
         "node": _optional(_is(RosNode)),
         "is_exact": _flag,
         "dead": _is(int),

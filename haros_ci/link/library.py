@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.link import callbacks, harmless, havoc, library_cpp, library_python, methods
+from haros_ci.link import callbacks, harmless, havoc, library_cpp, library_python, methods, ros2_nodes
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
 from haros_ci.model.location import Location
@@ -82,6 +82,8 @@ def unknown_call(
         callbacks.register(run, argument.value, args)
     havoc.called(run, frame, name, args)
     havoc.given(run, frame, name, args)
+    if not harmless.is_harmless(name, frame.source.program.language == "python"):
+        ros2_nodes.handed(run, (argument.value for argument in args))
     if isinstance(receiver, Opaque):
         return Opaque(receiver.reason, receiver.location)
     return run.opaque(f"what {name} returns is not known", frame)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.link import api_rows, call_arguments, callbacks, copies, library, methods
+from haros_ci.link import api_rows, call_arguments, callbacks, copies, library, methods, ros2_nodes
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import is_type
 from haros_ci.link.values import (
@@ -62,6 +62,8 @@ def library_object(
     this = Object(kind[0], kind[1], location=location)
     construct_library(run, frame, this, kind, args, location)
     _hidden(run, frame, kind, args, location)
+    if kind[0] not in run.rows:
+        ros2_nodes.handed(run, (argument.value for argument in args))
     for argument in args:
         callbacks.register(run, argument.value, args)
     return this

@@ -203,6 +203,8 @@ def _parameter(
             read_only=read_only,
             range=limits,
             written=text,
+            is_dynamic=entry.kind == "parameters" and _is_dynamic(applied, entry),
+            is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
         )
     )
     if entry.kind == "setters" or entry.kind == "parameters":
@@ -280,6 +282,19 @@ def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[boo
         if cell is not None and isinstance(cell.value, (Opaque, Sequence)) and not _is_empty(cell.value):
             unknowns.append(("range", "what the descriptor says is not known", applied.location))
     return read_only, None
+
+
+def _is_dynamic(applied: Applied, entry: Entry) -> bool:
+    """Whether a parameter's type is not fixed by its declaration, as a ParameterDescriptor says, or may say."""
+    from haros_ci.link.selectors import value_of
+
+    found = value_of(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
+    if isinstance(found, Pointer):
+        found = found.cell.value
+    if not isinstance(found, Object):
+        return found is not None and not _is_empty(found)
+    flag = found.fields.get("dynamic_typing")
+    return flag is not None and flag.value not in (NONE, Known(False))
 
 
 def _is_empty(value: Value) -> bool:

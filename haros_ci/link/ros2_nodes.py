@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.link.names import pattern
@@ -36,6 +37,9 @@ UNIQUE = "the library gives it another name each time"
 HIDES = ("start_parameter_services", "start_parameter_event_publisher")
 #: Of options: they are those that a component is given. Of a node: nothing is for it that the process is given.
 CONTAINED, ALONE = "(contained)", "(alone)"
+#: Of a node: it has parameters that it does not declare, or may have (rclcpp/node_options.hpp; rclpy/node.py).
+UNDECLARED = "(undeclared)"
+_UNDECLARED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
 #: A parameter that a node's options may set.
 OTHERS = Perhaps("it may be set in the node's options, which are not known")
 #: The parameter of every node that says whether it takes its time from a topic.
@@ -117,6 +121,8 @@ def made(
     switches = {switch: flag for switch in SWITCHES if (flag := _flag(options, switch)) is not None}
     if not is_contained and not is_global:
         switches[ALONE] = True
+    if isinstance(options, Opaque) or any(_field(options, each) not in (None, NONE, Known(False)) for each in _UNDECLARED):
+        switches[UNDECLARED] = True
     given = {**_parameters(local, full, location), **_overrides(options)}
     sim_time = given.get(SIM_TIME)
     if isinstance(sim_time, Known) and isinstance(sim_time.value, bool):
@@ -245,6 +251,16 @@ def of_value(run: Run, value: Any, depth: int = 0) -> RosNode | None:
             if inner is not None:
                 return inner
     return None
+
+
+def handed(run: Run, values: Iterable[Value]) -> None:
+    """Nodes among *values* are handed to code that is not in the workspace, which may declare parameters on them."""
+    if run.context.process is not None:
+        for value in values:
+            found = of_value(run, value)
+            for node in run.nodes if found is not None else ():
+                if node.name == found.name:
+                    node.options[UNDECLARED] = True
 
 
 def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:

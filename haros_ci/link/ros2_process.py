@@ -71,7 +71,7 @@ class RosNode:
     given: Mapping[str, Value] = field(default_factory=dict)
     why: tuple[str, Location | None] | None = None
     main: RosNode | None = None
-    options: Mapping[str, bool] = field(default_factory=dict)
+    options: dict[str, bool] = field(default_factory=dict)
 
     @property
     def whole(self) -> RosNode:

@@ -14,7 +14,7 @@ from haros_ci.link.names import clean
 from haros_ci.link.parameters import ParameterServer
 from haros_ci.link.remap_rules import of_ros2_node, ros2_rules
 from haros_ci.link.ros2_implicit import implicit
-from haros_ci.link.ros2_nodes import ALONE, SIM_TIME
+from haros_ci.link.ros2_nodes import ALONE, SIM_TIME, UNDECLARED
 from haros_ci.link.ros2_process import (
     InContainer,
     Parameters,
@@ -213,6 +213,7 @@ def nodes_of(
                 location=node.location if node.source == "launch" and each is main else each.location,
                 source=node.source if each is main else "source",
                 unknowns=tuple(own),
+                takes_undeclared=each.options.get(UNDECLARED, False),
                 endpoints=_sorted((*ends, *_implicit(each, kind, started, ends))),
             )
         )

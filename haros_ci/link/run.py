@@ -112,6 +112,8 @@ class Made:
     effective: Any = None
     read_only: bool | None = None
     range: Any = None
+    is_dynamic: bool = False
+    is_strict: bool = False
     #: The ROS 2 node that has it; None if it is not known, and in ROS 1.
     node: RosNode | None = None
     is_exact: bool = False
@@ -284,6 +286,8 @@ class Run:
     outer: tuple[Location, frozenset[str]] | None = None
     #: Branches around what is followed that are not taken as things are.
     dead: int = 0
+    #: ``try`` statements around what is followed.
+    trying: int = 0
     #: Calls around what is followed that stand behind a return that is taken as things are.
     beyond: int = 0
     steps: int = 0
@@ -342,6 +346,8 @@ class Run:
                 unknowns = (*unknowns, ("conditions", SEVERAL, made.location))
             unknowns = tuple(dict.fromkeys((*known.unknowns, *unknowns)))
         dead = self.dead if known is None else min(self.dead, known.dead)
+        if known is not None and known.is_strict and not made.is_strict:
+            made = replace(made, is_strict=True)
         if dead != made.dead or conditions is not made.conditions or unknowns is not made.unknowns:
             made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
         self.made[key] = made

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.link import construct, expressions, lookup, loops, members
+from haros_ci.link import construct, expressions, harmless, lookup, loops, members
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop, Run
 from haros_ci.link.state import Writes, joined
 from haros_ci.link.values import Cell, Known, Library, Object, Sequence, Value
@@ -210,7 +210,12 @@ def _try(run: Run, frame: Frame, statement: Statement) -> str:
     """
     _, block, handlers = statement
     mark = run.state.mark()
-    ended = execute(run, frame, block)
+    is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
+    run.trying += is_caught
+    try:
+        ended = execute(run, frame, block)
+    finally:
+        run.trying -= is_caught
     after = run.state.undo(mark)
     branches: list[tuple[str, Writes]] = [(ended, after)]
     for line, column, text, name, kind, handler in handlers:

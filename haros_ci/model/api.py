@@ -57,7 +57,7 @@ selects: an object that is a node, or has one as its ``node`` field (``fills: {"
 
 Other keys of an entry: ``name``, ``type``, ``queue_size``, ``latched``, ``qos`` (a number or a profile), ``value``, ``namespace`` (a handle or text;
 default: the receiver if it is a handle, else the node's own namespace), ``implicit``, ``unsure`` (in words, why it may not
-be made at all), ``each: "config(<0>)"`` (one
+be made at all), ``strict`` (the call fails for a declaration without a value, or where nothing of that name is declared), ``each: "config(<0>)"`` (one
 endpoint for every parameter of the dynamic_reconfigure file of that class), ``each: "keys(0)"`` (of a dict or map
 argument). A ``type`` is ``pkg/Name``, or a C++ or Python type that stands for it: pointers, const, ``::Request`` and
 ``::Response``, and an action's ``Action`` are taken off.
@@ -126,13 +126,14 @@ ENTRY_KEYS = (
     "parent",
     "implicit",
     "unsure",
+    "strict",
     "each",
     "anonymous",
     "period",
     "frequency",
 )
 #: Keys of an entry that are no templates.
-UNTOLD = ("kind", "each", "implicit", "unsure")
+UNTOLD = ("kind", "each", "implicit", "unsure", "strict")
 #: Without ``{`` outside a selector; ``{{`` is not needed, as no ROS name has a brace.
 SELECTOR = re.compile(r"\{([^{}]*)\}")
 ALTERNATIVE = re.compile(
@@ -162,6 +163,7 @@ class Entry:
     each: str | None = None
     implicit: bool = False
     unsure: str = ""
+    strict: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -254,6 +256,7 @@ def _entry(data: Any) -> Entry:
         each=_text(data["each"], "each") if "each" in data else None,
         implicit=data.get("implicit") is True,
         unsure=_text(data["unsure"], "unsure") if "unsure" in data else "",
+        strict=data.get("strict") is True,
     )
 
 

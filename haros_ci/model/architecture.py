@@ -80,7 +80,9 @@ class Endpoint:
     *name* is resolved and remapped, *original_name* resolved before remapping, *written* as the call gives it, ``?`` for unknown
     parts (None if no call tells). *value* is a getter's or a declaration's
     default in the code, or what a setter writes; None if it has none or it is unknown. *effective* is what a declared
-    parameter has once launch files and YAML are applied, *range* its least and greatest value and step. *queue_size* and
+    parameter has once launch files and YAML are applied, *range* its least and greatest value and step, *is_dynamic* whether it
+    may change its type, or whether that is not known. *is_strict* says that the call fails, and nobody around it catches that: a
+    declaration where the parameter has no value, a reading where it is not declared. *queue_size* and
     *latched* are of ROS 1 topics, *qos* of ROS 2 topics and services.
     """
 
@@ -101,6 +103,8 @@ class Endpoint:
     read_only: bool | None = None
     range: tuple[float | None, float | None, float | None] | None = None
     written: str | None = field(default=None, compare=False)
+    is_dynamic: bool = False
+    is_strict: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -131,7 +135,8 @@ class Node:
     *package* and *type* are ``kobuki_node`` and ``KobukiNodelet`` for ``kobuki_node/KobukiNodelet``; *class_name* is the C++
     class of a nodelet; *container* the manager's full name; *process* is shared by the nodes of one process.
     *remaps* are fully resolved pairs, *rules* the remapping rules that they come from in the order in which they apply;
-    *arguments* is the text of the launch file's ``args``.
+    *arguments* is the text of the launch file's ``args``. *takes_undeclared* says of a ROS 2 node
+    that it has, or may have, parameters that it does not declare.
     """
 
     name: str
@@ -152,6 +157,7 @@ class Node:
     ros: int = 1
     #: Under which launch arguments it is there.
     presence: Presence = ()
+    takes_undeclared: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

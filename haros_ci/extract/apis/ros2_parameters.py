@@ -39,12 +39,12 @@ ASKING = ["get_parameters", "describe_parameters", "get_parameter_types", "set_p
 NODE = "rclcpp::Node"
 
 
-def _declared(args: list[int], when: dict[str, str], **entry: str) -> dict[str, object]:
+def _declared(args: list[int], when: dict[str, str], is_strict: bool = False, **entry: str) -> dict[str, object]:
     return {
         "call": f"{NODE}::declare_parameter",
         "args": args,
         **({"when": when} if when else {}),
-        "makes": [{"kind": "parameters", "name": "{0}", **entry}],
+        "makes": [{"kind": "parameters", "name": "{0}", **entry, **({"strict": True} if is_strict else {})}],
     }
 
 
@@ -73,9 +73,9 @@ ROWS: tuple[Mapping[str, object], ...] = (
      "returns": VALUE, "fills": {"value": "{parameter}"}},
     {**_declared([2, 3, 4], {"1": "rclcpp::ParameterType"}, type="{1}", descriptor="{2}"),
      "returns": VALUE, "fills": {"value": "{parameter}"}},
-    {**_declared([2, 3], {"1": DESCRIPTOR}, type="{typeof(<0>)}", descriptor="{1}"), "returns": "{parameter}"},
+    {**_declared([2, 3], {"1": DESCRIPTOR}, True, type="{typeof(<0>)}", descriptor="{1}"), "returns": "{parameter}"},
     {**_declared([2, 3, 4], {}, type="{typeof(<0>|1)}", value="{1}", descriptor="{2}"), "returns": "{parameter}"},
-    {**_declared([1], {}, type="{typeof(<0>)}"), "returns": "{parameter}"},
+    {**_declared([1], {}, True, type="{typeof(<0>)}"), "returns": "{parameter}"},
     {"call": f"{NODE}::list_parameters", "args": [2], "returns": "rcl_interfaces::msg::ListParametersResult",
      "fills": {"names": "{parameters(0,1)}", "prefixes": "{prefixes(0,1)}"}},
     {"call": f"{NODE}::declare_parameters", "args": [2, 3],
@@ -83,7 +83,7 @@ ROWS: tuple[Mapping[str, object], ...] = (
                 "each": "keys(1)"}]},
     {"call": f"{NODE}::undeclare_parameter", "args": [1], "makes": [{"kind": "setters", "name": "{0}"}]},
     {"call": f"{NODE}::has_parameter", "args": [1], "returns": "{declared(0)}"},
-    {"call": f"{NODE}::get_parameter", "args": [1], "makes": [{"kind": "getters", "name": "{0}"}],
+    {"call": f"{NODE}::get_parameter", "args": [1], "makes": [{"kind": "getters", "name": "{0}", "strict": True}],
      "returns": PARAMETER, "fills": {"name": "{0}", "value": "{parameter}"}},
     {"call": f"{NODE}::get_parameter", "args": [2],
      "makes": [{"kind": "getters", "name": "{0}", "type": "{typeof(<0>|1)}"}], "sets": {"1": "{parameter}"},
@@ -133,9 +133,9 @@ ROWS: tuple[Mapping[str, object], ...] = (
 
     # rosidl_generator_cpp: setters of a message's members that return the message.
     *({"call": f"{DESCRIPTOR}::set__{member}", "args": [1], "fills": {member: "{0}"}, "transparent": "{this}"}
-      for member in ("read_only", "floating_point_range", "integer_range", "name", "description")),
+      for member in ("read_only", "dynamic_typing", "floating_point_range", "integer_range", "name", "description")),
     *({"call": f"{DESCRIPTOR}::set__{member}", "args": [1], "transparent": "{this}"}
-      for member in ("type", "additional_constraints", "dynamic_typing")),
+      for member in ("type", "additional_constraints")),
     *({"call": f"rcl_interfaces::msg::{kind}::set__{member}", "args": [1], "fills": {member: "{0}"},
        "transparent": "{this}"}
       for kind in ("FloatingPointRange", "IntegerRange") for member in ("from_value", "to_value", "step")),

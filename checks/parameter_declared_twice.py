@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters that a node declares twice: the second time throws."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+from haros_ci.api import Check, End, Finding, Level, System
+
+
+def check(system: System) -> Iterator[Finding]:
+    for node in system.nodes:
+        if node.ros != 2 or not node.known:
+            continue
+        for key, ends in node.names.declared.items():
+            if "?" in key or key in node.names.set or len(ends) < 2:
+                continue
+            certain = [end for end in ends if not (end.implicit or end.conditions or end.raw.unknowns)]
+            for first, second in combinations(certain, 2):
+                if first.raw.location is not None and second.raw.location not in (None, first.raw.location):
+                    yield Finding(
+                        at=second.location,
+                        message=f"{node.type} declares the parameter {key} a second time: the call throws",
+                        about=(first, second, key),
+                        related=((first.location, "declared here already"),),
+                    )
+
+
+CHECK = Check(
+    id="parameter-declared-twice",
+    summary="A node declares a parameter once.",
+    level=Level.ERROR,
+    tags=("parameters",),
+    run=check,
+)

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters whose name has a prefix too much: a doubled section, the node's own name, ros__parameters twice."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, System, misplaced, taken
+
+
+def check(system: System) -> Iterator[Finding]:
+    used = taken(system) | system.whole.taken
+    for each in system.given:
+        found = misplaced(each) if each.place not in used else None
+        if found is None:
+            continue
+        meant, why = found
+        has = " has" if each.node.names.has(meant) else " may have"
+        yield Finding(
+            at=each.at,
+            message=(
+                f"{each.node} is given the parameter {each.key}, where {each.node.type}{has} {meant}: {why}, "
+                f"and what is said here has no effect"
+            ),
+            about=(each.node, each.key),
+            flow=((each.tag, f"{each.node} is given the parameters"), (each.at, f"{meant} is meant")),
+        )
+
+
+CHECK = Check(
+    id="parameter-misplaced",
+    summary="The name of a parameter has no section doubled, and nothing before it that belongs to the node.",
+    level=Level.WARNING,
+    catalogue="P05",
+    tags=("parameters",),
+    run=check,
+)

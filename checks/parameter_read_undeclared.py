@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Readings of parameters that a node does not declare: they throw."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, End, Finding, Level, System, near
+
+
+def check(system: System) -> Iterator[Finding]:
+    for node in system.nodes:
+        if node.ros != 2 or not node.names.is_whole:
+            continue
+        for key, ends in node.names.read.items():
+            if "?" in key or node.names.has(key) is not False:
+                continue
+            meant = near(key, (name for name in node.names.declared if name not in node.names.read))
+            for end in ends:
+                if end.raw.is_strict and not _is_guarded(end):
+                    yield Finding(
+                        at=end.location,
+                        message=(
+                            f"{node.type} reads the parameter {key}, but does not declare it: the call throws"
+                            + (f"; did you mean {meant}?" if meant else "; declare it first")
+                        ),
+                        about=(end, key),
+                    )
+
+
+def _is_guarded(end: End) -> bool:
+    """Whether a condition around it asks for the parameter, or it is only read where something has failed."""
+    return any("has_parameter" in each.condition or each.statement == "catch" for each in end.conditions)
+
+
+CHECK = Check(
+    id="parameter-read-undeclared",
+    summary="A node declares the parameters that it reads.",
+    level=Level.ERROR,
+    catalogue="P08",
+    tags=("parameters",),
+    run=check,
+)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters that are given a value of another type than the node declares: it throws when it starts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, End, Finding, Given, Level, System
+
+#: The types that are compared.
+TYPES = frozenset(kind + array for kind in ("bool", "int", "double", "str") for array in ("", "[]"))
+
+
+def check(system: System) -> Iterator[Finding]:
+    for given in system.given:
+        declared = given.node.names.declared.get(given.key, ())
+        if not declared or given.type not in TYPES:
+            continue
+        if any(end.raw.is_dynamic or end.type not in TYPES or end.type == given.type for end in declared):
+            continue
+        end = declared[0]
+        yield Finding(
+            at=given.at,
+            message=(
+                f"{given.node.type} declares the parameter {given.key} as {end.type}, but {given.node} is given "
+                f"{_shown(given)} here, {_a(given.type)}: the node throws when it declares it{_instead(given, end)}"
+            ),
+            about=(given.node, given.key),
+            related=((end.location, f"declared as {end.type}"),) if end.in_source else (),
+            flow=((given.tag, f"{given.node} is given the parameters"), (given.at, f"{_a(given.type)}")),
+        )
+
+
+def _instead(given: Given, end: End) -> str:
+    """What to write."""
+    value = given.value
+    if end.type == "double" and isinstance(value, int):
+        return f"; write {value}.0"
+    if end.type == "double[]" and given.type == "int[]":
+        return "; write a decimal point in each number"
+    if end.type == "int" and isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        return f"; write {int(value)}"
+    if end.type == "str" and isinstance(value, (bool, int, float)):
+        return "; put the value in quotes"
+    if end.type == "bool" and value in (0, 1):
+        return f"; write {'true' if value else 'false'}"
+    return ""
+
+
+def _shown(given: Given) -> str:
+    text = str(given.value).lower() if isinstance(given.value, bool) else repr(given.value)
+    return text if len(text) <= 60 else f"{text[:59]}…"
+
+
+def _a(kind: str | None) -> str:
+    return f"an {kind}" if kind is not None and kind[0] == "i" else f"a {kind}"
+
+
+CHECK = Check(
+    id="parameter-type-mismatch",
+    summary="A parameter is given a value of the type that the node declares.",
+    level=Level.ERROR,
+    catalogue="P03",
+    tags=("parameters",),
+    run=check,
+)
