@@ -258,8 +258,8 @@ def handed(run: Run, values: Iterable[Value]) -> None:
     if run.context.process is not None:
         for value in values:
             found = of_value(run, value)
-            for node in run.nodes if found is not None else ():
-                if node.name == found.name:
+            for node in run.nodes:
+                if found is not None and node.name == found.name:
                     node.options[UNDECLARED] = True
 
 
