@@ -83,7 +83,7 @@ def unknown_call(
     havoc.called(run, frame, name, args)
     havoc.given(run, frame, name, args)
     if not harmless.is_harmless(name, frame.source.program.language == "python"):
-        ros2_nodes.handed(run, (argument.value for argument in args))
+        ros2_nodes.handed(run, name, (argument.value for argument in args))
     if isinstance(receiver, Opaque):
         return Opaque(receiver.reason, receiver.location)
     return run.opaque(f"what {name} returns is not known", frame)

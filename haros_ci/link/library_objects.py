@@ -63,7 +63,7 @@ def library_object(
     construct_library(run, frame, this, kind, args, location)
     _hidden(run, frame, kind, args, location)
     if kind[0] not in run.rows:
-        ros2_nodes.handed(run, (argument.value for argument in args))
+        ros2_nodes.handed(run, kind[0], (argument.value for argument in args))
     for argument in args:
         callbacks.register(run, argument.value, args)
     return this

@@ -48,6 +48,8 @@ SIM_TIME = "use_sim_time"
 HOLDING = ("node", "node_")
 #: The field of a node that holds the options that it was constructed with.
 GIVEN = "(options)"
+#: Libraries that declare no parameters on nodes but those of every node.
+DECLARING_NOTHING = ("rclcpp::", "rclcpp_", "rclpy.", "std::", "boost::", "tf2_ros", "message_filters", "launch", "threading.")
 UNKNOWN_NODE = "which node it belongs to is not known"
 
 
@@ -253,9 +255,9 @@ def of_value(run: Run, value: Any, depth: int = 0) -> RosNode | None:
     return None
 
 
-def handed(run: Run, values: Iterable[Value]) -> None:
-    """Nodes among *values* are handed to code that is not in the workspace, which may declare parameters on them."""
-    if run.context.process is not None:
+def handed(run: Run, name: str, values: Iterable[Value]) -> None:
+    """Nodes among *values* are handed to the function or class *name*, which is not seen and may declare parameters on them."""
+    if run.context.process is not None and not name.startswith(DECLARING_NOTHING):
         for value in values:
             found = of_value(run, value)
             for node in run.nodes:
