@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bug fixes in real histories: is the finding there before the fix and gone after it?
+
+    python tests/bench/history.py --mirrors DIRECTORY [--only TEXT]... [--cache-dir DIRECTORY] [--table FILE] [--details FILE]
+
+*DIRECTORY* holds git repositories, bare or not, named ``owner+name`` or ``owner/name``, with the history. For each entry of
+history.yaml the tree of the parent and of the fix are written to a temporary directory (texts as they are, other files empty; nothing
+of them is run), and ``haros-ci check --profile architecture --isolated`` looks at both, all checks selected, the preview ones too. A
+fix counts as found if a finding of an expected check (by its id in the catalogue of ROS checks), in the named file or with that file
+among its other places, disappears with the fix. Prints a Markdown table; --details has the findings that came and went, as JSON.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import yaml
+
+from haros_ci.registry import checks
+
+#: What is written as it is: what haros-ci reads. Of all else only the name counts.
+TEXTS = ("package.xml", "manifest.xml", "CMakeLists.txt", "setup.py", "setup.cfg", "COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
+SUFFIXES = (".launch .xml .test .py .yaml .yml .c .cc .cpp .cxx .h .hh .hpp .hxx .ipp .inc .cmake .txt .msg .srv .action .idl .xacro .urdf "
+            ".cfg .toml .in .sh .em .rviz .sdf .srdf").split()  # fmt: skip
+LARGEST = 2_000_000
+CHECK = [sys.executable, "-m", "haros_ci", "check", ".", "--profile=architecture", "--isolated", "--no-baseline", "--fail-on=never"]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--mirrors", type=Path, required=True, help="where the repositories are")
+    parser.add_argument("--only", action="append", default=[], help="entries whose repository, fix or class contains this")
+    parser.add_argument("--cache-dir", type=Path, help="a cache for all runs")
+    parser.add_argument("--table", type=Path, help="write the table here, too")
+    parser.add_argument("--details", type=Path, help="write what came and went here; what is there already is not run again")
+    options = parser.parse_args()
+    entries = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+    done = json.loads(options.details.read_text()) if options.details and options.details.exists() else {}
+    for entry in entries:
+        text = f"{entry['repository']} {entry['fix']} {entry['class']}"
+        if entry["fix"] in done or (options.only and not any(part in text for part in options.only)):
+            continue
+        done[entry["fix"]] = compare(entry, repository(options.mirrors, entry["repository"]), options.cache_dir)
+        print(entry["fix"][:10], entry["repository"], entry["check"], done[entry["fix"]]["found"], file=sys.stderr, flush=True)
+        if options.details:
+            options.details.write_text(json.dumps(done, indent=1))
+    table = "".join(rows([entry for entry in entries if entry["fix"] in done], done))
+    print(table)
+    if options.table:
+        options.table.write_text(table, encoding="utf-8")
+
+
+def repository(mirrors: Path, name: str) -> Path:
+    """The git directory of *name* below *mirrors*."""
+    for place in (mirrors / name, mirrors / name.replace("/", "+")):
+        for inner in (place / "repo" / ".git", place / "repo", place / ".git", place):
+            if (inner / "HEAD").is_file():
+                return inner
+    sys.exit(f"{name} is not below {mirrors}")
+
+
+def compare(entry: dict, git: Path, cache: Path | None) -> dict:
+    """Whether the fault of *entry* is found, and which findings and notices disappear and appear with its fix."""
+    before = look(git, entry["parent"], entry.get("tree", []), cache)
+    after = look(git, entry["fix"], entry.get("tree", []), cache)
+    files = {entry["file"], *entry.get("also", [])}
+    gone, new = [list((Counter(one) - Counter(other)).elements()) for one, other in ((before, after), (after, before))]
+    expected = [result for result in gone if result[1] in entry["check"] and files & set(result[3])]
+    near = [result for result in gone if result[1] not in entry["check"] and files & set(result[3])]
+    return {"found": sorted({result[0] for result in expected}), "other": sorted({result[0] for result in near}),
+            "gone": gone, "new": new, "before": len(before)}  # fmt: skip
+
+
+def look(git: Path, revision: str, directories: list[str], cache: Path | None) -> list[tuple]:
+    """The findings at *revision* as (rule, catalogue id, message, files), lines left out: they move."""
+    ids = {check.id: check.catalogue for check in checks()}
+    with tempfile.TemporaryDirectory() as place:
+        tree = Path(place, "workspace")
+        for path, content in blobs(git, revision, directories):
+            tree.joinpath(path).parent.mkdir(parents=True, exist_ok=True)
+            tree.joinpath(path).write_bytes(content)
+        output = Path(place, "findings.json")
+        command = [*CHECK, *(f"--select={name}" for name in ids), f"--output=json={output}"]
+        command.append(f"--cache-dir={cache.resolve()}" if cache else "--no-cache")
+        run = subprocess.run(command, cwd=tree, capture_output=True, text=True)
+        if not output.exists():
+            return [("none", "-", run.stderr[-300:], ())]
+        report = json.loads(output.read_text())
+    found = [
+        (result["rule"], ids.get(result["rule"], ""), result["message"], tuple(sorted(places(result))))
+        for result in report["results"]
+    ]
+    notices = [("notice", "-", note["message"], (note["path"] or "",)) for note in report["notifications"]]
+    return found + notices
+
+
+def places(result: dict) -> set[str]:
+    """All files that a finding points at."""
+    found = set()
+    stack: list[object] = [result]
+    while stack:
+        value = stack.pop()
+        if isinstance(value, dict):
+            found |= {text for key in ("path", "file", "uri") if isinstance(text := value.get(key), str)}
+            stack += value.values()
+        elif isinstance(value, list):
+            stack += value
+    return found
+
+
+def blobs(git: Path, revision: str, directories: list[str]) -> Iterator[tuple[str, bytes]]:
+    """Path and content of the files at *revision*; files that are no texts, or absent from the mirror, are empty."""
+    listing = subprocess.run(["git", f"--git-dir={git}", "ls-tree", "-rlz", revision, "--", *directories], capture_output=True, check=True)
+    wanted = []
+    for line in listing.stdout.decode(errors="surrogateescape").split("\0"):
+        head, _, path = line.partition("\t")
+        mode, kind, name, size = head.split() if path else ("", "", "", "")
+        if kind != "blob" or mode == "120000":
+            continue
+        if path.endswith((*TEXTS, *SUFFIXES)) and (size == "-" or int(size) <= LARGEST):
+            wanted.append((path, name))
+        else:
+            yield path, b""
+    asked = "".join(f"{name}\n" for _, name in wanted)
+    answers = subprocess.run(["git", f"--git-dir={git}", "cat-file", "--batch"], input=asked.encode(), capture_output=True, check=True)
+    rest, at = answers.stdout, 0
+    for path, _ in wanted:
+        end = rest.index(b"\n", at)
+        head, at = rest[at:end].split(), end + 1
+        size = int(head[2]) if len(head) == 3 else 0
+        yield path, rest[at : at + size]
+        at += size + 1 if len(head) == 3 else 0
+
+
+def rows(entries: list[dict], done: dict[str, dict]) -> Iterator[str]:
+    """The table, a row for each fix, and the counts of each class."""
+    yield "| Repository, fix | Class | What was wrong | At the parent | Expected | Found before, gone after |\n|---|---|---|---|---|---|\n"
+    total: Counter[tuple[str, bool]] = Counter()
+    for entry in entries:
+        result = done[entry["fix"]]
+        total[entry["class"], bool(result["found"])] += 1
+        said = ", ".join(f"`{name}`" for name in result["found"]) or "no" + "".join(f"; `{name}` goes" for name in result["other"])
+        where, why = f"{entry['file']}:{entry['line']}", entry["why"].replace("|", "\\|")
+        fix = f"{entry['repository']} [{entry['fix'][:10]}](https://github.com/{entry['repository']}/commit/{entry['fix']})"
+        yield f"| {fix} | {entry['class']} | {why} | {where} | {' '.join(entry['check'])} | {said} |\n"
+    yield "\n| Class | Fixes | Found |\n|---|---:|---:|\n"
+    for name in sorted({entry["class"] for entry in entries}):
+        yield f"| {name} | {total[name, True] + total[name, False]} | {total[name, True]} |\n"
+    yield f"| all | {len(entries)} | {sum(count for (_, found), count in total.items() if found)} |\n"
+
+
+if __name__ == "__main__":
+    main()
