@@ -26,20 +26,26 @@ import yaml
 from haros_ci.registry import checks
 
 #: What is written as it is: what haros-ci reads. Of all else only the name counts.
-TEXTS = ("package.xml", "manifest.xml", "CMakeLists.txt", "setup.py", "setup.cfg", "COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
-SUFFIXES = (".launch .xml .test .py .yaml .yml .c .cc .cpp .cxx .h .hh .hpp .hxx .ipp .inc .cmake .txt .msg .srv .action .idl .xacro .urdf "
-            ".cfg .toml .in .sh .em .rviz .sdf .srdf").split()  # fmt: skip
+TEXTS = "COLCON_IGNORE CATKIN_IGNORE AMENT_IGNORE".split()
+SUFFIXES = (
+    ".launch .xml .test .py .yaml .yml .c .cc .cpp .cxx .h .hh .hpp .hxx .ipp .inc .cmake .txt .msg .srv .action .idl .xacro "
+    ".urdf .cfg .toml .in .sh .em .rviz .sdf .srdf"
+).split()
 LARGEST = 2_000_000
-CHECK = [sys.executable, "-m", "haros_ci", "check", ".", "--profile=architecture", "--isolated", "--no-baseline", "--fail-on=never"]
+OPTIONS = "--profile=architecture --isolated --no-baseline --fail-on=never".split()
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--mirrors", type=Path, required=True, help="where the repositories are")
-    parser.add_argument("--only", action="append", default=[], help="entries whose repository, fix or class contains this")
+    parser.add_argument(
+        "--only", action="append", default=[], help="entries whose repository, fix or class contains this"
+    )
     parser.add_argument("--cache-dir", type=Path, help="a cache for all runs")
     parser.add_argument("--table", type=Path, help="write the table here, too")
-    parser.add_argument("--details", type=Path, help="write what came and went here; what is there already is not run again")
+    parser.add_argument(
+        "--details", type=Path, help="write what came and went here; what is there already is not run again"
+    )
     options = parser.parse_args()
     entries = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
     done = json.loads(options.details.read_text()) if options.details and options.details.exists() else {}
@@ -48,7 +54,14 @@ def main() -> None:
         if entry["fix"] in done or (options.only and not any(part in text for part in options.only)):
             continue
         done[entry["fix"]] = compare(entry, repository(options.mirrors, entry["repository"]), options.cache_dir)
-        print(entry["fix"][:10], entry["repository"], entry["check"], done[entry["fix"]]["found"], file=sys.stderr, flush=True)
+        print(
+            entry["fix"][:10],
+            entry["repository"],
+            entry["check"],
+            done[entry["fix"]]["found"],
+            file=sys.stderr,
+            flush=True,
+        )
         if options.details:
             options.details.write_text(json.dumps(done, indent=1))
     table = "".join(rows([entry for entry in entries if entry["fix"] in done], done))
@@ -73,9 +86,13 @@ def compare(entry: dict, git: Path, cache: Path | None) -> dict:
     files = {entry["file"], *entry.get("also", [])}
     gone, new = [list((Counter(one) - Counter(other)).elements()) for one, other in ((before, after), (after, before))]
     expected = [result for result in gone if result[1] in entry["check"] and files & set(result[3])]
+    elsewhere = [result for result in gone if result[1] in entry["check"] and not files & set(result[3])]
     near = [result for result in gone if result[1] not in entry["check"] and files & set(result[3])]
-    return {"found": sorted({result[0] for result in expected}), "other": sorted({result[0] for result in near}),
-            "gone": gone, "new": new, "before": len(before)}  # fmt: skip
+    said = {"found": expected, "elsewhere": elsewhere, "other": near}
+    return {key: sorted({result[0] for result in results}) for key, results in said.items()} | {
+        "gone": gone,
+        "new": new,
+    }
 
 
 def look(git: Path, revision: str, directories: list[str], cache: Path | None) -> list[tuple]:
@@ -87,7 +104,16 @@ def look(git: Path, revision: str, directories: list[str], cache: Path | None) -
             tree.joinpath(path).parent.mkdir(parents=True, exist_ok=True)
             tree.joinpath(path).write_bytes(content)
         output = Path(place, "findings.json")
-        command = [*CHECK, *(f"--select={name}" for name in ids), f"--output=json={output}"]
+        command = [
+            sys.executable,
+            "-m",
+            "haros_ci",
+            "check",
+            ".",
+            *OPTIONS,
+            *(f"--select={name}" for name in ids),
+            f"--output=json={output}",
+        ]
         command.append(f"--cache-dir={cache.resolve()}" if cache else "--no-cache")
         run = subprocess.run(command, cwd=tree, capture_output=True, text=True)
         if not output.exists():
@@ -117,7 +143,9 @@ def places(result: dict) -> set[str]:
 
 def blobs(git: Path, revision: str, directories: list[str]) -> Iterator[tuple[str, bytes]]:
     """Path and content of the files at *revision*; files that are no texts, or absent from the mirror, are empty."""
-    listing = subprocess.run(["git", f"--git-dir={git}", "ls-tree", "-rlz", revision, "--", *directories], capture_output=True, check=True)
+    listing = subprocess.run(
+        ["git", f"--git-dir={git}", "ls-tree", "-rlz", revision, "--", *directories], capture_output=True, check=True
+    )
     wanted = []
     for line in listing.stdout.decode(errors="surrogateescape").split("\0"):
         head, _, path = line.partition("\t")
@@ -129,7 +157,9 @@ def blobs(git: Path, revision: str, directories: list[str]) -> Iterator[tuple[st
         else:
             yield path, b""
     asked = "".join(f"{name}\n" for _, name in wanted)
-    answers = subprocess.run(["git", f"--git-dir={git}", "cat-file", "--batch"], input=asked.encode(), capture_output=True, check=True)
+    answers = subprocess.run(
+        ["git", f"--git-dir={git}", "cat-file", "--batch"], input=asked.encode(), capture_output=True, check=True
+    )
     rest, at = answers.stdout, 0
     for path, _ in wanted:
         end = rest.index(b"\n", at)
@@ -146,7 +176,10 @@ def rows(entries: list[dict], done: dict[str, dict]) -> Iterator[str]:
     for entry in entries:
         result = done[entry["fix"]]
         total[entry["class"], bool(result["found"])] += 1
-        said = ", ".join(f"`{name}`" for name in result["found"]) or "no" + "".join(f"; `{name}` goes" for name in result["other"])
+        said = ", ".join(f"`{name}`" for name in result["found"]) or "no"
+        if not result["found"]:
+            said += "".join(f"; `{name}` goes, at other places" for name in result["elsewhere"])
+            said += "".join(f"; `{name}` goes" for name in result["other"])
         where, why = f"{entry['file']}:{entry['line']}", entry["why"].replace("|", "\\|")
         fix = f"{entry['repository']} [{entry['fix'][:10]}](https://github.com/{entry['repository']}/commit/{entry['fix']})"
         yield f"| {fix} | {entry['class']} | {why} | {where} | {' '.join(entry['check'])} | {said} |\n"
