@@ -36,7 +36,8 @@ def _wrong(node: SystemNode) -> Iterator[tuple[Location, str, str, str]]:
                 yield end.location, f"the {end.word}", written, why
     for rule in node.raw.rules:
         for side, name in (("source", rule.source), ("target", rule.target)):
-            why = "*" not in name and fault(name.removeprefix("rostopic://").removeprefix("rosservice://"), node.ros)
+            bare = name.removeprefix("rostopic://").removeprefix("rosservice://")
+            why = fault(bare, node.ros) if "*" not in name else ""
             if why:
                 yield rule.location, f"the remapping's {side}", name, why
     if node.is_launched and node.known and node.raw.kind != "library":

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from haros_ci.api import Check, End, Finding, Level, System
+from haros_ci.api import Check, Finding, Level, System
 
 
 def check(system: System) -> Iterator[Finding]:

@@ -6,8 +6,8 @@ from __future__ import annotations
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import told
 from haros_ci.checking.compatibility import in_words as qos_in_words
-from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.given import Given, Names, Whole, misplaced, near, taken
+from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.likeness import is_moved, is_slip
 from haros_ci.checking.remapping import named_at, rule_of, way_to
@@ -50,8 +50,8 @@ __all__ = [
     "is_slip",
     "misplaced",
     "named_at",
-    "qos_in_words",
     "near",
+    "qos_in_words",
     "rule_of",
     "taken",
     "together",

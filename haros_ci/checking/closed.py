@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import re
 
-from haros_ci.checking.system import ACTION, SERVICE, TOPIC, Channel, End, System
+from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
+from haros_ci.checking.system import Channel, End, System
 
 _KINDS = {"topic": TOPIC, "service": SERVICE, "action": ACTION}
 
