@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 
-from haros_ci.link.roslaunch_names import MARK, Origin, Text, literal, unknown
+from haros_ci.link.roslaunch_names import MARK, Origin, Text, derived, literal, unknown
 from haros_ci.model.presence import Choice, Presence, choice, together
 
 #: Arguments by name with the values that they are assumed to have.
@@ -80,7 +80,14 @@ class Arguments:
         key = (id(origin), tuple(given))
         if key not in self.again:
             self.again[key] = (origin, text)  # against one that depends on itself
-            made = origin.again(assumed)
+            made: Text | None = unknown("it comes from launch arguments in too many steps")
+            try:
+                made = origin.again(assumed)
+            except RecursionError:
+                pass
+            except Exception:  # the budget is spent
+                del self.again[key]
+                raise
             self.again[key] = (origin, None if made is None else replace(made, origin=origin))
         return self.again[key][1]
 
@@ -96,8 +103,9 @@ class Arguments:
                 found = before.again(assumed) if before is not None else text
             return None if found is None else replace(found, origin=origin)
 
-        depends = frozenset((name,)) | (before.arguments if before is not None else frozenset())
-        origin = Origin(depends, again, name)
+        origin = Origin(frozenset((name,)), again)
+        made_of = origin if before is None else derived((origin, before), again)
+        origin = replace(made_of, argument=name, arguments=made_of.arguments | {name})
         made.text = replace(text, origin=origin)
         return made.text
 

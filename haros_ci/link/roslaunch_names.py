@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.model.architecture import Unknown
@@ -14,6 +14,9 @@ from haros_ci.model.location import Location
 MARK = "\ue000"
 MAX_TEXT = 100_000
 MAX_UNKNOWN = 1_000
+#: In how many steps a text may come from launch arguments, and from how many of them.
+MAX_STEPS = 16
+MAX_ARGUMENTS = 40
 
 _LEGAL = re.compile(r"[~/A-Za-z][\w/]*\Z")
 
@@ -29,6 +32,7 @@ class Origin:
     arguments: frozenset[str]
     again: Callable[[Mapping[str, Text]], Text | None]
     argument: str | None = None
+    steps: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +71,17 @@ def literal(text: str) -> Text:
 def unknown(reason: str) -> Text:
     """A text of which nothing is known."""
     return Text(MARK, (reason,))
+
+
+def derived(origins: Iterable[Origin], again: Callable[[Mapping[str, Text]], Text | None]) -> Origin:
+    """The origin of what comes from texts of these *origins*; in too many steps, or from too many, it is unknown otherwise."""
+    known = list(origins)
+    steps = 1 + max(origin.steps for origin in known)
+    depends = frozenset[str]().union(*(origin.arguments for origin in known))
+    if steps > MAX_STEPS or len(depends) > MAX_ARGUMENTS:
+        depends = frozenset(sorted(depends)[:MAX_ARGUMENTS])
+        return Origin(depends, lambda assumed: unknown("it comes from too many launch arguments"), None, MAX_STEPS)
+    return Origin(depends, again, None, steps)
 
 
 def join_texts(parts: list[Text]) -> Text:

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from haros_ci.link.launch_presence import OTHER, Assumed, Question, elsewhere, is_elsewhere
-from haros_ci.link.roslaunch_names import Origin, Text, literal, unknown
+from haros_ci.link.roslaunch_names import Text, derived, literal, unknown
 from haros_ci.link.roslaunch_state import Exhausted, Scope, State
 from haros_ci.link.roslaunch_types import boolean
 from haros_ci.model.architecture import Condition
@@ -143,6 +143,7 @@ def _asking(state: State, assumed: Assumed) -> Iterator[None]:
     state.is_asking, state.assumed, state.compared = True, assumed, set()
     try:
         with _spare(state, state.spare):
+            state.spend(4)
             yield
     finally:
         state.is_asking, state.assumed, state.compared = before
@@ -208,8 +209,8 @@ def _guard(state: State, scope: Scope, tag: LaunchElement, name: str, before: Te
         if state.is_spare:
             raise
         return
-    depends = [text.origin.arguments for text in (made, tested, before) if text is not None and text.origin is not None]
-    if not depends or tested.origin is None:
+    origins = [text.origin for text in (made, tested, before) if text is not None and text.origin is not None]
+    if tested.origin is None:
         return
 
     def again(assumed: Assumed) -> Text | None:
@@ -224,7 +225,7 @@ def _guard(state: State, scope: Scope, tag: LaunchElement, name: str, before: Te
             return old
         return arguments.resolved(made, assumed)
 
-    origin = Origin(frozenset[str]().union(*depends), again)
+    origin = derived(origins, again)
     now = scope.args.get(name)
     if now is not None:
         scope.args[name] = replace(now, origin=origin)

@@ -11,7 +11,7 @@ from haros_ci.link.launch_facts import ros1
 from haros_ci.link.launch_facts.record import Recorder
 from haros_ci.link.launch_presence import Arguments, Assumed
 from haros_ci.link.roslaunch_files import Files
-from haros_ci.link.roslaunch_names import Origin, Text, canonical, join_in, quoted
+from haros_ci.link.roslaunch_names import Text, canonical, derived, join_in, quoted
 from haros_ci.link.roslaunch_substitution import Sources, substitute
 from haros_ci.link.roslaunch_types import boolean
 from haros_ci.link.roslaunch_yaml import YamlValue
@@ -24,7 +24,7 @@ from haros_ci.model.workspace import Problem
 #: Tags, values, remaps and texts that one evaluation may handle, weighed by what they cost.
 BUDGET = 1_000_000
 #: The same for what is asked and evaluated with other args.
-SPARE = 1_000_000
+SPARE = 500_000
 MAX_PROBLEMS = 1_000
 _COMPARED = 20
 
@@ -189,8 +189,7 @@ class State:
             return text
         if len(reads) == 1 and raw == f"$(arg {next(iter(reads))})":
             return replace(text, origin=origins[0])
-        depends = frozenset[str]().union(*(origin.arguments for origin in origins))
-        return replace(text, origin=Origin(depends, partial(self._again, raw, reads, directory)))
+        return replace(text, origin=derived(origins, partial(self._again, raw, reads, directory)))
 
     def _again(self, raw: str, reads: Mapping[str, Text], directory: str, assumed: Assumed) -> Text:
         """What *raw* gives with what it has read, where args are as *assumed*."""

@@ -4,11 +4,14 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 from roslaunch_kit import MAIN, loader, run, workspace
 
 from haros_ci.extract.launch.xml import from_json, read_launch, to_json
+from haros_ci.link.launch_presence import OTHER
+from haros_ci.link.roslaunch import evaluate
 from haros_ci.link.roslaunch_entry import entry_files
 
 hypothesis = pytest.importorskip("hypothesis")
@@ -78,6 +81,14 @@ def test_any_tree_of_known_words(trees: list[str], yaml: str) -> None:
         assert parameter.value is not None or parameter.unknowns
         json.dumps(parameter.value)
     entry_files(workspace(files), loader(files))
+    varied = evaluate([MAIN], workspace(files), loader(files), {"a": "1"}, {"X": "x"}, True)
+    assert [replace(each, presence=()) for each in varied.nodes] == list(launched.nodes)
+    assert [replace(each, presence=()) for each in varied.parameters] == list(launched.parameters)
+    assert (varied.arguments, varied.files, varied.includes) == (launched.arguments, launched.files, launched.includes)
+    assert varied.problems[: len(launched.problems)] == launched.problems
+    assert all(
+        each.presence and OTHER not in repr(each) for each in (*varied.alternatives, *varied.alternative_parameters)
+    )
 
 
 @hypothesis.settings(max_examples=100, deadline=None, derandomize=True, database=None)

@@ -16,7 +16,7 @@ from haros_ci.link.launch_facts.record import Recorder
 from haros_ci.link.launch_presence import OTHER, Arguments, Assumed, is_elsewhere
 from haros_ci.link.launching.places import Places
 from haros_ci.link.launching.substitutions import perform
-from haros_ci.link.roslaunch_names import MARK, Origin, Text, literal, quoted, unknown
+from haros_ci.link.roslaunch_names import MARK, Text, derived, literal, quoted, unknown
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Performed, Phrase, Test
 from haros_ci.model.location import Location
@@ -27,7 +27,7 @@ NAMESPACE = "ros_namespace"
 #: Steps that one evaluation may take; an action, a parameter and a part of a text are steps.
 BUDGET = 600_000
 #: Steps for what is asked and done under other launch arguments, all together.
-SPARE = 600_000
+SPARE = 300_000
 
 
 class Exhausted(Exception):
@@ -148,8 +148,7 @@ class Context:
             return made
         if len(reads) == 1 and len(phrase) == 1 and not isinstance(phrase[0], str) and phrase[0].kind == "var":
             return replace(made, origin=origins[0])
-        depends = frozenset().union(*(origin.arguments for origin in origins))
-        return replace(made, origin=Origin(depends, partial(self._again, phrase, self.path, reads)))
+        return replace(made, origin=derived(origins, partial(self._again, phrase, self.path, reads)))
 
     def _again(self, phrase: Phrase, path: str, reads: Mapping[str, Text | None], assumed: Assumed) -> Text | None:
         """What *phrase* is in the file at *path*, with what it has read there, where arguments are as *assumed*."""

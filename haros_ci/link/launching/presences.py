@@ -10,7 +10,7 @@ from haros_ci.link.launch_presence import OTHER, Assumed, Question, elsewhere
 from haros_ci.link.launching.context import NAMESPACE, Context, Exhausted
 from haros_ci.link.launching.node import joined_namespace
 from haros_ci.link.launching.settings import value_of
-from haros_ci.link.roslaunch_names import Origin, Text, literal, unknown
+from haros_ci.link.roslaunch_names import Text, derived, literal, unknown
 from haros_ci.model.launch_actions import Action, Phrase, Test
 from haros_ci.model.presence import Presence, together
 
@@ -41,6 +41,7 @@ def asking(context: Context) -> Iterator[None]:
     context.is_asking, context.rewritten, context.compared = True, dict(context.rewritten), set()
     try:
         with spare(context, context.spare):
+            context.spend(4)
             yield
     finally:
         context.is_asking, context.rewritten, context.compared = before
@@ -138,7 +139,13 @@ def key_of(context: Context, action: Action) -> str | None:
     if action.kind == "push-namespace":
         return NAMESPACE
     name = action.get("name")
-    text = context.text(name) if name is not None else unknown("")
+    try:
+        with asking(context):
+            text = context.text(name) if name is not None else unknown("it has no name")
+    except Exhausted:
+        if context.is_spare:
+            raise
+        return None
     return text.raw if text.known else None
 
 
@@ -157,8 +164,8 @@ def guard(context: Context, action: Action, key: str, before: Text | None) -> No
         if context.is_spare:
             raise
         return
-    depends = [text.origin.arguments for text in reads.values() if text is not None and text.origin is not None]
-    if not depends:
+    origins = [text.origin for text in reads.values() if text is not None and text.origin is not None]
+    if not origins:
         return
     path = context.path
 
@@ -180,7 +187,7 @@ def guard(context: Context, action: Action, key: str, before: Text | None) -> No
         finally:
             context.restore(around)
 
-    origin = Origin(frozenset[str]().union(*depends), again)
+    origin = derived(origins, again)
     scope = context.scope
     now = scope.configurations.get(key)
     if now is not None:

@@ -4,17 +4,20 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
+from dataclasses import replace
 
 import pytest
 from launching_kit import MAIN, loader, workspace
 
 from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
+from haros_ci.link.launch_presence import OTHER
 from haros_ci.link.launching.entry import entry_files
 from haros_ci.link.launching.evaluate import launch_system
 from haros_ci.link.launching.expression import expression_value
 from haros_ci.link.launching.places import Places
 from haros_ci.link.roslaunch_names import Text, literal
-from haros_ci.model.launch import LaunchedSystem
+from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_phrases import read_phrase
 
 hypothesis = pytest.importorskip("hypothesis")
@@ -115,9 +118,29 @@ def run(files: dict[str, str]) -> LaunchedSystem:
     return launch_system((MAIN,), places.workspace, loader(files), {"a": "1"}, {"X": "x"}, places)
 
 
+def without_presence(nodes: Iterable[LaunchedNode]) -> list[LaunchedNode]:
+    return [
+        replace(each, presence=(), parameters=tuple(replace(rule, presence=()) for rule in each.parameters))
+        for each in nodes
+    ]
+
+
+def check_alternatives(files: dict[str, str], system: LaunchedSystem) -> None:
+    """What is there with the given arguments is the same where others are asked for."""
+    places = Places(workspace(files))
+    varied = launch_system((MAIN,), places.workspace, loader(files), {"a": "1"}, {"X": "x"}, places, alternatives=True)
+    assert without_presence(varied.nodes) == list(system.nodes)
+    assert (varied.arguments, varied.files, varied.includes) == (system.arguments, system.files, system.includes)
+    assert varied.problems[: len(system.problems)] == system.problems
+    for started in varied.alternatives:
+        assert started.presence
+        assert OTHER not in repr(started)
+
+
 def check(files: dict[str, str]) -> None:
     system = run(files)
     assert system == run(files)
+    check_alternatives(files, system)
     assert all(problem.path in files and problem.message for problem in system.problems)
     for started in system.nodes:
         assert "\ue000" not in repr(started)
