@@ -24,7 +24,8 @@ Ask = Callable[[Assumed], "bool | None"]
 
 #: Stands for a value that no launch file speaks of.
 OTHER = "\ue0a7other\ue0a7"
-#: How many arguments of one condition are varied, how many values of one, and how many pairs of values.
+#: How many arguments of one condition are looked at, how many are varied, how many values of one, and how many pairs of values.
+MOST_NAMED = 80
 MOST_ARGUMENTS = 10
 MOST_VALUES = 8
 MOST_PAIRS = 40
@@ -93,7 +94,7 @@ class Arguments:
 
     def declare(self, name: str, text: Text, choices: Iterable[str] = ()) -> Text:
         """*text* as the value of argument *name*, from now on; the first declaration counts."""
-        before = text.origin
+        before = derived((text.origin,), text.origin.again) if text.origin is not None else None
         allowed = tuple(dict.fromkeys(choices))
         made = self.known.setdefault(name, Argument(text, allowed if MARK not in "".join(allowed) else ()))
 
@@ -103,9 +104,8 @@ class Arguments:
                 found = before.again(assumed) if before is not None else text
             return None if found is None else replace(found, origin=origin)
 
-        origin = Origin(frozenset((name,)), again)
-        made_of = origin if before is None else derived((origin, before), again)
-        origin = replace(made_of, argument=name, arguments=made_of.arguments | {name})
+        depends = frozenset((name,)) | (before.arguments if before is not None else frozenset())
+        origin = Origin(depends, again, name, before.steps if before is not None else 0)
         made.text = replace(text, origin=origin)
         return made.text
 
@@ -159,7 +159,7 @@ class Question:
         """Why it holds with *given*: a conjunction of choices that suffices, none of which can be left out; their values."""
         now = {**self.now, **given}
         kept = {name: text for name, text in now.items() if text.known}
-        if len(self.names) <= MOST_ARGUMENTS:
+        if len(self.names) <= MOST_NAMED:
             for name in reversed(self.names):
                 if name in kept and self.ask({**now, **kept, name: _ANY}) is True:
                     now[name] = _ANY

@@ -350,6 +350,34 @@ def test_many_conditions_inside_one_another_come_to_an_end() -> None:
     }
 
 
+@pytest.mark.parametrize(("steps", "expected"), [(4, {"n": "y=true"}), (2_000, {})])
+def test_what_comes_from_an_argument_in_too_many_steps_is_not_known_otherwise(
+    steps: int, expected: dict[str, str]
+) -> None:
+    lets = "".join(f'<let name="z{n + 1}" value="$(not $(var z{n}))"/>' for n in range(steps))
+    body = BOOL + '<let name="z0" value="$(var y)"/>' + lets + node(f'if="$(var z{steps})"')
+    assert others(varied(body)) == expected
+
+
+def test_arguments_that_are_each_made_of_the_one_before() -> None:
+    chain = "".join(f'<arg name="b{n + 1}" default="$(var b{n})"/>' for n in range(200))
+    body = '<arg name="b0" default="false"/>' + chain + node('if="$(var b200)"') + node('if="$(var b1)"', name="m")
+    assert others(varied(body)) == {"n": "b200=true", "m": "b1=true"}
+
+
+def test_groups_nested_as_deep_as_can_be() -> None:
+    body = BOOL + "<group if='$(var x)'>" * 70 + node('if="$(var y)"') + "</group>" * 70
+    assert others(varied(body)) == {"n": "x=true y=true"}
+
+
+def test_conditions_of_many_arguments_are_asked_in_bounds() -> None:
+    arguments = "".join(f'<arg name="c{n}" default="false"/>' for n in range(60))
+    every = "$(and $(var c58) $(var c59))"
+    for n in range(58):
+        every = f"$(var c{n})" if not every else f"$(and $(var c{n}) {every})" if n < 30 else every
+    assert not varied(arguments + node(f'if="{every}"')).alternatives
+
+
 def test_a_file_that_includes_itself_under_conditions_comes_to_an_end() -> None:
     body = BOOL + node('if="$(var y)"') + f"<include file='$(dirname)/{Path(MAIN).name}' if='$(var y)'/>"
     assert len(varied(body).alternatives) <= 3
