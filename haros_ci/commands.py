@@ -267,6 +267,7 @@ def rules(*, as_json: bool, profile: str) -> int:
             "enabled": profile == "all" or profile in rule.profiles,
             "summary": rule.summary,
             "aliases": list(rule.aliases),
+            "catalogue": rule.catalogue or None,
             "tags": list(rule.tags),
         }
         for tool, rule in documented_rules()
@@ -293,15 +294,15 @@ def explain(name: str) -> int:
     from haros_ci.pipeline import documented_rules
 
     known = list(documented_rules())
-    found = [
-        (tool, rule)
-        for tool, rule in known
-        if name in (rule.id, f"{tool}:{rule.id}", *rule.aliases, *rule.deprecated_ids)
-    ]
+    names = [((r.id, f"{tool}:{r.id}", *r.aliases, *r.deprecated_ids), tool, r) for tool, r in known]
+    found = [(tool, rule) for own, tool, rule in names if name in own]
+    if not found:  # G06 and g06 are one
+        wanted = name.casefold()
+        found = [(tool, rule) for own, tool, rule in names if wanted in map(str.casefold, own)]
     if not found:
         from difflib import get_close_matches
 
-        near = get_close_matches(name, [word for tool, rule in known for word in (rule.id, f"{tool}:{rule.id}")], 3)
+        near = get_close_matches(name, [word for own, _, _ in names for word in own], 3)
         raise UserError(
             f"unknown rule '{name}'", help=f"did you mean {' or '.join(near)}?" if near else "see haros-ci rules"
         )
@@ -312,7 +313,7 @@ def explain(name: str) -> int:
             "",
             rule.summary,
             "",
-            rule.help.strip() or None,
+            rule.help.removeprefix(f"# {rule.id}\n").strip() or None,
             "" if rule.help else None,
         ]
         lines.append(f"Profiles: {on}")

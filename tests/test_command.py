@@ -256,6 +256,21 @@ class TestSmallCommands:
         assert "max_cyclomatic_complexity_15" in done.stdout
         assert haros("explain", "max_cyclomatic_complexity_15", cwd=tmp_path).stdout == done.stdout
 
+    @pytest.mark.parametrize("name", ["G06", "g06", "topic-type-mismatch", "haros-ci:topic-type-mismatch"])
+    def test_explain_prints_the_page_of_a_check(self, tmp_path: Path, name: str) -> None:
+        said = haros("explain", name, cwd=tmp_path).stdout
+        assert said.startswith("haros-ci:topic-type-mismatch (error)\n\n")
+        assert said.count("topic-type-mismatch (") == 1 and "\n# topic-type-mismatch" not in said
+        order = [
+            said.index(f"\n## {title}\n") for title in ("What it finds", "Why it matters", "Bad", "Good", "Limits")
+        ]
+        assert order == sorted(order)
+        assert "\nAliases: G06" in said and "\nSee: https://" in said
+
+    @pytest.mark.parametrize("name", ["G0", "06", "topic", "", "haros-ci:", "G06 "])
+    def test_explain_does_not_guess(self, tmp_path: Path, name: str) -> None:
+        assert haros("explain", name, cwd=tmp_path).returncode == 2
+
     def test_explain_suggests(self, tmp_path: Path) -> None:
         done = haros("explain", "unused-imprt", cwd=tmp_path)
         assert done.returncode == 2
@@ -266,6 +281,10 @@ class TestSmallCommands:
         enabled = {row["id"] for row in rows if row["enabled"]}
         assert {"pylint:undefined-variable", "cppcheck:nullPointer", "haros-ci:malformed-manifest"} <= enabled
         assert {"pylint:import-error", "cpplint:whitespace/braces"} & enabled == set()
+        numbers = {row["id"]: row["catalogue"] for row in rows}
+        assert numbers["haros-ci:topic-type-mismatch"] == "G06"
+        assert numbers["cppcheck:nullPointer"] is None
+        assert all(row["catalogue"] in (None, *row["aliases"]) for row in rows)
 
     def test_cache(self, lift: Path) -> None:
         place = lift.parent / "cache"

@@ -89,8 +89,8 @@ def troubles(run: Run) -> tuple[str, ...]:
 def build_rule(rule: Rule, run: Run, cwe: tuple[int, ...]) -> om.ReportingDescriptor:
     """A reporting descriptor with every property that GitHub reads; *cwe* are the run's taxa in order."""
     summary = shorten(sentence(rule.summary or rule.id), MAX_DESCRIPTION)
-    prose = shorten(multiline(rule.help).strip(), MAX_HELP)
-    first = prose.split("\n\n")[0]
+    prose = shorten(multiline(rule.help.removeprefix(f"# {rule.id}\n")).strip(), MAX_HELP)
+    first = next((text for text in prose.split("\n\n") if not text.startswith("#")), "")
     help_url = url(rule.help_uri or "")
     silence = markdown_code(f"haros: ignore[{run.tool.name}:{rule.id}] reason")
     body = (markdown(rule.help[:MAX_HELP]) if run.imported else prose) or markdown(summary)

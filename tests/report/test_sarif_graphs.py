@@ -12,6 +12,7 @@ from report_samples import (
     ARCHITECTURE,
     HOSTILE,
     LAUNCH,
+    MISMATCH,
     MISMATCH_RESULT,
     ODOM_EDGES,
     ODOM_GRAPH,
@@ -156,6 +157,15 @@ def test_a_rule_has_its_id_in_the_catalogue() -> None:
     assert rules["topic-type-mismatch"]["properties"]["catalogueId"] == "G06"
     assert rules["topic-type-mismatch"]["properties"]["precision"] == "high"
     assert "catalogueId" not in written(PLAIN)["tool"]["driver"]["rules"][0]["properties"]
+
+
+def test_the_page_of_a_check_is_its_help() -> None:
+    page = "# topic-type-mismatch\n\n## What it finds\n\nA topic with two types.\n\n## Limits\n\nNone.\n"
+    made = replace(ARCHITECTURE, runs=(replace(OWN_RUN, rules=(replace(MISMATCH, help=page),)),))
+    [rule] = written(made)["tool"]["driver"]["rules"]
+    assert rule["fullDescription"]["text"] == "A topic with two types."
+    assert rule["help"]["markdown"].startswith("## What it finds\n\nA topic")
+    assert rule["help"]["text"].endswith("None.")
 
 
 class TestRoundTrip:
