@@ -15,6 +15,7 @@ from typing import Any
 import installing
 import pytest
 import yaml
+from mutations import LAUNCH_XML, LISTENER_CPP, ROS2, TALKER_CPP, system
 
 from haros_ci.cli import check as check_command
 
@@ -269,6 +270,26 @@ def test_only_the_new_finding_is_annotated(tmp_path: Path, depth: int | None, la
     assert states(job) == ["new", "unchanged"]
     assert "resting" in job.summary
     assert "REACH" not in job.summary
+
+
+def test_of_the_system_only_what_is_new_is_annotated(tmp_path: Path) -> None:
+    """The base has two nodes that disagree on a topic. The change renames it, and makes them disagree on another one."""
+    spin = "  rclcpp::spin"
+    after = system(
+        (TALKER_CPP, '"goal"', '"target"'), (LAUNCH_XML, 'to="goal"', 'to="target"'),
+        (TALKER_CPP, spin, '  auto b = node->create_publisher<std_msgs::msg::String>("count", 1);\n' + spin),
+        (LISTENER_CPP, spin, '  auto b = node->create_subscription<std_msgs::msg::Int32>("count", 1, &take);\n' + spin),
+    )  # fmt: skip
+    at_root = [{path.removeprefix("walker/"): text for path, text in files.items()} for files in (ROS2, after)]
+    request = pull_request(tmp_path, at_root[1], before=at_root[0])
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"profile": "architecture"}, base="main")
+    assert job.code == 1, job.log
+    [annotation] = [c for c in job.commands if c.startswith(("::error ", "::warning "))]
+    assert "file=src/second.cpp" in annotation and "/count" in annotation and "%0Asrc/first.cpp:" in annotation
+    assert states(job) == ["new", "updated"]
+    assert "/count" in job.summary and "/target" not in job.summary
+    assert all("graphs" not in run for run in sarif(job)["runs"])
 
 
 def test_a_clean_pull_request_passes(tmp_path: Path) -> None:
