@@ -13,6 +13,8 @@ from haros_ci.api import Check, End, Finding, Level, Location, RemapRule, System
 COMMON = frozenset(
     {"tf", "tf_static", "clock", "rosout", "parameter_events", "diagnostics", "bond", "robot_description"}
 )
+#: Names that image_transport and point_cloud_transport put below the topic that a rule is for.
+TRANSPORTS = frozenset({"compressed", "compressedDepth", "theora", "ffmpeg", "zstd", "zlib", "draco", "cloudini"})
 #: Parameters can be remapped in ROS 1 alone.
 PARAMETERS = ("getters", "setters")
 
@@ -52,6 +54,9 @@ def _may_be(end: End, source: str) -> bool:
         return False
     name = end.raw.original_name
     if "?" in name and re.fullmatch(".*".join(map(re.escape, name.split("?"))), source):
+        return True
+    base, _, last = name.rpartition("/")
+    if last in TRANSPORTS and base == source:
         return True
     return source == name or source.startswith(f"{name}/")  # image/compressed, name/_action/send_goal
 

@@ -63,7 +63,7 @@ def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Findin
     more = f"; so do {len(topics) - 1} more topics" if len(topics) > 1 else ""
     return Finding(
         at=named_at(wrong),
-        message=f"{takes}, but {gives}: no message arrives{_advice(wrong)}{more}",
+        message=f"{takes}, but {gives}: no such message arrives{_advice(wrong)}{more}",
         about=about,
         related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in all_ends),
         flow=way_to(wrong),
