@@ -7,65 +7,127 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import Check, Decidability, End, Finding, Level, Location, Parameter, System, SystemNode
+from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode
 
 #: Parameters that hold the name of a frame.
-_FRAME = re.compile(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9]+_frame|[a-z0-9_]+_frame_id)$")
-_NODES = ("getters", "parameters")
+_PARAMETER = re.compile(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9]+_frame|[a-z0-9_]+_frame_id)$")
+_FRAME = re.compile(r"/[A-Za-z]\w*(?:/\w+)*")
+_QUOTED = r"[\"'](/[A-Za-z]\w*(?:/\w+)*)[\"']"
+#: What code does with a frame: it puts it into a header, or asks tf2 for it.
+_IN_CODE = re.compile(
+    r"(?P<set>\b(?:child_)?frame_id\s*=\s*(?=[\"'])|\b(?:child_)?frame_id\s*=\s*(?:std::)?string\(\s*)" + _QUOTED + "|"
+    r"(?P<ask>\b(?:lookup_?transform|can_?transform|lookup_transform_full)\w*\s*\((?:[^;()]{0,80}?,)?\s*)" + _QUOTED,
+    re.IGNORECASE,
+)
+#: The package of the broadcasters: who receives what they send takes the slash off, if it is tf2, so they get no more than a note.
+_BROADCASTERS = "tf2_ros"
+#: Files by digest with what is in them: pairs of a place and a frame.
+_seen: dict[tuple[str, str], tuple[tuple[Location, str, bool], ...]] = {}
 
 
 def check(system: System) -> Iterator[Finding]:
-    given: dict[str, list[Parameter]] = {}
-    for parameter in system.parameters:
-        if _FRAME.search(parameter.name) and not parameter.unknowns:
-            given.setdefault(parameter.name, []).append(parameter)
     told: set[Location] = set()
-    for node in system.nodes:
-        if not _uses_tf2(node, system):
-            continue
-        for end in node.of(*_NODES):
-            if end.known and _FRAME.search(end.name):
-                for place, value in _values(end, given):
-                    if place not in told:
-                        told.add(place)
-                        yield _finding(end, place, value)
+    for found in (*_parameters(system), *_broadcasters(system), *_code(system)):
+        if found.at not in told:
+            told.add(found.at)
+            yield found
 
 
-def _uses_tf2(node: SystemNode, system: System) -> bool:
+def _uses_tf2(package: str, ros: int, system: System) -> bool:
     """ROS 2 has tf2 alone; in ROS 1 the package has to depend on tf2_ros, and not on tf, which takes a slash for tf_prefix."""
-    if node.package == "tf2_ros":  # who receives what a broadcaster sends takes the slash off
-        return False
-    if node.ros == 2:
+    if ros == 2:
         return True
-    package = system.packages.get(node.package)
-    needs = {each.name for each in package.dependencies} if package is not None else set()
+    found = system.packages.get(package)
+    needs = {each.name for each in found.dependencies} if found is not None else set()
     return "tf2_ros" in needs and "tf" not in needs
 
 
-def _values(end: End, given: dict[str, list[Parameter]]) -> Iterator[tuple[Location, str]]:
-    """What the parameter has: as it is set from outside, else as the code has it by default."""
-    outside = given.get(end.name, ())
-    for parameter in outside:
+def _parameters(system: System) -> Iterator[Finding]:
+    given = {each.name: each for each in system.parameters if _PARAMETER.search(each.name)}
+    readers: dict[str, SystemNode] = {}
+    for node in system.nodes:
+        if node.package == _BROADCASTERS or not _uses_tf2(node.package, node.ros, system):
+            continue
+        for end in node.of("getters", "parameters"):
+            if not end.known or not _PARAMETER.search(end.name):
+                continue
+            readers.setdefault(end.name, node)
+            if end.name not in given and end.in_source and _is_frame(end.raw.value):
+                yield _finding(end.location, end.raw.value, f"the parameter {end.name}", node)
+    for name, parameter in given.items():
+        owner = readers.get(name) or _owner(name, system)
         place = parameter.origin or parameter.location
-        if place is not None and _has_slash(parameter.value):
-            yield place, parameter.value
-    if not outside and end.in_source and _has_slash(end.raw.value):
-        yield end.location, end.raw.value
+        if owner is not None and place is not None and _is_frame(parameter.value) and not parameter.unknowns:
+            yield _finding(place, parameter.value, f"the parameter {name}", owner)
 
 
-def _has_slash(value: Any) -> bool:
-    return isinstance(value, str) and re.fullmatch(r"/[A-Za-z][\w/]*", value) is not None
+def _owner(name: str, system: System) -> SystemNode | None:
+    """The ROS 2 node that a parameter is set for, if it is there and tells nothing of its own parameters."""
+    full = name.partition(":")[0]
+    nodes = (node for node in system.nodes if node.ros == 2 and node.name == full)
+    return next((node for node in nodes if not node.complete and node.package != _BROADCASTERS), None)
 
 
-def _finding(end: End, place: Location, value: str) -> Finding:
+def _is_frame(value: Any) -> bool:
+    return isinstance(value, str) and _FRAME.fullmatch(value) is not None
+
+
+def _broadcasters(system: System) -> Iterator[Finding]:
+    frames = [each for each in system.parameters if _PARAMETER.search(each.name) and _is_frame(each.value)]
+    for node in system.nodes:
+        if node.package != _BROADCASTERS:
+            continue
+        words = [word for word in re.split(r"[\s=]+", node.raw.arguments) if _is_frame(word)]
+        words += [str(each.value) for each in frames if each.name.startswith(f"{node.name}:")]
+        if words:
+            yield Finding(
+                at=node.location,
+                message=f"the frame {words[0]} of {node} begins with a slash, which tf2 takes off; write {words[0].lstrip('/')}",
+                about=(node,),
+                level=Level.NOTE,
+            )
+
+
+def _code(system: System) -> Iterator[Finding]:
+    if system.workspace is None:
+        return
+    owners = {node.package: node for node in reversed(system.nodes) if node.package in system.packages}
+    used = {name for name, node in owners.items() if _needs_tf2(name, node.ros, system)}
+    for file in system.workspace.files if used else ():
+        if file.package not in used or file.language not in ("cpp", "python"):
+            continue
+        key = (file.path, file.digest)
+        if key not in _seen:
+            _seen[key] = tuple(_in_text(file.path, system.workspace.text(file.path)))
+        for place, frame, is_asked in _seen[key]:
+            yield _finding(place, frame, "a look-up" if is_asked else "a message", owners[file.package or ""])
+
+
+def _needs_tf2(package: str, ros: int, system: System) -> bool:
+    needs = {each.name for each in system.packages[package].dependencies}
+    return _uses_tf2(package, ros, system) and any(name.startswith("tf2") for name in needs)
+
+
+def _in_text(path: str, text: str) -> Iterator[tuple[Location, str, bool]]:
+    if "frame_id" not in text and "ransform" not in text:
+        return
+    for found in _IN_CODE.finditer(text):
+        start = text.rfind("\n", 0, found.start()) + 1
+        before = text[start : found.start()]
+        if "//" in before or "#" in before or before.lstrip().startswith("*"):
+            continue
+        place = Location(path, text.count("\n", 0, found.start()) + 1, found.start() - start + 1)
+        yield place, found[2] or found[4], found["ask"] is not None
+
+
+def _finding(place: Location, frame: str, where: str, node: SystemNode) -> Finding:
     return Finding(
         at=place,
         message=(
-            f"the frame {value} of the parameter {end.name} begins with a slash: tf2 has no such frame, and looking it up fails; "
-            f"write {value.lstrip('/')}"
+            f"the frame {frame} of {where} begins with a slash: tf2 has no such frame, and looking it up fails; "
+            f"write {frame.lstrip('/')}"
         ),
-        about=(end,),
-        related=((end.location, f"{end.node} reads it here"),),
+        about=(node, frame),
     )
 
 

@@ -15,6 +15,15 @@ COMMON = frozenset(
 )
 #: Names that image_transport and point_cloud_transport put below the topic that a rule is for.
 TRANSPORTS = frozenset({"compressed", "compressedDepth", "theora", "ffmpeg", "zstd", "zlib", "draco", "cloudini"})
+#: Programs of which the names have been the same for years, so that the data on them can be taken for complete.
+WELL_KNOWN = frozenset(
+    {
+        "robot_state_publisher/robot_state_publisher",
+        "joint_state_publisher/joint_state_publisher",
+        "joint_state_publisher_gui/joint_state_publisher_gui",
+        "tf2_ros/static_transform_publisher",
+    }
+)
 #: Parameters can be remapped in ROS 1 alone.
 PARAMETERS = ("getters", "setters")
 
@@ -40,7 +49,8 @@ def check(system: System) -> Iterator[Finding]:
 def _is_idle(node: SystemNode, rule: RemapRule) -> bool:
     """Whether it is certain that the node has no name that the rule is for."""
     source = rule.source_name
-    if source is None or source == rule.target_name or not node.complete or not node.known or node.kind == "library":
+    is_told = node.complete or (node.type in WELL_KNOWN and bool(node.ends))
+    if source is None or source == rule.target_name or not is_told or not node.known or node.kind == "library":
         return False
     if source.rpartition("/")[2] in COMMON or not node.is_launched:
         return False
