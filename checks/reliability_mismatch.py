@@ -23,7 +23,6 @@ CHECK = Check(
     summary="What a node subscribes to as reliable is published reliably.",
     level=Level.ERROR,
     catalogue="Q01",
-    aliases=("Q08",),
     tags=("topics", "qos"),
     run=check,
 )

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Volatile subscribers of topics whose publishers keep their last messages for those who come late."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Channel, Check, Decidability, End, Finding, Level, Location, System, can_meet, qos_in_words
+
+
+def check(system: System) -> Iterator[Finding]:
+    found: dict[Location, list[tuple[Channel, End, End]]] = {}
+    for topic in system.topics:
+        if any(_durability(end) == "transient_local" for end in topic.publishers):
+            for subscriber in topic.subscribers:
+                if _durability(subscriber) == "volatile" and subscriber.in_source and not subscriber.implicit:
+                    publisher = _keeper(topic, subscriber)
+                    if publisher is not None:
+                        found.setdefault(subscriber.location, []).append((topic, publisher, subscriber))
+    for place, alike in found.items():
+        topic, publisher, subscriber = min(
+            alike, key=lambda each: (len(each[2].presence), each[0].name, each[2].node.name)
+        )
+        yield Finding(
+            at=place,
+            message=(
+                f"{publisher.node} keeps the last messages of {topic} for those who come late "
+                f"({qos_in_words(publisher.qos)}), but {subscriber.node} does not ask for them "
+                f"({qos_in_words(subscriber.qos)}): if it starts later, it misses what was published before; "
+                "subscribe with transient local durability"
+            ),
+            about=(topic, publisher, subscriber),
+            related=((publisher.location, f"{publisher}: {qos_in_words(publisher.qos)}"),),
+        )
+
+
+def _durability(end: End) -> str | None:
+    return end.qos.durability if end.qos is not None else None
+
+
+def _keeper(topic: Channel, subscriber: End) -> End | None:
+    """The publisher in another node that keeps its messages, if all that *subscriber* can meet do."""
+    met = [publisher for publisher, _ in can_meet(topic.publishers, (subscriber,))]
+    kept = [end for end in met if _durability(end) == "transient_local" and not end.implicit]
+    if len(kept) < len(met) or any(end.node is subscriber.node for end in met):
+        return None
+    if any(
+        end.conditions and _durability(end) != "volatile" for end in topic.subscribers if end.node is subscriber.node
+    ):
+        return None
+    fit = [end for end in kept if None in (end.type, subscriber.type) or end.type == subscriber.type]
+    return min(fit, key=lambda end: (len(end.presence), end.node.name)) if fit else None
+
+
+CHECK = Check(
+    id="latched-topic-missed",
+    summary="What is kept for late subscribers is subscribed to with transient local durability.",
+    level=Level.WARNING,
+    decidability=Decidability.HEURISTIC,
+    catalogue="Q06",
+    tags=("topics", "qos"),
+    run=check,
+)
