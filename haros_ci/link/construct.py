@@ -296,6 +296,9 @@ def _is_of_base(run: Run, inner: Frame, function: Function, name: str) -> bool:
     last = name.rpartition("::")[2]
     written = next(init for init in function.inits if init[0].rpartition("::")[2] == last)
     qualified = written[0] if "::" in written[0] else written[1][0]
+    head = qualified.rpartition("::")[0].partition("<")[0]
+    if head.rpartition("::")[2] == last:  # C::C, C<T>::C
+        qualified = head
     return "::" in qualified and run.type_in((qualified, (), ""), inner)[0] != name
 
 

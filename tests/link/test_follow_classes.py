@@ -40,6 +40,12 @@ RESOLVED = (
         before=a_class('std::string s; C(std::string n) : s(n) {} C() : C("a") {}'),
     ),
     case(
+        "delegating constructor of a template, by its class",
+        "C<int> c; c.start();",
+        "/a",
+        before="template<typename T> " + a_class('std::string s; C(std::string n) : s(n) {} C() : C<T>::C("a") {}'),
+    ),
+    case(
         "overloaded methods by type",
         'C c; c.go("x");',
         "/b",
