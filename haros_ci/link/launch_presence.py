@@ -175,7 +175,7 @@ class Question:
         here = now[name].raw
         known = self.arguments.known[name]
         if known.is_boolean or is_given:
-            return (choice(name, here, boolean=known.is_boolean or not known.choices),)
+            return (choice(name, here, boolean=known.is_boolean),)
         compared = self.literals(name)
         if known.choices:
             others = [value for value in known.choices if value != here]
@@ -188,7 +188,7 @@ class Question:
             excludes = compared is not None and self.ask({**now, name: literal(OTHER)}) is True
         if excludes and len(failing) <= MOST_EXCLUDED:
             return tuple(Choice(name, value, equal=False) for value in failing)
-        return (choice(name, here, boolean=not known.choices),)
+        return (Choice(name, here),)
 
     def nearest(self, presence: Presence) -> tuple[dict[str, Text], Presence] | None:
         """The arguments to set, as few as can be, for it to hold together with *presence*, and the presence that it has then."""
@@ -232,11 +232,11 @@ class Question:
                 if not is_told or self.ask({name: literal(OTHER)}) is not False:
                     continue
             possible = [value for value in others if self.ask({name: literal(value)}) is not False]
-            plain = bool(known.choices) and not known.is_boolean
-            if now.known and not possible:
-                found.append((choice(name, now.raw, boolean=not plain),))
-            elif not now.known and len({choice(name, value, boolean=not plain) for value in possible}) == 1:
-                found.append((choice(name, possible[0], boolean=not plain),))
+            made = {choice(name, value, boolean=known.is_boolean) for value in possible}
+            if now.known and not made:
+                found.append((choice(name, now.raw, boolean=known.is_boolean),))
+            elif not now.known and len(made) == 1:
+                found.append(tuple(made))
         return together(*found) or ()
 
 

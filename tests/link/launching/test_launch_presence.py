@@ -104,6 +104,14 @@ def commands(system: LaunchedSystem) -> dict[str, str]:
         ),
         # zero and one are booleans where they are used as such
         ('<arg name="n" default="0"/>' + node('if="$(var n)"', name="a"), {}, {"a": "n=true"}),
+        # and numbers where they are not
+        (
+            '<arg name="n" default="1"/>'
+            + node("if=\"$(eval '$(var n) > 0')\"", name="a")
+            + node('if="$(equals $(var n) 2)"', name="b"),
+            {"a": "n=1"},
+            {"b": "n=2"},
+        ),
         # one argument by another one's value
         (
             '<arg name="p" default="false"/><arg name="q" default="$(var p)"/>' + node('if="$(var q)"'),
@@ -247,6 +255,16 @@ def test_a_value_in_what_is_assumed_is_the_assumed_one() -> None:
     )
     only = varied(body).alternatives[0]
     assert (only.namespace, only.arguments, only.parameters[0].value) == ("/true_robot", "true", True)
+
+
+def test_a_namespace_that_is_pushed_under_an_assumption_holds_with_it() -> None:
+    body = (
+        '<arg name="spaced" default="false"/><arg name="y" default="false"/>'
+        "<push-ros-namespace namespace='robot' if='$(var spaced)'/>"
+        + node('if="$(var spaced)"', name="a")
+        + node('if="$(var y)"', name="b")
+    )
+    assert [(each.name, each.namespace) for each in varied(body).alternatives] == [("a", "/robot"), ("b", None)]
 
 
 def test_components_of_a_container() -> None:
