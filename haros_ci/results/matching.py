@@ -103,6 +103,8 @@ def _way(known: Known, place: Location) -> str:
 def _renamed(result: Result, known: Known) -> str:
     """Which names gave way to which."""
     old, new = sorted({*known.subject} - {*result.subject}), sorted({*result.subject} - {*known.subject})
+    if old and not new:
+        return f"names mended: {', '.join(old)}"
     return f"names changed: {', '.join(old) or '?'} → {', '.join(new) or '?'}"
 
 

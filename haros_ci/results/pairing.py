@@ -13,7 +13,7 @@ from haros_ci.results.comments import lines_of
 from haros_ci.results.fingerprint import text_hashes
 from haros_ci.results.known import Known, Sides, identity_of
 from haros_ci.results.line_map import line_mapper, words
-from haros_ci.results.renaming import Evidence, pair_renamed
+from haros_ci.results.renaming import Evidence, pair_partly_mended, pair_renamed
 from haros_ci.results.result import Result
 
 #: Lines that a mapped line may be off.
@@ -178,11 +178,17 @@ class _Matcher:
         if not any(thing.names for thing in self.old):
             return
         self.run(_NAMED)
+        self.take(pair_partly_mended(self.new, self.old, self.results, self.known))
         evidence = Evidence(self.results, self.known, self.sides, self.place_of)
-        renamed = pair_renamed(self.sides, self.new, self.old, evidence)
-        self.pairs += renamed
-        self.new = _without(self.new, {found.new for found in renamed})
+        self.take(pair_renamed(self.sides, self.new, self.old, evidence))
         self.old = [thing for thing in self.old if not thing.names]
+
+    def take(self, found: Iterable[Pair]) -> None:
+        """Pairs that another than the passes found."""
+        pairs = tuple(found)
+        self.pairs += pairs
+        self.new = _without(self.new, {pair.new for pair in pairs})
+        self.old = _without(self.old, {pair.old for pair in pairs})
 
     def run(self, passes: Iterable[_Pass]) -> None:
         pools: dict[str, tuple[list[Candidate], list[Candidate]]] = {}

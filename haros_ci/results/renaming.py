@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Known findings of the architecture whose ROS names changed: paired by what the names are, and only with evidence.
+"""Known findings of the architecture whose ROS names changed or are fewer: paired by what the names are, and only with evidence.
 
 Names of the same roles come and go for many reasons, and a new defect must not pass for an old one that was mended in
 the same change. So one set of names is taken for another only if as many names differ on both sides, those of the past
@@ -20,6 +20,7 @@ from haros_ci.results.result import Result
 Mapped = Callable[[str, int], tuple[str, int] | None]
 
 _MOST_CHOICES = 40_000  # pairs looked at in one group
+_LEAST_NAMES = 2
 
 #: With the past's text at hand the line tells: it stands as it was, or was edited where it stood.
 _BY_LINE = (
@@ -53,6 +54,32 @@ def pair_renamed(
     return tuple(pairs.values())
 
 
+def pair_partly_mended(
+    new: Iterable[Candidate], old: Iterable[Candidate], results: Sequence[Result], known: Sequence[Known]
+) -> tuple[Pair, ...]:
+    """Pairs of findings of one rule and file of which the result is about some of the names, and no other.
+
+    Two names at least: a single one says too little of what was wrong with it.
+    """
+    pick = picker("RP")
+    news = [thing for thing in new if len(set(results[thing.index].subject)) >= _LEAST_NAMES]
+    olds = grouped((thing for thing in old if thing.names), pick, {pick(thing.features) for thing in news})
+    choices = []
+    for a in news:
+        there = olds.get(pick(a.features), [])
+        now = set(results[a.index].subject)
+        for b in there if len(there) * len(news) <= _MOST_CHOICES else ():
+            before = set(known[b.index].subject)
+            if now < before:
+                choices.append(
+                    (len(before) - len(now), abs(a.place[0] - b.place[0]), a.place, b.place, a.index, b.index)
+                )
+    found = _one_to_one((new, old) for *_, new, old in sorted(choices))
+    return tuple(
+        Pair(new, old, "some of the same ROS names in the same file; the others were mended") for new, old in found
+    )
+
+
 def _assigned(here: list[Candidate], there: list[Candidate], evidence: Evidence) -> list[tuple[int, int]]:
     """One to one: those that have most names in common first, then the nearest."""
     if len(here) * len(there) > _MOST_CHOICES:
@@ -63,10 +90,15 @@ def _assigned(here: list[Candidate], there: list[Candidate], evidence: Evidence)
             common = evidence.common(a.index, b.index)
             if common is not None:
                 choices.append((-common, abs(a.place[0] - b.place[0]), a.place, b.place, a.index, b.index))
+    return _one_to_one((new, old) for *_, new, old in sorted(choices))
+
+
+def _one_to_one(choices: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
+    """The first choice of each, as far as the other is free."""
     found: list[tuple[int, int]] = []
     news: set[int] = set()
     olds: set[int] = set()
-    for *_, new, old in sorted(choices):
+    for new, old in choices:
         if new not in news and old not in olds:
             news.add(new)
             olds.add(old)

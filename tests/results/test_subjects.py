@@ -426,15 +426,67 @@ def test_exact_names_go_first() -> None:
     assert by_names["/cam2 /cam2/odom /view2"] == "absent"
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_more_or_fewer_names_are_no_renaming(kind: str) -> None:
+def about(*subjects: str) -> Run:
+    """One finding for each of the *subjects*, which are names with blanks between, at one place."""
     past = check(FILES)
     [result] = past.results
-    for subject in (("/pose", "/driver", "/viewer", "/more"), ("/pose", "/driver"), ("/driver", "/viewer")):
-        now = replace(past, results=(replace(result, subject=subject),), graphs=())
-        now = fingerprint((now,), FILES.__getitem__, _language)[0]
-        results = match(now.results, known(past, FILES, kind), sides(FILES, FILES, past, now, kind))
-        assert states(results) == "absent new"
+    results = tuple(replace(result, subject=tuple(names.split())) for names in subjects)
+    return fingerprint((replace(past, results=results, graphs=()),), FILES.__getitem__, _language)[0]
+
+
+def turned(before: Run, after: Run, kind: str) -> str:
+    """The states against a baseline of that kind, of results that stand in the same files."""
+    entries = known(before, FILES, kind)
+    return states(match(after.results, entries, sides(FILES, FILES, before, after, kind)))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("names", ["/pose /driver /viewer /more", "/pose /driver", "/odom", "/driver", "/pose"])
+def test_more_or_fewer_names_are_no_renaming(kind: str, names: str) -> None:
+    assert turned(about("/odom /driver /viewer"), about(names), kind) == "absent new"
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    ("before", "after", "expected"),
+    [
+        (["/t /a /b /c"], ["/t /a /b"], "updated"),
+        (["/t /a /b /c"], ["/t /c"], "updated"),
+        (["/t /a /b /c", "/t /a /b"], ["/t /a /b"], "absent unchanged"),
+        (["/t /a /b /c", "/u /a /b"], ["/t /a /b", "/u /a /b"], "unchanged updated"),
+        (["/t /a /b /c", "/t /a /b /c /d"], ["/t /a /b"], "absent updated"),
+    ],
+)
+def test_partly_mended(kind: str, before: list[str], after: list[str], expected: str) -> None:
+    assert turned(about(*before), about(*after), kind) == expected
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    ("before", "after", "expected"),
+    [
+        (["/t /a /b"], ["/t /a /b /c"], "absent new"),
+        (["/t /a /b"], ["/t"], "absent new"),
+        (["/t /a /b /c"], ["/t /a /x"], "absent new"),
+        (["/t /a /b /c"], ["/t /a", "/t /b"], "new updated"),
+        (["/t /a /b", "/t /c /d"], ["/t /a /c"], "absent absent new"),
+    ],
+)
+def test_not_partly_mended(kind: str, before: list[str], after: list[str], expected: str) -> None:
+    assert turned(about(*before), about(*after), kind) == expected
+
+
+def test_partly_mended_in_another_file_is_new() -> None:
+    before, after = about("/t /a /b /c"), about("/t /a /b")
+    elsewhere = replace(after.results[0], location=Location("a/talker.cpp", 4))
+    after = fingerprint((replace(after, results=(elsewhere,)),), FILES.__getitem__, _language)[0]
+    assert turned(before, after, "compact") == "absent new"
+
+
+def test_the_reason_tells_what_was_mended() -> None:
+    before, after = about("/t /a /b /c"), about("/t /a /b")
+    [result] = match(after.results, known(before, FILES, "compact"), sides(FILES, FILES, before, after, "compact"))
+    assert "names mended: /c" in result.reason
 
 
 def test_the_reason_tells_the_names() -> None:
