@@ -196,12 +196,18 @@ ROS2: Files = {
     LISTENER_CPP: LISTEN,
     LAUNCH_XML: LAUNCH,
 }
-SUBSCRIPTION = '  auto sub = node->create_subscription<std_msgs::msg::Int32>("steps", depth, &take);\n'
+#: The same without a remapping, so that the finding stands at the call.
+CALLED: Files = {
+    **ROS2,
+    LISTENER_CPP: LISTEN.replace('"steps"', '"goal"'),
+    LAUNCH_XML: LAUNCH.replace('from="steps" to', 'from="a" to'),
+}
+SUBSCRIPTION = '  auto sub = node->create_subscription<std_msgs::msg::Int32>("goal", depth, &take);\n'
 
 
-def system(*changes: tuple[str, str, str]) -> Files:
+def system(*changes: tuple[str, str, str], files: Files = ROS2) -> Files:
     """The two nodes with the first occurrence of each old text in a file replaced."""
-    made = dict(ROS2)
+    made = dict(files)
     for path, old, new in changes:
         assert old in made[path], old
         made[path] = made[path].replace(old, new, 1)
@@ -285,6 +291,7 @@ OTHER_TOPIC = (
     '  auto more = node->create_subscription<std_msgs::msg::Int32>("other", depth, &take);\n  rclcpp::spin',
 )
 TOPIC_RENAMED = ((TALKER_CPP, '"goal"', '"target"'), (LAUNCH_XML, 'to="goal"', 'to="target"'))
+CALLED_RENAMED = ((TALKER_CPP, '"goal"', '"target"'), (LISTENER_CPP, '"goal"', '"target"'))
 NODE_RENAMED = ((TALKER_CPP, '"first"', '"chief"'), (LAUNCH_XML, 'name="first"', 'name="chief"'))
 
 MUTATIONS: tuple[Mutation, ...] = (
@@ -382,19 +389,21 @@ MUTATIONS: tuple[Mutation, ...] = (
              changed((LINE, LINE.replace(";", ";  // haros: ignore[runtime/printf] measured"))), "suppressed"),
     Mutation(39, "suppression comment removed",
              changed((LINE, LINE.replace(";", ";  // haros: ignore[runtime/printf] measured"))), package(), "new"),
-    Mutation(1, "lines above a call in a system", ROS2, system((LISTENER_CPP, "int main", "// more\nint main")),
+    Mutation(1, "lines above a call in a system", CALLED,
+             system((LISTENER_CPP, "int main", "// more\nint main"), files=CALLED), "unchanged", **MISMATCH),
+    Mutation(1, "lines above a remapping", ROS2, system((LAUNCH_XML, "<launch>", "<launch>\n  <!-- more -->")),
              "unchanged", **MISMATCH),
-    Mutation(7, "call in a system spread over three lines", ROS2,
-             system((LISTENER_CPP, SUBSCRIPTION, SUBSCRIPTION.replace('("', '(\n    "').replace("depth,", "depth,\n   "))),
-             "updated", **MISMATCH),
-    Mutation(10, "source of a node renamed", ROS2,
-             moved(system(("walker/CMakeLists.txt", "src/second", "src/other")), LISTENER_CPP, "walker/src/other.cpp"),
-             "updated", **MISMATCH),
+    Mutation(7, "call in a system spread over three lines", CALLED,
+             system((LISTENER_CPP, SUBSCRIPTION, SUBSCRIPTION.replace('("', '(\n    "').replace("depth,", "depth,\n   ")),
+                    files=CALLED), "updated", **MISMATCH),
+    Mutation(10, "source of a node renamed", CALLED,
+             moved(system(("walker/CMakeLists.txt", "src/second", "src/other"), files=CALLED), LISTENER_CPP,
+                   "walker/src/other.cpp"), "updated", **MISMATCH),
     Mutation(10, "launch file renamed", ROS2, moved(ROS2, LAUNCH_XML, "walker/launch/both.launch.xml"), "updated",
              **MISMATCH),
-    Mutation(14, "call in a system moved to another file", ROS2,
+    Mutation(14, "call in a system moved to another file", CALLED,
              {**system((LISTENER_CPP, SUBSCRIPTION, "  take_all(node);\n"),
-                       (LISTENER_CPP, "int main", '#include "taking.hpp"\n\nint main')),
+                       (LISTENER_CPP, "int main", '#include "taking.hpp"\n\nint main'), files=CALLED),
               "walker/src/taking.hpp": "inline void take_all(rclcpp::Node::SharedPtr node)\n{\n  int depth = 5;\n"
               + SUBSCRIPTION.replace("auto sub", "static auto sub") + "}\n"}, "updated", **MISMATCH),
     Mutation(21, "one wrong remapping mended, another made", ROS2,
@@ -402,20 +411,18 @@ MUTATIONS: tuple[Mutation, ...] = (
                      '  <node pkg="walker" exec="second" name="third">\n    <remap from="steps" to="other"/>\n'
                      "  </node>\n</launch>")), "new absent", **MISMATCH),
     Mutation(40, "topic renamed in code and launch", ROS2, system(*TOPIC_RENAMED), "updated", **MISMATCH),
-    Mutation(40, "topic renamed in the call that is found", system((LAUNCH_XML, 'from="steps" to="goal"', 'from="a" to="b"'),
-             (LISTENER_CPP, '"steps"', '"goal"')),
-             system((LAUNCH_XML, 'from="steps" to="goal"', 'from="a" to="b"'), (LISTENER_CPP, '"steps"', '"target"'),
-                    (TALKER_CPP, '"goal"', '"target"')), "updated", **MISMATCH),
-    Mutation(40, "node renamed in code and launch", ROS2, system(*NODE_RENAMED), "updated", **MISMATCH),
-    Mutation(40, "node of the call that is found renamed", ROS2,
-             system((LISTENER_CPP, '"second"', '"chief"'), (LAUNCH_XML, 'name="second"', 'name="chief"')), "updated",
+    Mutation(40, "topic renamed in the call that is found", CALLED, system(*CALLED_RENAMED, files=CALLED), "updated",
              **MISMATCH),
+    Mutation(40, "node renamed in code and launch", ROS2, system(*NODE_RENAMED), "updated", **MISMATCH),
+    Mutation(40, "node of the call that is found renamed", CALLED,
+             system((LISTENER_CPP, '"second"', '"chief"'), (LAUNCH_XML, 'name="second"', 'name="chief"'), files=CALLED),
+             "updated", **MISMATCH),
     Mutation(40, "node and topic renamed at once", ROS2, system(*NODE_RENAMED, *TOPIC_RENAMED), "updated",
              sarif="new absent", compact="new absent",
              why="without the old text one name may differ: more could be another defect", **MISMATCH),
-    Mutation(40, "topic renamed, and another one made with the same defect", ROS2,
-             system(*TOPIC_RENAMED, (TALKER_CPP, "  rclcpp::spin", OTHER_TOPIC[0]),
-                    (LISTENER_CPP, "  rclcpp::spin", OTHER_TOPIC[1])),
+    Mutation(40, "topic renamed, and another one made with the same defect", CALLED,
+             system(*CALLED_RENAMED, (TALKER_CPP, "  rclcpp::spin", OTHER_TOPIC[0]),
+                    (LISTENER_CPP, "  rclcpp::spin", OTHER_TOPIC[1]), files=CALLED),
              "updated new", sarif="new new absent", compact="new new absent",
              why="without the old text it is not known which of the two is the one that was", **MISMATCH),
 )  # fmt: skip
