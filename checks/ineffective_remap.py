@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from haros_ci.api import Check, End, Finding, Level, Location, RemapRule, System, SystemNode, is_slip
+from haros_ci.api import Check, End, Finding, Level, Location, RemapRule, System, SystemNode, is_slip, may_be
 
 #: What libraries use inside nodes, seen or not.
 COMMON = frozenset(
@@ -63,12 +62,14 @@ def _may_be(end: End, source: str) -> bool:
     if end.kind in PARAMETERS and end.node.ros == 2:
         return False
     name = end.raw.original_name
-    if "?" in name and re.fullmatch(".*".join(map(re.escape, name.split("?"))), source):
-        return True
     base, _, last = name.rpartition("/")
     if last in TRANSPORTS and base == source:
         return True
-    return source == name or source.startswith(f"{name}/")  # image/compressed, name/_action/send_goal
+    while len(source) > 1:  # image/compressed, name/_action/send_goal
+        if may_be(name, source):
+            return True
+        source = source.rpartition("/")[0]
+    return False
 
 
 def _finding(used: _Used) -> Finding:

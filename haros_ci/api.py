@@ -9,7 +9,7 @@ from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.given import Given, Names, Whole, misplaced, near, taken
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
-from haros_ci.checking.likeness import is_moved, is_slip
+from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
@@ -48,6 +48,7 @@ __all__ = [
     "incompatible",
     "is_moved",
     "is_slip",
+    "may_be",
     "misplaced",
     "named_at",
     "near",

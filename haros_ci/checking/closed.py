@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import re
-
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
-from haros_ci.checking.system import Channel, End, System
+from haros_ci.checking.likeness import may_be
+from haros_ci.checking.system import Channel, System
 
 _KINDS = {"topic": TOPIC, "service": SERVICE, "action": ACTION}
 
@@ -20,11 +19,6 @@ def told(system: System, channel: Channel, side: str) -> bool:
     for node in system.nodes:
         if not node.ends or any(unknown.field == "endpoints" for unknown in node.raw.unknowns):
             return False
-        if any(_may_be(end, channel.name) for end in node.of(kind)):
+        if any(not end.known and may_be(end.name, channel.name) for end in node.of(kind)):
             return False
     return True
-
-
-def _may_be(end: End, name: str) -> bool:
-    pattern = ".*".join(map(re.escape, end.name.split("?")))
-    return "?" in end.name and re.fullmatch(pattern, name) is not None

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 #: Words that tell apart what belongs together: names that differ in them alone are meant to differ.
 _TWINS = frozenset(
     {
@@ -50,6 +52,15 @@ def is_moved(one: str, other: str) -> bool:
         return False
     rest = iter(long)
     return all(segment in rest for segment in short)
+
+
+def may_be(pattern: str, name: str) -> bool:
+    """Whether a full name of which parts are not known (``?``) can be *name*; a namespace that is not known can be none."""
+    if "?" not in pattern:
+        return pattern == name
+    parts = re.split(r"(/\?(?=/)|\?)", pattern)
+    wild = {"?": ".*", "/?": "(?:/.*)?"}
+    return re.fullmatch("".join(wild.get(part) or re.escape(part) for part in parts), name) is not None
 
 
 def _bare(word: str) -> str:

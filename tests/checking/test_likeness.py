@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from haros_ci.checking.likeness import is_moved, is_slip
+from haros_ci.checking.likeness import is_moved, is_slip, may_be
 
 NAMES = st.text("abcde_1", max_size=9)
 
@@ -78,3 +78,27 @@ def test_not_moved(one: str, other: str) -> None:
 def test_likeness_is_mutual(one: str, other: str) -> None:
     assert is_slip(one, other) == is_slip(other, one)
     assert not is_slip(one, one)
+
+
+@pytest.mark.parametrize(
+    ("pattern", "name"),
+    [
+        ("/a", "/a"),
+        ("/?", "/a"),
+        ("/?/a", "/a"),
+        ("/?/a", "/b/c/a"),
+        ("/?a", "/ba"),
+        ("/a/?/b", "/a/b"),
+        ("?", "/a/b"),
+        ("/a?", "/a"),
+    ],
+)
+def test_may_be(pattern: str, name: str) -> None:
+    assert may_be(pattern, name)
+
+
+@pytest.mark.parametrize(
+    ("pattern", "name"), [("/a", "/b"), ("/?/a", "/b"), ("/?/a", "/ba"), ("/a?", "/b"), ("/a.b?", "/acb")]
+)
+def test_may_not_be(pattern: str, name: str) -> None:
+    assert not may_be(pattern, name)
