@@ -17,6 +17,7 @@ from haros_ci.api import (
     can_meet,
     is_moved,
     is_slip,
+    may_be,
     named_at,
     rule_of,
     way_to,
@@ -33,7 +34,7 @@ def check(system: System) -> Iterator[Finding]:
         return
     found: dict[tuple[Location, str], list[tuple[Channel, Channel, End, End]]] = {}
     for channels in (system.topics, system.services, system.actions):
-        for giver, taker in _lonely(channels):
+        for giver, taker in _lonely(channels, tuple(end for end in system.ends if not end.known)):
             pair = next((pair for pair in can_meet(giver.givers, taker.takers) if _fit(*pair)), None)
             if pair is not None:
                 wrong = _wrong(*pair)
@@ -42,10 +43,10 @@ def check(system: System) -> Iterator[Finding]:
         yield _finding(each)
 
 
-def _lonely(channels: tuple[Channel, ...]) -> Iterator[tuple[Channel, Channel]]:
+def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator[tuple[Channel, Channel]]:
     """Pairs of one that only gives and one that only takes, of the same type and nearly the same name.
 
-    What instances of one program share is told by namespace-leak.
+    What instances of one program share is told by namespace-leak. No end of an *unknown* name may be the partner of either.
     """
     givers: dict[str, list[Channel]] = {}
     takers: list[Channel] = []
@@ -53,6 +54,8 @@ def _lonely(channels: tuple[Channel, ...]) -> Iterator[tuple[Channel, Channel]]:
         if channel.name.rpartition("/")[2] in COMMON or len(channel.types) != 1:
             continue
         if any(end.implicit or end.type is None for end in channel.ends):
+            continue
+        if any(may_be(end.name, channel.name) and end.type in (None, channel.types[0]) for end in unknown):
             continue
         if not channel.takers and len({end.location for end in channel.givers}) == len(channel.givers):
             givers.setdefault(channel.types[0], []).append(channel)
