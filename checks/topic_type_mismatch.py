@@ -44,10 +44,14 @@ def _differ(one: End, other: End, topic: Channel) -> bool:
 
 
 def _types(end: End, topic: Channel) -> frozenset[str | None]:
-    """Its type, and those of the ends that the same node has instead under other conditions."""
-    if not end.conditions:
+    """Its type, and those of the ends that the same node has instead: under other conditions, or in other releases."""
+    if not _is_choice(end):
         return frozenset({end.type})
-    return frozenset(e.type for e in topic.ends if e.node is end.node and e.kind == end.kind and e.conditions)
+    return frozenset(e.type for e in topic.ends if e.node is end.node and e.kind == end.kind and _is_choice(e))
+
+
+def _is_choice(end: End) -> bool:
+    return bool(end.conditions) or end.raw.source == "known-node"
 
 
 def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Finding:
