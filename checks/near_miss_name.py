@@ -55,7 +55,7 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
             continue
         if any(end.implicit or end.type is None for end in channel.ends):
             continue
-        if any(may_be(end.name, channel.name) and end.type in (None, channel.types[0]) for end in unknown):
+        if any(end.type in (None, channel.types[0]) and may_be(end.name, channel.name) for end in unknown):
             continue
         if not channel.takers and len({end.location for end in channel.givers}) == len(channel.givers):
             givers.setdefault(channel.types[0], []).append(channel)
