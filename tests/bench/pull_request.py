@@ -3,9 +3,9 @@
 
     python tests/bench/pull_request.py REPOSITORY [EDITS.yaml]
 
-Clones the repository into a temporary directory and commits each edit of tests/bench/pull_requests/<repository>.yaml to a branch.
-Then runs one command, ``haros-ci check . --baseline-rev BASE --output github``: with an empty cache, as the run of the base
-branch leaves it, and again. Exits with 1 unless exactly the edited lines' mistakes are annotated.
+Copies the repository's files into a temporary directory as one commit, and commits each edit of
+tests/bench/pull_requests/<repository>.yaml to a branch. Then runs one command, ``haros-ci check . --baseline-rev BASE --output github``:
+with the cache as the run of the base branch leaves it, and again. Exits with 1 unless exactly the mistakes are annotated.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from __future__ import annotations
 import argparse
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -26,7 +27,7 @@ import yaml
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
-from commandline import git
+from commandline import commit, git
 
 OURS = [sys.executable, "-m", "haros_ci"]
 #: A workflow command: level, properties, text.
@@ -63,8 +64,8 @@ def main() -> int:
     edits = [Edit(**each) for each in yaml.safe_load(_edits(options.edits, source).read_text(encoding="utf-8"))]
     with tempfile.TemporaryDirectory() as place:
         root = Path(place) / source.name
-        subprocess.run(["git", "clone", "-q", str(source), str(root)], check=True)
-        base = git(root, "rev-parse", "HEAD").strip()
+        shutil.copytree(source, root, symlinks=True, ignore=shutil.ignore_patterns(".git"))
+        base = commit(root, "base")
         cache = Path(place) / "cache"
         run = ["check", ".", "--profile", options.profile, "--cache-dir", str(cache)]
         first = told(root, [*run, "--output", "github"], "base branch, empty cache")[1]
