@@ -21,6 +21,7 @@ def check(system: System) -> Iterator[Finding]:
         topic, publisher, subscriber = min(
             alike, key=lambda each: (len(each[2].presence), each[0].name, each[2].node.name)
         )
+        others = [end for end in topic.subscribers if _durability(end) == "transient_local" and end.in_source]
         yield Finding(
             at=place,
             message=(
@@ -30,7 +31,11 @@ def check(system: System) -> Iterator[Finding]:
                 "subscribe with transient local durability"
             ),
             about=(topic, publisher, subscriber),
-            related=((publisher.location, f"{publisher}: {qos_in_words(publisher.qos)}"),),
+            related=(
+                (publisher.location, f"{publisher}: {qos_in_words(publisher.qos)}"),
+                *((each.location, f"{each} asks for them: {qos_in_words(each.qos)}") for each in others[:3]),
+            ),
+            level=Level.WARNING if others else Level.NOTE,
         )
 
 
