@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System, SystemNode
+from haros_ci.api import Check, End, Finding, Given, Level, Location, System, SystemNode
 
 #: What the key says, and the ends that it is about (rclcpp/detail/qos_parameters.hpp, rclpy/qos_overriding_options.py).
 KINDS = {"publisher": "publishers", "subscription": "subscribers"}
@@ -21,57 +21,52 @@ HEAD = "qos_overrides."
 
 
 def check(system: System) -> Iterator[Finding]:
-    given = [each for each in system.parameters if f":{HEAD}" in each.name and "?" not in each.name]
-    if not given:
-        return
-    nodes: dict[str, list[SystemNode]] = {}
-    for node in system.nodes:
-        nodes.setdefault(node.name, []).append(node)
-    by_line: dict[tuple[Location, str], list[tuple[Parameter, list[SystemNode]]]] = {}
-    for each in given:
-        name, _, key = each.name.partition(":")
-        place = each.origin or each.location
-        if place is not None:
-            by_line.setdefault((place, key), []).append((each, nodes.get(name, [])))
-    for (place, key), told in by_line.items():
-        yield from _line(place, key, told)
+    for given in _by_place(system).values():
+        used = [each for each in given if _declares(each)]
+        if used:
+            yield from _value(used[0])
+            continue
+        said = [_unused(each.node, each.key) if each.node.names.is_whole else None for each in given]
+        if all(said) and not _is_used_elsewhere(system, given[0]):
+            first, (text, end) = given[0], said[0] or ("", None)
+            yield Finding(
+                at=first.at,
+                message=f"the QoS override {first.key} of {first.node} does nothing: {text}",
+                about=(first.node, first.key) if end is None else (first.node, end, first.key),
+                related=((end.location, f"{end}"),) if end is not None else (),
+                flow=((first.tag, f"{first.node} is given the parameters"), (first.at, "this one has no effect")),
+            )
 
 
-def _line(place: Location, key: str, told: list[tuple[Parameter, list[SystemNode]]]) -> Iterator[Finding]:
-    """What there is to say of one line, which may go to several nodes: it is of use if one of them uses it."""
-    nodes = [node for _, some in told for node in some]
-    for parameter, some in told:
-        if any(_declares(node, key) for node in some):
-            yield from _value(place, key, parameter, some[0])
-            return
-    if not nodes or any(not node.complete or not node.known or node.ros != 2 for node in nodes):
-        return
-    said = [_unused(node, key) for node in nodes]
-    if all(said):
-        text, end = said[0] or ("", None)
-        yield Finding(
-            at=place,
-            message=f"the QoS override {key} of {nodes[0]} does nothing: {text}",
-            about=(nodes[0], key) if end is None else (nodes[0], end, key),
-            related=((end.location, f"{end}"),) if end is not None else (),
-        )
+def _by_place(system: System) -> dict[tuple[Location, str], list[Given]]:
+    """The overrides of *system*, those of one line together: it may go to several nodes, and is of use if one uses it."""
+    found: dict[tuple[Location, str], list[Given]] = {}
+    for each in system.given:
+        if each.key.startswith(HEAD):
+            found.setdefault(each.place, []).append(each)
+    return found
 
 
-def _declares(node: SystemNode, key: str) -> bool:
-    return any(end.name == f"{node.name}:{key}" for end in node.of("parameters"))
+def _declares(given: Given) -> bool:
+    return given.key in given.node.names.declared
 
 
-def _value(place: Location, key: str, parameter: Parameter, node: SystemNode) -> Iterator[Finding]:
-    policy = key.rpartition(".")[2]
+def _is_used_elsewhere(system: System, given: Given) -> bool:
+    """Whether a node of another system uses what is said here."""
+    return any(each.place == given.place and _declares(each) for other in system.whole.systems for each in other.given)
+
+
+def _value(given: Given) -> Iterator[Finding]:
+    policy = given.key.rpartition(".")[2]
     words = WORDS.get(policy)
-    if words is not None and isinstance(parameter.value, str) and parameter.value not in words:
+    if words is not None and isinstance(given.value, str) and given.value not in words:
         yield Finding(
-            at=place,
+            at=given.at,
             message=(
-                f"{node} stops with an exception: {policy} is one of {', '.join(words)}, "
-                f"not {parameter.value!r}{_like(parameter.value, words)}"
+                f"{given.node} stops with an exception: {policy} is one of {', '.join(words)}, "
+                f"not {given.value!r}{_like(given.value, words)}"
             ),
-            about=(node, key),
+            about=(given.node, given.key),
             level=Level.ERROR,
         )
 
