@@ -5,26 +5,27 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from haros_ci.api import Check, Finding, Given, Level, System, misplaced, near, taken
+from haros_ci.api import Check, Finding, Given, Level, System, is_mentioned, misplaced, near, taken
 
 
 def check(system: System) -> Iterator[Finding]:
     used = taken(system) | system.whole.taken
-    groups: dict[tuple[str, str, str], list[Given]] = {}
+    groups: dict[tuple[str, str, str, str], list[Given]] = {}
     for each in system.given:
         if each.place not in used and misplaced(each) is None:
-            groups.setdefault((each.node.name, each.at.path, _section(each)), []).append(each)
-    for (_, _, section), group in groups.items():
+            section = _section(each)
+            if not is_mentioned(system, each.node, section or each.key):
+                name = "" if section else _meant(each) or (each.key if "." not in each.key else "")
+                groups.setdefault(
+                    (each.node.name, each.at.path, section or each.key.rpartition(".")[0], name), []
+                ).append(each)
+    for (_, _, section, _), group in groups.items():
         lines = {each.place: each for each in group}
-        if section and len(lines) > 1:
-            yield _finding(min(group, key=lambda each: each.at.sort_key), section, [key for _, key in lines])
-        else:
-            for each in lines.values():
-                yield _finding(each, "", [each.key])
+        yield _finding(min(group, key=lambda each: each.at.sort_key), section, sorted({key for _, key in lines}))
 
 
 def _section(given: Given) -> str:
-    """What stands before the key of which no parameter of the node has anything; "" if there is none."""
+    """The section of the key in which the node declares nothing at all; "" if there is none."""
     names = given.node.names
     known = [*names.declared, *names.set]
     parts = given.key.split(".")
@@ -35,28 +36,26 @@ def _section(given: Given) -> str:
     return ""
 
 
+def _meant(given: Given) -> str:
+    """A parameter of the node that nothing else gives, and that is called nearly the same."""
+    own = {each.key for each in given.node.given}
+    return near(given.key, [name for name in given.node.names.declared if name not in own]) or ""
+
+
 def _finding(given: Given, section: str, keys: Sequence[str]) -> Finding:
     node = given.node
-    free = [name for name in node.names.declared if not any(each.key == name for each in node.given)]
-    if section:
-        what = f"is given {len(keys)} parameters below {section}, but {node.type} declares none there"
-        meant = near(section, {head for name in free for head in _heads(name)})
+    meant = _meant(given) if len(keys) == 1 else ""
+    if len(keys) == 1:
+        what = f"is given the parameter {keys[0]}, but {node.type} does not declare it"
     else:
-        what = f"is given the parameter {given.key}, but {node.type} does not declare it"
-        meant = near(given.key, free)
-    told = f"{meant}." if section and meant else meant
+        names = ", ".join(key.removeprefix(f"{section}.") for key in keys[:4]) + (", …" if len(keys) > 4 else "")
+        what = f"is given {len(keys)} parameters below {section} that {node.type} does not declare ({names})"
     return Finding(
         at=given.at,
-        message=f"{node} {what}: what is said here has no effect" + (f"; did you mean {told}?" if meant else ""),
-        about=(node, section or given.key),
+        message=f"{node} {what}: what is said here has no effect" + (f"; did you mean {meant}?" if meant else ""),
+        about=(node, section if len(keys) > 1 else keys[0]),
         flow=((given.tag, f"{node} is given the parameters"), (given.at, "this one is not declared")),
     )
-
-
-def _heads(name: str) -> Iterator[str]:
-    parts = name.split(".")
-    for count in range(1, len(parts)):
-        yield ".".join(parts[:count])
 
 
 CHECK = Check(

@@ -25,9 +25,7 @@ def _finding(end: End, key: str, value: Any, said: str, at: Location, is_given: 
     whose = "is given" if is_given else "declares by default"
     return Finding(
         at=at,
-        message=(
-            f"{end.node} {whose} {value} for the parameter {key}, {said}: the node throws when it declares it"
-        ),
+        message=(f"{end.node} {whose} {value} for the parameter {key}, {said}: the node throws when it declares it"),
         about=(end.node, key),
         related=((end.location, "declared with a range"),),
     )

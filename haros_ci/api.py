@@ -6,13 +6,26 @@ from __future__ import annotations
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import told
 from haros_ci.checking.compatibility import in_words as qos_in_words
-from haros_ci.checking.given import Given, Names, Whole, misplaced, near, taken
+from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near, taken
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
+from haros_ci.model.launch_facts import (
+    ArgumentDeclaration,
+    ArgumentRead,
+    ConditionUse,
+    ConstructUse,
+    FileUse,
+    IncludeUse,
+    NodePattern,
+    PackageUse,
+    ParameterFileUse,
+    PathUse,
+    ProgramUse,
+)
 from haros_ci.model.location import Location
 from haros_ci.model.package import Dependency, Package
 from haros_ci.model.presence import ALWAYS, Presence, together
@@ -23,21 +36,32 @@ __all__ = [
     "ALWAYS",
     "SERVICE",
     "TOPIC",
+    "ArgumentDeclaration",
+    "ArgumentRead",
     "Channel",
     "Check",
     "Condition",
+    "ConditionUse",
+    "ConstructUse",
     "Decidability",
     "Dependency",
     "End",
     "Endpoint",
+    "FileUse",
     "Finding",
     "Given",
+    "IncludeUse",
     "Level",
     "Location",
     "Names",
+    "NodePattern",
     "Package",
+    "PackageUse",
     "Parameter",
+    "ParameterFileUse",
+    "PathUse",
     "Presence",
+    "ProgramUse",
     "Qos",
     "RemapRule",
     "Status",
@@ -46,6 +70,7 @@ __all__ = [
     "Whole",
     "can_meet",
     "incompatible",
+    "is_mentioned",
     "is_moved",
     "is_slip",
     "may_be",

@@ -26,6 +26,8 @@ TRANSPORTS = frozenset(
     "compressed compressedDepth theora zstd ffmpeg draco zlib raw enable_pub_plugins disable_pub_plugins image_transport "
     "point_cloud_transport".split()
 )
+#: How the names of source files end.
+CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
 #: Last words of parameters that older transports declare below a topic: ``image.jpeg_quality``.
 OF_TRANSPORTS = frozenset("format jpeg_quality png_level tiff".split())
 
@@ -154,11 +156,25 @@ class Whole:
 
     def __init__(self, systems: Sequence[System]) -> None:
         self.systems = systems
+        self._sources: dict[str, tuple[str, ...]] = {}
 
     @cached_property
     def taken(self) -> frozenset[tuple[Location, str]]:
         """The places and keys that give something which some node has, or may have."""
         return frozenset(place for system in self.systems for place in taken(system))
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        """The names of parameters that any node is seen to declare."""
+        return frozenset(key for system in self.systems for node in system.nodes for key in node.names.declared)
+
+    def sources(self, folder: str, system: System) -> tuple[str, ...]:
+        """The texts of the C++ and Python files below *folder* that are no launch files."""
+        if folder not in self._sources and system.workspace is not None:
+            files = [file.path for file in system.workspace.files if _is_in(file.path, folder)]
+            names = [path for path in files if path.endswith(CODE) and "launch" not in path.rpartition("/")[2]]
+            self._sources[folder] = tuple(map(system.workspace.text, names))
+        return self._sources.get(folder, ())
 
 
 def taken(system: System) -> frozenset[tuple[Location, str]]:
@@ -207,3 +223,23 @@ def misplaced(given: Given) -> tuple[str, str] | None:
     if "/" in key and names.has(rest := key.strip("~/").replace("/", ".")):
         return rest, "names of parameters have dots, not slashes"
     return None
+
+
+def is_mentioned(system: System, node: SystemNode, name: str) -> bool:
+    """Whether the source of *node* has the text *name*, though nothing is seen to declare it: then something may.
+
+    The files are those of its package and of the packages in which it declares parameters; launch files are none of them.
+    """
+    if system.workspace is None or name in system.whole.declared:
+        return False
+    folders = {package.path for package in system.packages.values() if package.name == node.package}
+    places = {end.location.path for ends in node.names.declared.values() for end in ends if end.in_source}
+    folders |= {
+        package.path for package in system.packages.values() if any(_is_in(path, package.path) for path in places)
+    }
+    texts = (text for folder in sorted(folders) for text in system.whole.sources(folder, system))
+    return any(f'"{name}{end}' in text or f"'{name}{end}" in text for text in texts for end in ('"', "'", "."))
+
+
+def _is_in(path: str, folder: str) -> bool:
+    return folder in ("", ".") or path.startswith(f"{folder}/")

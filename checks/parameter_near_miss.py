@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters that a node reads under one name and that are given under another, which is nearly the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System, SystemNode, is_moved, is_slip
+
+
+def check(system: System) -> Iterator[Finding]:
+    reads = [end for end in system.ends if end.kind in ("getters", "setters") and end.node.ros == 1]
+    if any("?" in end.name and end.name.rpartition("?")[2].count("/") == len(end.name) for end in reads):
+        return
+    given = [each for each in system.parameters if "?" not in each.name and ":" not in each.name]
+    named = {part for end in reads for part in _around(end.name)}
+    read = {end.name for end in reads}
+    said = {part for each in given for part in _around(each.name)}
+    names = {each.name for each in given}
+    unread = [
+        each
+        for each in given
+        if each.name not in named
+        and not any(part in read for part in _around(each.name))
+        and _is_sure(each, system, reads)
+    ]
+    by_last: dict[str, list[Parameter]] = {}
+    for each in unread:
+        by_last.setdefault(each.name.rpartition("/")[0], []).append(each)
+    for end in _missing(reads, said, names):
+        for each in _meant(end, by_last, unread):
+            at = each.origin or each.location
+            if at is not None:
+                yield _finding(end, each, at)
+
+
+def _missing(reads: list[End], said: set[str], names: set[str]) -> Iterator[End]:
+    """What is read and not given, neither itself nor a part of it nor what it is a part of."""
+    written = {end.name for end in reads if end.kind == "setters"}
+    for end in reads:
+        above = set(_around(end.name))
+        if end.kind == "getters" and end.known and end.name not in said and not above & names and not above & written:
+            yield end
+
+
+def _meant(end: End, spaces: Mapping[str, list[Parameter]], unread: list[Parameter]) -> Iterator[Parameter]:
+    space, _, last = end.name.rpartition("/")
+    for each in spaces.get(space, ()):
+        if is_slip(last, each.name.rpartition("/")[2]):
+            yield each
+    for each in unread:
+        own = f"{end.node.name}/"
+        is_own = end.name.startswith(own) != each.name.startswith(own)
+        if is_own and each.name.rpartition("/")[2] == last and is_moved(end.name, each.name):
+            yield each
+
+
+def _finding(end: End, given: Parameter, at: Location) -> Finding:
+    return Finding(
+        at=at,
+        message=(
+            f"{end.node} reads the parameter {end.name}, which nothing sets; what is set is {given.name}, which no node reads: "
+            f"give it the name that is read"
+        ),
+        about=(end, given.name),
+        related=((end.location, f"{end.name} is read here"),),
+    )
+
+
+def _is_sure(given: Parameter, system: System, reads: list[End]) -> bool:
+    """Whether nobody can read it who is not seen to: its node is complete, or for a shared one all are."""
+    owners = [node for node in system.nodes if given.name.startswith(f"{node.name}/")]
+    return all(_is_read_through(node) for node in (owners or system.nodes))
+
+
+def _is_read_through(node: SystemNode) -> bool:
+    return node.complete and node.known and all(end.known for end in node.of("getters"))
+
+
+def _around(name: str) -> Iterator[str]:
+    """The name itself and the namespaces that it is in."""
+    while name:
+        yield name
+        name = name.rpartition("/")[0]
+
+
+CHECK = Check(
+    id="parameter-near-miss",
+    summary="A parameter is given under the name under which it is read.",
+    level=Level.WARNING,
+    catalogue="P02",
+    tags=("parameters",),
+    run=check,
+)

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sections of parameter files that are for nodes which no launch file starts under that name (ROS 2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Location, NodePattern, ParameterFileUse, System, is_slip
+
+
+def check(system: System) -> Iterator[Finding]:
+    files = {use.path for use in system.facts(ParameterFileUse) if use.path is not None and use.is_read}
+    if not files:
+        return
+    uses: dict[str, list[ParameterFileUse]] = {}
+    for each in {id(each): each for each in (*system.whole.systems, system)}.values():
+        for use in each.facts(ParameterFileUse):
+            if use.path in files:
+                uses.setdefault(use.path, []).append(use)
+    for path in sorted(uses):
+        yield from _of_file(system, uses[path])
+
+
+def _of_file(system: System, uses: list[ParameterFileUse]) -> Iterator[Finding]:
+    """The sections that match no process which is given the file, where another process is given it for nothing."""
+    if not all(use.is_read for use in uses):
+        return
+    live = {_key(each) for use in uses for each in use.patterns if each.matches is not False}
+    unserved = [use for use in system.facts(ParameterFileUse) if use in uses and _is_unserved(use)]
+    is_own = len({use.program for use in uses}) == 1
+    told: set[tuple[str, Location]] = set()
+    for use in unserved:
+        dead = [each for each in use.patterns if _key(each) not in live]
+        for each in dead:
+            is_meant = (is_own and len(dead) == 1) or any(_is_like(each.pattern, name) for name in _names(system, use))
+            if is_meant and _key(each) not in told:
+                told.add(_key(each))
+                called = f"{use.node}, which" if use.node else f"the node of {'/'.join(use.program)}, which"
+                yield Finding(
+                    at=each.location,
+                    message=(
+                        f"the parameters below {each.pattern} are for no node that is started with this file: "
+                        f"{called} is given it, has another name, and takes none of them; "
+                        f"write {_right(use)} or /** here, or name the node {each.pattern}"
+                    ),
+                    about=(each.pattern, "/".join(use.program)),
+                    related=((use.location, "the file is given here"),),
+                    presence=use.presence,
+                )
+
+
+def _key(pattern: NodePattern) -> tuple[str, Location]:
+    return pattern.pattern, pattern.location
+
+
+def _is_unserved(use: ParameterFileUse) -> bool:
+    return bool(use.patterns) and all(each.matches is False for each in use.patterns)
+
+
+def _right(use: ParameterFileUse) -> str:
+    return use.node.lstrip("/") if use.node else "its name"
+
+
+def _names(system: System, use: ParameterFileUse) -> set[str]:
+    """What the node is called, here and in other systems, and its program."""
+    program = "/".join(use.program)
+    names = {use.program[1].rpartition("::")[2].removesuffix(".py")} | ({use.node} if use.node else set())
+    for each in (system, *system.whole.systems):
+        names.update(node.name for node in each.nodes if node.type == program)
+    return {name.rpartition("/")[2] for name in names if "?" not in name}
+
+
+def _is_like(pattern: str, name: str) -> bool:
+    last = pattern.rpartition("/")[2]
+    return last == name or is_slip(last, name)
+
+
+CHECK = Check(
+    id="parameter-section-unmatched",
+    summary="The sections of a parameter file are for nodes that are started under that name.",
+    level=Level.WARNING,
+    catalogue="P07",
+    tags=("parameters", "launch"),
+    run=check,
+)
