@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Nodes of one system of which some take their time from /clock and others do not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Decidability, End, Finding, Level, System, SystemNode, together
+
+#: Names of types of messages that carry a time, or of which the time matters.
+CLOCK = "/clock"
+
+
+def check(system: System) -> Iterator[Finding]:
+    if not system.is_launched or any(node.raw.unknowns for node in system.nodes if not node.known):
+        return
+    clocks = {id(node): _clock(node) for node in system.nodes if node.ros == 2 and node.is_launched}
+    simulated = [node for node in system.nodes if clocks.get(id(node)) is True]
+    if not simulated:
+        return
+    for node in system.nodes:
+        if clocks.get(id(node)) is not False or not _takes_part(node):
+            continue
+        others = [each for each in simulated if together(node.presence, each.presence) is not None]
+        partner = next((each for each in others if _are_linked(system, node, each)), None)
+        if partner is not None:
+            yield Finding(
+                at=node.location,
+                message=(
+                    f"{node} takes its time from the computer's clock, but {partner}, which it exchanges messages with, "
+                    f"from /clock: their times do not fit together; set use_sim_time for it, too"
+                ),
+                about=(node, partner, "use_sim_time"),
+            )
+
+
+def _clock(node: SystemNode) -> bool | None:
+    """Whether the node takes its time from /clock; None if that is not known."""
+    ends = node.names.declared.get("use_sim_time", ())
+    if len(ends) != 1 or ends[0].raw.unknowns:
+        return None
+    value = ends[0].raw.effective
+    return value if isinstance(value, bool) else None
+
+
+def _takes_part(node: SystemNode) -> bool:
+    """Whether the time of the node matters to others: it is complete, makes no clock itself, and sends or gets messages."""
+    return node.complete and not any(end.name == CLOCK for end in node.of("publishers"))
+
+
+def _are_linked(system: System, one: SystemNode, other: SystemNode) -> bool:
+    """Whether one of the nodes publishes what the other subscribes to, a clock apart."""
+    return bool(_topics(one, "publishers") & _topics(other, "subscribers")) or bool(
+        _topics(other, "publishers") & _topics(one, "subscribers")
+    )
+
+
+def _topics(node: SystemNode, kind: str) -> set[str]:
+    return {end.name for end in node.of(kind) if end.known and not end.implicit and _has_time(end)}
+
+
+def _has_time(end: End) -> bool:
+    """Whether its messages have a time stamp, for all that is known of common types."""
+    package, _, name = (end.type or "").replace("/msg/", "/").partition("/")
+    return name.endswith("Stamped") or package in STAMPED or name in ("TFMessage",)
+
+
+#: Packages of which nearly all messages that are published on their own have a header.
+STAMPED = frozenset(("sensor_msgs", "nav_msgs", "tf2_msgs", "visualization_msgs", "stereo_msgs", "vision_msgs"))
+
+CHECK = Check(
+    id="use-sim-time-on-some",
+    summary="The nodes of a system that exchange stamped messages take their time from the same clock.",
+    level=Level.WARNING,
+    decidability=Decidability.CLOSED_WORLD,
+    catalogue="P10",
+    tags=("parameters",),
+    run=check,
+)
