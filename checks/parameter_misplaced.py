@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System, misplaced, taken
+from haros_ci.api import Check, Finding, Level, System, misplaced
 
 
 def check(system: System) -> Iterator[Finding]:
-    used = taken(system) | system.whole.taken
     for each in system.given:
-        found = misplaced(each) if each.place not in used else None
+        is_taken = each.place in system.taken or each.place in system.whole.taken
+        found = None if is_taken else misplaced(each)
         if found is None:
             continue
         meant, why = found

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from haros_ci.api import Check, Finding, Given, Level, System, is_mentioned, misplaced, near, taken
+from haros_ci.api import Check, Finding, Given, Level, System, is_mentioned, misplaced, near
 
 
 def check(system: System) -> Iterator[Finding]:
-    used = taken(system) | system.whole.taken
     groups: dict[tuple[str, str, str, str], list[Given]] = {}
     for each in system.given:
-        if each.place not in used and misplaced(each) is None:
+        if each.place not in system.taken and each.place not in system.whole.taken and misplaced(each) is None:
             section = _section(each)
             if not is_mentioned(system, each.node, section or each.key):
                 name = "" if section else _meant(each) or (each.key if "." not in each.key else "")
@@ -26,12 +25,10 @@ def check(system: System) -> Iterator[Finding]:
 
 def _section(given: Given) -> str:
     """The section of the key in which the node declares nothing at all; "" if there is none."""
-    names = given.node.names
-    known = [*names.declared, *names.set]
     parts = given.key.split(".")
     for count in range(1, len(parts)):
         head = ".".join(parts[:count])
-        if not any(name.startswith(f"{head}.") for name in known):
+        if head not in given.node.names.sections:
             return head
     return ""
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import told
 from haros_ci.checking.compatibility import in_words as qos_in_words
-from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near, taken
+from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
@@ -79,7 +79,6 @@ __all__ = [
     "near",
     "qos_in_words",
     "rule_of",
-    "taken",
     "together",
     "told",
     "way_to",

@@ -123,6 +123,12 @@ class Names:
         vague = sorted({name for names in (self.declared, self.set) for name in names if "?" in name})
         return re.compile("|".join(".*".join(map(re.escape, name.split("?"))) for name in vague)) if vague else None
 
+    @cached_property
+    def sections(self) -> frozenset[str]:
+        """What stands before the dots in the names of its parameters: ``a`` and ``a.b`` of ``a.b.c``."""
+        parts = [name.split(".") for names in (self.declared, self.set) for name in names]
+        return frozenset(".".join(each[:count]) for each in parts for count in range(1, len(each)))
+
     def has(self, key: str) -> bool | None:
         """Whether the node has the parameter *key*; None where that is not known."""
         if key in self.declared or key in self.set or is_of_library(key):
@@ -161,7 +167,7 @@ class Whole:
     @cached_property
     def taken(self) -> frozenset[tuple[Location, str]]:
         """The places and keys that give something which some node has, or may have."""
-        return frozenset(place for system in self.systems for place in taken(system))
+        return frozenset(place for system in self.systems for place in system.taken)
 
     @cached_property
     def declared(self) -> frozenset[str]:
@@ -177,7 +183,7 @@ class Whole:
         return self._sources.get(folder, ())
 
 
-def taken(system: System) -> frozenset[tuple[Location, str]]:
+def taken_in(system: System) -> frozenset[tuple[Location, str]]:
     """The places and keys that give something which some node of *system* has, or may have."""
     return frozenset(each.place for each in system.given if each.node.names.has(each.key) is not False)
 

@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import product
 from typing import TypeVar
 
-from haros_ci.checking.given import Given, Names, Whole, give
+from haros_ci.checking.given import Given, Names, Whole, give, taken_in
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC, WORDS
 from haros_ci.model.architecture import (
     Architecture,
@@ -298,6 +298,11 @@ class System:
     def parameters(self) -> tuple[Parameter, ...]:
         """What is set from outside, in this configuration or under other launch arguments."""
         return (*self.raw.parameters, *getattr(self.raw, "alternative_parameters", ()))
+
+    @cached_property
+    def taken(self) -> frozenset[tuple[Location, str]]:
+        """The places and keys of parameters that some node has, or may have, which is given them there."""
+        return taken_in(self)
 
     @cached_property
     def ends(self) -> tuple[End, ...]:
