@@ -34,3 +34,5 @@ COMMON: dict[str, frozenset[str]] = {
         "tf2_msgs": "LookupTransformAction TF2Error TFMessage FrameGraph",
     }.items()
 }
+#: Constants of messages that are names in ROS 2 (bond/msg/Constants.msg).
+NAMES = {"bond::msg::Constants::DISABLE_HEARTBEAT_TIMEOUT_PARAM": "bond_disable_heartbeat_timeout"}

@@ -19,7 +19,7 @@ from haros_ci.link import (
     qos,
 )
 from haros_ci.link import macros as macros_
-from haros_ci.link.common_messages import COMMON
+from haros_ci.link.common_messages import COMMON, NAMES
 from haros_ci.link.index import EITHER, Source
 from haros_ci.link.run import NEXT, Frame, Run
 from haros_ci.link.values import (
@@ -203,7 +203,7 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
             return Callable(method[0], method[1])
     if resolved[0].endswith("string::npos"):
         return Known(conversions.NPOS)
-    constant = library_numbers.CONSTANTS.get(name)
+    constant = NAMES.get(resolved[0], library_numbers.CONSTANTS.get(name))
     return Known(constant) if constant is not None else Library(resolved[0])
 
 
