@@ -10,12 +10,15 @@ from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
+from haros_ci.checking.launching import included_by, meant, owner
+from haros_ci.checking.likeness import is_moved, is_slip
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
+    Comparison,
     ConditionUse,
     ConstructUse,
     FileUse,
@@ -23,6 +26,11 @@ from haros_ci.model.launch_facts import (
     NodePattern,
     PackageUse,
     ParameterFileUse,
+    LaunchFact,
+    NodePattern,
+    PackageUse,
+    ParameterFileUse,
+    PassedArgument,
     PathUse,
     ProgramUse,
 )
@@ -40,6 +48,7 @@ __all__ = [
     "ArgumentRead",
     "Channel",
     "Check",
+    "Comparison",
     "Condition",
     "ConditionUse",
     "ConstructUse",
@@ -51,6 +60,7 @@ __all__ = [
     "Finding",
     "Given",
     "IncludeUse",
+    "LaunchFact",
     "Level",
     "Location",
     "Names",
@@ -59,6 +69,7 @@ __all__ = [
     "PackageUse",
     "Parameter",
     "ParameterFileUse",
+    "PassedArgument",
     "PathUse",
     "Presence",
     "ProgramUse",
@@ -69,14 +80,17 @@ __all__ = [
     "SystemNode",
     "Whole",
     "can_meet",
+    "included_by",
     "incompatible",
     "is_mentioned",
     "is_moved",
     "is_slip",
     "may_be",
+    "meant",
     "misplaced",
     "named_at",
     "near",
+    "owner",
     "qos_in_words",
     "rule_of",
     "together",

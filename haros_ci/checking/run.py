@@ -39,6 +39,8 @@ class _Told:
     @property
     def key(self) -> tuple[object, ...]:
         """The same check at the same places is one finding, in however many configurations and nodes."""
+        if self.finding.apart:
+            return (self.check.id, self.finding.at.sort_key, self.finding.apart)
         related = {place.sort_key for place, _ in self.finding.related}
         return (self.check.id, self.finding.at.sort_key, tuple(sorted(related)))
 

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Conditions of launch files that cannot change, or that compare a truth with another spelling of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Comparison, ConditionUse, Finding, Level, System, included_by
+
+_TRUTHS = {"true": True, "false": False}
+
+
+def check(system: System) -> Iterator[Finding]:
+    for use in system.facts(ConditionUse):
+        if use.is_constant:
+            yield Finding(
+                at=use.location,
+                message=f"the condition {use.statement}={use.text!r} is always the same; remove it, or ask an argument",
+                about=(use.text,),
+                flow=included_by(use),
+                presence=use.presence,
+            )
+        for each in use.comparisons:
+            said = _misspelt(each, use.ros)
+            if said:
+                yield Finding(
+                    at=use.location,
+                    message=f"{each.left} {each.sign} {each.right!r} {said}",
+                    about=(use.text, each.left),
+                    flow=included_by(use),
+                    presence=use.presence,
+                )
+
+
+def _misspelt(each: Comparison, ros: int) -> str:
+    """What is wrong with a comparison of a truth as text; "" if nothing is."""
+    if each.right.lower() not in _TRUTHS:
+        return ""
+    if not each.is_quoted:
+        if ros == 1 and any(value.lower() in _TRUTHS for value in each.values):
+            return "compares a truth with text: roslaunch makes a truth of the argument, so they are never equal"
+        return ""
+    truths = [value for value in each.values if value.lower() in _TRUTHS]
+    if truths and len(truths) == len(each.values) and not any(value == each.right for value in truths):
+        other = [value for value in truths if value[:1].isupper() != each.right[:1].isupper()]
+        if len(other) == len(truths):
+            return (
+                f"never holds for {' or '.join(map(repr, truths))}, as it is given: texts are compared, spelling counts"
+            )
+    return ""
+
+
+CHECK = Check(
+    id="constant-launch-condition",
+    summary="Conditions of launch files depend on something, and compare truths in one spelling.",
+    level=Level.WARNING,
+    catalogue="L09",
+    tags=("launch",),
+    run=check,
+)

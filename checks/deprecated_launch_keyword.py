@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keywords that launch_ros has dropped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, ConstructUse, Finding, Level, System, included_by
+
+
+def check(system: System) -> Iterator[Finding]:
+    for use in system.facts(ConstructUse):
+        if use.kind == "deprecated":
+            yield Finding(
+                at=use.location,
+                message=f"{use.text} is taken up to ROS 2 Foxy only, later launch stops here; write {use.instead}",
+                about=(use.text,),
+                flow=included_by(use),
+                presence=use.presence,
+            )
+
+
+CHECK = Check(
+    id="deprecated-launch-keyword",
+    summary="Launch files use the keywords that launch_ros has today.",
+    level=Level.WARNING,
+    catalogue="L13",
+    tags=("launch",),
+    run=check,
+)

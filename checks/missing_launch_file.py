@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that launch files name, and that their packages do not have."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from haros_ci.api import Check, FileUse, Finding, Level, System, included_by, meant
+
+#: Files that nodes read; of others they may be the ones who write them.
+_READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
+_WRITES = re.compile(r"output|save|write|dump|record|store|cache|result|calibrat|camera_info|log", re.I)
+_WHAT = {
+    "include": "includes",
+    "parameters": "loads parameters from",
+    "text": "reads",
+    "value": "names",
+    "default": "has the default",
+}
+
+
+def check(system: System) -> Iterator[Finding]:
+    said: set[str] = set()
+    for use in system.facts(FileUse):
+        if use.is_found is not False or use.text in said:
+            continue
+        if use.kind in ("value", "default") and (
+            not _READ.search(use.inner) or _WRITES.search(f"{use.name} {use.inner}")
+        ):
+            continue
+        said.add(use.text)
+        hint = meant(use.similar)
+        what = _WHAT[use.kind] + (f" of {use.name!r}," if use.kind == "default" else "")
+        yield Finding(
+            at=use.location,
+            message=f"{what} {use.inner} of {use.package}, but there is no such file{hint}",
+            about=(f"{use.package}/{use.inner}",),
+            flow=included_by(use),
+            level=None if use.kind in ("include", "parameters", "text") else Level.WARNING,
+            presence=use.presence,
+        )
+
+
+CHECK = Check(
+    id="missing-launch-file",
+    summary="The files that launch files name are there.",
+    level=Level.ERROR,
+    catalogue="L01",
+    tags=("launch",),
+    run=check,
+)

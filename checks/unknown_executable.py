@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Programs, components and nodelets that launch files start, and that their packages do not have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, ProgramUse, System, included_by, meant
+
+_WORDS = {
+    "executable": "builds or installs no program",
+    "component": "registers no component",
+    "nodelet": "exports no nodelet",
+}
+
+
+def check(system: System) -> Iterator[Finding]:
+    for use in system.facts(ProgramUse):
+        if use.is_found is not False:
+            continue
+        yield Finding(
+            at=use.location,
+            message=f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start{meant(use.similar)}",
+            about=(f"{use.package}/{use.program}",),
+            flow=included_by(use),
+            presence=use.presence,
+        )
+
+
+CHECK = Check(
+    id="unknown-executable",
+    summary="What launch files start is built or installed by its package.",
+    level=Level.ERROR,
+    catalogue="L03",
+    tags=("launch",),
+    run=check,
+)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Launch arguments that are read, or needed, but not set."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    ArgumentDeclaration,
+    ArgumentRead,
+    Check,
+    Finding,
+    IncludeUse,
+    Level,
+    System,
+    included_by,
+    meant,
+)
+
+
+def check(system: System) -> Iterator[Finding]:
+    yield from _missing(system)
+    needs = any(each.is_top and each.default is None and each.ros == 2 for each in system.facts(ArgumentDeclaration))
+    for read in system.facts(ArgumentRead):
+        # A launch file of ROS 2 that cannot be launched by itself is there to be included, and inherits what is set around it.
+        if read.ros == 2 and (needs or read.included):
+            continue
+        how = f"$(arg {read.name})" if read.ros == 1 else f"launch configuration {read.name!r}"
+        yield Finding(
+            at=read.location,
+            message=f"{how} is read, but nothing declares or sets it: launch stops here{meant(read.similar)}",
+            about=(read.name,),
+            flow=included_by(read),
+            presence=read.presence,
+        )
+
+
+def _missing(system: System) -> Iterator[Finding]:
+    for use in system.facts(IncludeUse):
+        for name in use.missing:
+            yield Finding(
+                at=use.location,
+                message=f"includes {use.path} without its argument {name!r}, which has no default: launch stops here",
+                about=(use.path or "", name),
+                flow=included_by(use),
+                presence=use.presence,
+            )
+
+
+CHECK = Check(
+    id="unset-launch-argument",
+    summary="Launch arguments that are read are declared, and those without a default are passed.",
+    level=Level.ERROR,
+    catalogue="L07",
+    tags=("launch",),
+    run=check,
+)

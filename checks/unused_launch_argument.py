@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Launch arguments that an include passes for nothing, and those that nothing reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from difflib import get_close_matches
+
+from haros_ci.api import ArgumentDeclaration, Check, Finding, IncludeUse, Level, System, included_by, meant
+
+
+def check(system: System) -> Iterator[Finding]:
+    for use in system.facts(IncludeUse):
+        known = {*use.declared, *use.read}
+        for passed in use.passed if use.is_whole else ():
+            if passed.name in known:
+                continue
+            similar = tuple(get_close_matches(passed.name, sorted(use.declared), 1, 0.7))
+            what = "launch stops here" if use.ros == 1 else "it has no effect"
+            yield Finding(
+                at=passed.location,
+                message=f"passes {passed.name!r} to {use.path}, which does not declare it: {what}{meant(similar)}",
+                about=(use.path or "", passed.name),
+                flow=included_by(use),
+                level=Level.ERROR if use.ros == 1 else None,
+                presence=use.presence,
+            )
+    for argument in system.facts(ArgumentDeclaration):
+        if argument.is_used is False:
+            yield Finding(
+                at=argument.location,
+                message=f"launch argument {argument.name!r} is declared, but nothing reads it: setting it has no effect",
+                about=(argument.name,),
+                flow=included_by(argument),
+                presence=argument.presence,
+            )
+
+
+CHECK = Check(
+    id="unused-launch-argument",
+    summary="Launch arguments that are declared or passed have an effect.",
+    level=Level.WARNING,
+    catalogue="L08",
+    tags=("launch",),
+    run=check,
+)
