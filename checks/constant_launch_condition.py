@@ -17,6 +17,7 @@ def check(system: System) -> Iterator[Finding]:
                 at=use.location,
                 message=f"the condition {use.statement}={use.text!r} is always the same; remove it, or ask an argument",
                 about=(use.text,),
+                apart=(use.text,),
                 flow=included_by(use),
                 presence=use.presence,
             )
@@ -27,6 +28,7 @@ def check(system: System) -> Iterator[Finding]:
                     at=use.location,
                     message=f"{each.left} {each.sign} {each.right!r} {said}",
                     about=(use.text, each.left),
+                    apart=(use.text, each.left),
                     flow=included_by(use),
                     presence=use.presence,
                 )

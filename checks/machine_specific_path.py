@@ -23,6 +23,7 @@ def check(system: System) -> Iterator[Finding]:
             message=f"{use.text}{of} {_WHY[use.kind]}: other machines do not have it; name it with {find} or an argument",
             about=(use.text,),
             flow=included_by(use),
+            apart=(use.text,),
             presence=use.presence,
         )
 

@@ -37,6 +37,7 @@ def check(system: System) -> Iterator[Finding]:
             message=f"{what} {use.inner} of {use.package}, but there is no such file{hint}",
             about=(f"{use.package}/{use.inner}",),
             flow=included_by(use),
+            apart=(use.text,),
             level=None if use.kind in ("include", "parameters", "text") else Level.WARNING,
             presence=use.presence,
         )

@@ -47,6 +47,7 @@ def check(system: System) -> Iterator[Finding]:
             about=(package.name, use.package),
             related=((use.location, f"needs {use.package}"),),
             flow=included_by(use),
+            apart=(use.package,),
             level=None if is_whole else Level.NOTE,
         )
 

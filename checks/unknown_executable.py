@@ -23,6 +23,7 @@ def check(system: System) -> Iterator[Finding]:
             message=f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start{meant(use.similar)}",
             about=(f"{use.package}/{use.program}",),
             flow=included_by(use),
+            apart=(use.program,),
             presence=use.presence,
         )
 

@@ -21,6 +21,7 @@ def check(system: System) -> Iterator[Finding]:
             message=f"there is no package {use.package!r}; did you mean {meant!r}?",
             about=(use.package,),
             flow=included_by(use),
+            apart=(use.package,),
             presence=use.presence,
         )
 

@@ -30,6 +30,7 @@ def check(system: System) -> Iterator[Finding]:
             at=read.location,
             message=f"{how} is read, but nothing declares or sets it: launch stops here{meant(read.similar)}",
             about=(read.name,),
+            apart=(read.name,),
             flow=included_by(read),
             presence=read.presence,
         )
@@ -42,6 +43,7 @@ def _missing(system: System) -> Iterator[Finding]:
                 at=use.location,
                 message=f"includes {use.path} without its argument {name!r}, which has no default: launch stops here",
                 about=(use.path or "", name),
+                apart=(use.path or "", name),
                 flow=included_by(use),
                 presence=use.presence,
             )

@@ -21,6 +21,7 @@ def check(system: System) -> Iterator[Finding]:
                 at=passed.location,
                 message=f"passes {passed.name!r} to {use.path}, which does not declare it: {what}{meant(similar)}",
                 about=(use.path or "", passed.name),
+                apart=(use.path or "", passed.name),
                 flow=included_by(use),
                 level=Level.ERROR if use.ros == 1 else None,
                 presence=use.presence,
@@ -31,6 +32,7 @@ def check(system: System) -> Iterator[Finding]:
                 at=argument.location,
                 message=f"launch argument {argument.name!r} is declared, but nothing reads it: setting it has no effect",
                 about=(argument.name,),
+                apart=(argument.name,),
                 flow=included_by(argument),
                 presence=argument.presence,
             )

@@ -40,7 +40,8 @@ class Finding:
 
     *about* are the entities and names that the finding is about: by them it is the same finding after lines, files or launch
     arguments have changed, by them it is known when it can happen at all. *related* are the other ends, *flow* the places that lead
-    to it, in order. *level* replaces the check's own. *presence* is a condition besides those of the entities.
+    to it, in order. *level* replaces the check's own. *presence* is a condition besides those of the entities. *apart* are names that
+    tell several findings at one place apart, where the related places do not.
     """
 
     at: Location
@@ -50,6 +51,7 @@ class Finding:
     flow: tuple[Place, ...] = ()
     level: Level | None = None
     presence: Presence = ALWAYS
+    apart: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
