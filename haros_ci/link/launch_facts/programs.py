@@ -84,7 +84,6 @@ class Programs:
         stem = last.partition(".")[0]
         if use.kind == "executable":
             return any(posixpath.basename(path) in (last, stem) for path in self.finder.below(prefix))
-        paths = (
-            path for path in self.finder.below(prefix) if path.endswith((".cpp", ".cc", ".cxx", ".hpp", ".h", ".xml"))
-        )
+        suffixes = (".cpp", ".cc", ".cxx", ".hpp", ".h", *((".xml",) if use.kind == "nodelet" else ()))
+        paths = (p for p in self.finder.below(prefix) if p.endswith(suffixes) and ".launch" not in p)
         return any(last in self.finder.workspace.text(path) for path in paths)

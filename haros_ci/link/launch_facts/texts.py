@@ -48,7 +48,7 @@ def absolute_paths(text: str, is_path: bool = False) -> Iterator[tuple[str, str]
         return
     for match in _WORD.finditer(text):
         path = match[1] + match[2]
-        if match[1] == "~" and not match[2].startswith("/"):
+        if (match[1] == "~") != match[2].startswith("/"):  # ~user, or //host
             continue
         if _HOME.match(path):
             if is_file_name(path) or is_path or path.startswith(("/home/", "/Users/")):  # ~/x is a name, too
