@@ -8,11 +8,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from haros_ci.model.location import Location
+from haros_ci.query.calls import RosCall
 from haros_ci.query.declared import Declared
 from haros_ci.query.engine import entities_of
 from haros_ci.query.links import Link
 from haros_ci.query.resources import NodeInstance, Parameter, Resource
-from haros_ci.query.source import RosCall, SourceEntity
+from haros_ci.query.source import SourceEntity
 from haros_ci.query.system import System
 from haros_ci.query.values import Entity, Value, words
 from haros_ci.results.own import TOOL

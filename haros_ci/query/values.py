@@ -199,3 +199,7 @@ def _joined(brackets: str, parts: Iterator[str], room: int) -> str:
         if length > room:
             break
     return brackets[0] + ", ".join(found) + brackets[1]
+
+
+#: The list without elements.
+NOTHING = Listing.of(())
