@@ -79,7 +79,16 @@ WALKER = Node(
     location=Location("src/walker/launch/walk.launch", 3, 3),
     source="launch",
     endpoints=(
-        end("publishers", "/cmd_vel", "vel", 10, "geometry_msgs/Twist", original_name="/vel", queue_size=0, latched=False),
+        end(
+            "publishers",
+            "/cmd_vel",
+            "vel",
+            10,
+            "geometry_msgs/Twist",
+            original_name="/vel",
+            queue_size=0,
+            latched=False,
+        ),
         end("publishers", "/tf", "/tf", 11, "tf2_msgs/TFMessage", queue_size=100, latched=False, source="hint"),
         end("publishers", "/rosout", "/rosout", 1, "rosgraph_msgs/Log", implicit=True),
         end("subscribers", "/walker/bumper", "~bumper", 12, "std_msgs/Empty", queue_size=1, conditions=(IF,)),
@@ -108,7 +117,9 @@ WALK = Configuration(
     launch=("walker/launch/walk.launch",),
     nodes=(WALKER, BASE),
     parameters=(
-        Parameter(name="/walker/speed", type="double", value=1.5, location=Location("src/walker/launch/walk.launch", 5, 5)),
+        Parameter(
+            name="/walker/speed", type="double", value=1.5, location=Location("src/walker/launch/walk.launch", 5, 5)
+        ),
     ),
 )
 TALKER = Node(

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import pytest
+from query_worlds import Thing, fault, given
 
 from haros_ci.query.engine import Query
 from haros_ci.query.values import Listing, Record
-from query_worlds import Thing, fault, given
 
 ONE = Thing(name="one", a=1, b=2, s="/x", map=Record({"k": 1, "m": 2}))
 TWO = Thing(name="two", a=2, b=2, s="y", parts=Listing.of((ONE,)))
@@ -79,7 +79,10 @@ def test_sets(text: str, found: list[object]) -> None:
         ("return <x>", [[1, 2, 3]]),
         ("for a in <x> order by 0 desc return a", [3, 2, 1]),
         ("for a in <x> order by 1 ascd return a, -a", [[3, -3], [2, -2], [1, -1]]),
-        ("for a in <x> order by 'n' desc return 'k': a, 'n': a * a", [{"k": 3, "n": 9}, {"k": 2, "n": 4}, {"k": 1, "n": 1}]),
+        (
+            "for a in <x> order by 'n' desc return 'k': a, 'n': a * a",
+            [{"k": 3, "n": 9}, {"k": 2, "n": 4}, {"k": 1, "n": 1}],
+        ),
         ("for a in <x> return flatten {for b in <y> return a, b}", [1, 3, 1, 4, 2, 3, 2, 4, 3, 3, 3, 4]),
         ("for a in <x> return flatten <y>", [3, 4, 3, 4, 3, 4]),
         ("for a in <x> return flatten [a]", [[1], [2], [3]]),
@@ -158,7 +161,10 @@ def test_functions_and_methods(text: str, value: object) -> None:
         ("thing", "line 1, column 1: there is no variable 'thing'; did you mean 'things'?"),
         ("t/parts[q.a == 1]", "there is no variable 'q'; there is m, self, t, things, x"),
         ("t[self.nam == 'x']", "line 1, column 8: a Thing has no attribute 'nam'; did you mean 'name'?"),
-        ("for a in <t>\nwhere a.foo == 1 return a", "line 2, column 9: a Thing has no attribute 'foo'; there is a, b, map"),
+        (
+            "for a in <t>\nwhere a.foo == 1 return a",
+            "line 2, column 9: a Thing has no attribute 'foo'; there is a, b, map",
+        ),
         ("for a in <t>, b in <a/parts> return b", "a is a variable of the same for, which is not seen here"),
         ("t[self.name()]", "a text cannot be called"),
         ("t[self.s.startwith('/')]", "a text has no attribute 'startwith'; did you mean 'startswith'?"),

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import pytest
+from query_worlds import ROBOT, Thing, asked, fault, scene
 
-from haros_ci.query.access import attributes
 from haros_ci.query.engine import Query
 from haros_ci.query.fault import QueryError
 from haros_ci.query.functions import BUILTINS, METHODS
@@ -14,7 +14,6 @@ from haros_ci.query.resources import Parameter, Resource
 from haros_ci.query.source import Package, SourceFile, SourceNode
 from haros_ci.query.system import Collection, System
 from haros_ci.query.values import Entity, Listing
-from query_worlds import ROBOT, Thing, asked, fault, scene
 
 WAYS_OUT = [
     "__class__", "__dict__", "__init__", "__globals__", "__getattribute__", "__subclasses__", "__reduce__", "__mro__",
@@ -64,7 +63,9 @@ def test_every_attribute_of_the_model_gives_a_value_of_the_language() -> None:
         if id(value) in seen:
             continue
         seen.add(id(value))
-        assert value is None or isinstance(value, (bool, int, float, str, Listing, Entity)) or hasattr(value, "pairs"), value
+        assert (
+            value is None or isinstance(value, (bool, int, float, str, Listing, Entity)) or hasattr(value, "pairs")
+        ), value
         if isinstance(value, Entity):
             kept.append(value)
             kinds[type(value).__name__] = kinds.get(type(value).__name__, 0) + 1
@@ -74,7 +75,16 @@ def test_every_attribute_of_the_model_gives_a_value_of_the_language() -> None:
             waiting += value
         elif hasattr(value, "pairs"):
             waiting += [item for pair in value.pairs for item in (pair.key, pair.value)]
-    assert kinds.keys() >= {"NodeInstance", "Topic", "PublishLink", "ReadLink", "RosCall", "SourceCondition", "Location", "Collection"}
+    assert kinds.keys() >= {
+        "NodeInstance",
+        "Topic",
+        "PublishLink",
+        "ReadLink",
+        "RosCall",
+        "SourceCondition",
+        "Location",
+        "Collection",
+    }
     assert issubclass(Parameter, Resource)
 
 
@@ -99,7 +109,10 @@ def test_every_attribute_of_the_model_gives_a_value_of_the_language() -> None:
         ("let f = function(n) { f(n) + f(n) } return f(0)", "deep"),
         ("for a in <x>, b in <x>, c in <x>, d in <x> where a + b + c + d == -1 return 1", "stopped after"),
         ("for a in <x>, b in <x>, c in <x>, d in <x> where a < b and b < c and c < a return 1", "stopped after"),
-        ("x[every a in <x> satisfies (every b in <x> satisfies (every c in <x> satisfies (a + b + c + self != -1)))]", "stopped after"),
+        (
+            "x[every a in <x> satisfies (every b in <x> satisfies (every c in <x> satisfies (a + b + c + self != -1)))]",
+            "stopped after",
+        ),
         ("for a in <x> collect [a] as 1 with function(l, v) { [l, v] }", "deep"),
         (
             "let a = [1, 1], b = [a, a], c = [b, b, b, b, b, b, b, b], d = [c, c, c, c, c, c, c, c], e = [d, d, d, d, d, d, d, d],"
@@ -152,7 +165,9 @@ def test_a_hostile_query_does_not_stop_the_others() -> None:
     assert all(note.path == "haros.yaml" and note.level.value == "error" for note in found.notifications)
 
 
-@pytest.mark.parametrize("details", ["{entities.__class__}", "{0}", "{n.real}", "{entities!r}", "{value[0]}", "{", "}{"])
+@pytest.mark.parametrize(
+    "details", ["{entities.__class__}", "{0}", "{n.real}", "{entities!r}", "{value[0]}", "{", "}{"]
+)
 def test_details_are_no_format_of_python(details: str) -> None:
     rule = {"name": "n", "description": "d", "tags": ["t"], "scope": "configuration", "details": details}
     project = {"rules": {"r": {**rule, "query": "nodes[self.id == '/walker']"}}}

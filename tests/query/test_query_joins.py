@@ -8,11 +8,11 @@ from itertools import product
 from hypothesis import given as for_all
 from hypothesis import settings
 from hypothesis import strategies as st
+from query_worlds import Thing, fault
 
 from haros_ci.query.engine import Query
 from haros_ci.query.fault import QueryError
 from haros_ci.query.values import UNKNOWN, Listing, Value
-from query_worlds import Thing, fault
 
 NAMES = ("u", "v", "w")
 VALUES = st.sampled_from([0, 1, 2, 1.0, True, None, "?", "x", UNKNOWN])

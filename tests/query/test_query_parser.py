@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import pytest
+from query_worlds import fault, given
 
 from haros_ci.query.fault import QueryError
 from haros_ci.query.parser import DEEPEST, parse
 from haros_ci.query.syntax import Arithmetic, Chain, Compare, Flwr, Not, Or, Path, SetOperation
 from haros_ci.query.tokens import tokens
-from query_worlds import fault, given
 
 
 @pytest.mark.parametrize(
@@ -169,7 +169,9 @@ def test_what_a_condition_is(text: str, kind: type) -> None:
 
 
 def test_clauses_are_read_in_their_order() -> None:
-    tree = parse("for a in <x>, b in {return 1}, c in [1] let d = 1, e = <x> let f = 2 where a order by 0 desc return a, b")
+    tree = parse(
+        "for a in <x>, b in {return 1}, c in [1] let d = 1, e = <x> let f = 2 where a order by 0 desc return a, b"
+    )
     assert isinstance(tree, Flwr)
     assert [one.name for one in tree.fors] == ["a", "b", "c"]
     assert [one.name for one in tree.lets] == ["d", "e", "f"]
@@ -211,7 +213,9 @@ def test_what_cannot_be_read_is_said_with_its_place(text: str, said: str) -> Non
     assert said in fault(text, a=[1], x=[1])
 
 
-@pytest.mark.parametrize("text", ["(" * 400, "a[" * 400, "return " + "[" * 400, "return " + "f(" * 400, "{" * 99, "a" * 30_000])
+@pytest.mark.parametrize(
+    "text", ["(" * 400, "a[" * 400, "return " + "[" * 400, "return " + "f(" * 400, "{" * 99, "a" * 30_000]
+)
 def test_what_is_too_deep_or_too_long_is_refused(text: str) -> None:
     with pytest.raises(QueryError):
         parse(text)
