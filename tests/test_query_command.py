@@ -109,14 +109,15 @@ def test_other_scopes(workspace: Path, capsys: pytest.CaptureFixture[str]) -> No
     ("text", "said"),
     [
         ("topcs", "error: query, line 1, column 1: there is no variable 'topcs'\nhelp: did you mean 'topics'?"),
-        ("topics[self.nme == 1]", "error: query, line 1, column 13: a Topic has no attribute 'nme'\nhelp: did you mean 'name'?"),
+        (
+            "topics[self.nme == 1]",
+            "error: query, line 1, column 13: a Topic has no attribute 'nme'\nhelp: did you mean 'name'?",
+        ),
         ("topics[", "the query ends here instead of a value"),
         ("nodes/name[1 / 0]", "division by zero"),
     ],
 )
-def test_a_wrong_query_ends_with_2(
-    workspace: Path, capsys: pytest.CaptureFixture[str], text: str, said: str
-) -> None:
+def test_a_wrong_query_ends_with_2(workspace: Path, capsys: pytest.CaptureFixture[str], text: str, said: str) -> None:
     code, out, err = ask(capsys, text)
     assert (code, out) == (2, "")
     assert said in err
