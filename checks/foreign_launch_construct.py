@@ -30,7 +30,7 @@ def check(system: System) -> Iterator[Finding]:
 
 def _is_ros1(use: ConstructUse) -> bool:
     """Whether *use* is a construct of ROS 1: one word of each tells."""
-    words = (
+    words: tuple[str, ...] = (
         "type=",
         "ns=",
         "doc=",

@@ -12,7 +12,7 @@ _RUN = ("depend", "exec_depend", "run_depend", "build_export_depend")
 
 
 #: Packages that bring no others with nodes, configuration or models, by their beginnings and ends.
-_PLAIN = (
+_PLAIN: tuple[str, ...] = (
     "rclcpp",
     "rclpy",
     "rcl",

@@ -9,9 +9,8 @@ from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
-from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.launching import included_by, meant, owner
-from haros_ci.checking.likeness import is_moved, is_slip
+from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
@@ -23,9 +22,6 @@ from haros_ci.model.launch_facts import (
     ConstructUse,
     FileUse,
     IncludeUse,
-    NodePattern,
-    PackageUse,
-    ParameterFileUse,
     LaunchFact,
     NodePattern,
     PackageUse,
