@@ -157,8 +157,15 @@ class Compiler:
         return run
 
     def _attribute(self, run: Run, link: Attribute) -> Run:
-        name, at = link.name, link.at
-        return lambda scope: attribute(run(scope), name, at)
+        machine, name, at = self.machine, link.name, link.at
+
+        def read(scope: Scope) -> Value:
+            value = attribute(run(scope), name, at)
+            if value.__class__ is Listing or value.__class__ is Record:
+                machine.tick(value.weight >> 3)
+            return value
+
+        return read
 
     def _method(self, run: Run, link: Attribute, given: Any, names: Names) -> Run:
         arguments = [self.make(argument, names) for argument in given.arguments]
@@ -222,7 +229,7 @@ class Compiler:
 
         def member(scope: Scope) -> bool:
             one, all_of_them = item(scope), container(scope)
-            machine.tick(weight_of(one))
+            machine.tick(weight_of(one) + (weight_of(all_of_them) if isinstance(all_of_them, str) else 0))
             return contains(all_of_them, one) is wanted
 
         return self.placed(member, tree.at)

@@ -156,8 +156,7 @@ def contains(container: Value, item: Value) -> bool:
     if isinstance(container, Record):
         return item in container
     if isinstance(container, Entity) and container.items is not None:
-        inside = container.items.members
-        return item in inside or (isinstance(item, str) and any(getattr(one, "full", None) == item for one in inside))
+        return item in container.items.members or item in getattr(container, "by_name", ())
     raise QueryError(f"nothing can be in a {kind_of(container)}", -1, "write a path as in <topics/publishers>")
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -18,6 +19,18 @@ if TYPE_CHECKING:
 def readers(*names: str) -> dict[str, Any]:
     """Attributes that a query may read, and how."""
     return {name: attrgetter(name) for name in names}
+
+
+def kept(get: Callable[[Any], Value]) -> Any:
+    """A property that is worked out once for each entity, which keeps it in its ``cache``."""
+    name = get.__name__
+
+    def value(self: Any) -> Value:
+        if name not in self.cache:
+            self.cache[name] = get(self)
+        return self.cache[name]
+
+    return property(value)
 
 
 class RosName(Entity):

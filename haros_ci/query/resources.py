@@ -11,7 +11,7 @@ from haros_ci.model.architecture import Condition, Node
 from haros_ci.model.architecture import Parameter as ModelParameter
 from haros_ci.model.location import Location as Place
 from haros_ci.query.links import LINKS, Link
-from haros_ci.query.places import RosName, SourceCondition, readers
+from haros_ci.query.places import RosName, SourceCondition, kept, readers
 from haros_ci.query.values import UNKNOWN, Entity, Listing, Record, Value
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def resolve_name(self: Resource, name: Value) -> Value:
 class Resource(Entity):
     """What has a name in a configuration; equal to what has the same name there, if that is known."""
 
-    __slots__ = ("full", "links", "system")
+    __slots__ = ("cache", "full", "links", "system")
     TYPE: ClassVar[str] = ""
     METHODS: ClassVar[dict[str, Any]] = {
         "resolve_name": (1, 1, resolve_name),
@@ -52,6 +52,7 @@ class Resource(Entity):
         self.full = full
         self.system = system
         self.links: dict[str, list[Link]] = {}
+        self.cache: dict[str, Value] = {}
 
     @property
     def id(self) -> str:
@@ -102,8 +103,11 @@ class Resource(Entity):
     def resource_type(self) -> str:
         return self.TYPE
 
-    @property
+    @kept
     def conditions(self) -> Listing:
+        return self.conditions_of_ends()
+
+    def conditions_of_ends(self) -> Listing:
         """None if an end in an unconditional node has none, else those of all ends, and of the nodes if all have some."""
         found: list[Condition] = []
         is_conditional = True
@@ -121,7 +125,9 @@ class Resource(Entity):
             yield from self.links.get(kind, ())
 
     def of(self, kind: str) -> Listing:
-        return Listing.of(self.links.get(kind, ()))
+        if kind not in self.cache:
+            self.cache[kind] = Listing.of(self.links.get(kind, ()))
+        return self.cache[kind]  # type: ignore[no-any-return]
 
     def places(self) -> tuple[Place, ...]:
         """Where its ends stand, the main one first."""
@@ -134,7 +140,7 @@ class Resource(Entity):
     def traceability(self) -> Listing:
         return Listing.of(self.system.world.location(place) for place in self.places())
 
-    @property
+    @kept
     def types(self) -> Listing:
         """The types of its ends that are known."""
         known = dict.fromkeys(link.end.type for link in self.all_links() if link.end.type is not None)
@@ -202,15 +208,15 @@ class NodeInstance(Resource):
     def argv(self) -> str:
         return self.made.arguments
 
-    @property
+    @kept
     def remaps(self) -> Record:
         return Record(dict(self.made.remaps))
 
-    @property
+    @kept
     def conditions(self) -> Listing:
         return Listing.of(SourceCondition(one, self.system.world) for one in self.made.conditions)
 
-    @property
+    @kept
     def rt_outlinks(self) -> Listing:
         """The node, and those that its messages and calls reach, one after the other."""
         found = {id(self): self}
@@ -310,13 +316,13 @@ class Parameter(Resource):
     def type(self) -> Value:
         return (self.made.type if self.made is not None else None) or self.types[0]
 
-    @property
+    @kept
     def value(self) -> Value:
         from haros_ci.query.system import plain
 
         return plain(self.made.value) if self.made is not None else None
 
-    @property
+    @kept
     def node_scope(self) -> bool:
         """Whether it is private to a node."""
         return any(self.full.startswith((f"{node.full}/", f"{node.full}:")) for node in self.system.nodes.items)
@@ -326,10 +332,10 @@ class Parameter(Resource):
         place = self.made.location if self.made is not None else None
         return self.system.world.files.get(place.path) if place is not None else None
 
-    @property
+    @kept
     def conditions(self) -> Listing:
         if self.made is None:
-            return super().conditions
+            return Resource.conditions_of_ends(self)
         return Listing.of(SourceCondition(one, self.system.world) for one in self.made.conditions)
 
     def places(self) -> tuple[Place, ...]:

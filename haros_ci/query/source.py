@@ -12,7 +12,7 @@ from haros_ci.model.location import Location as Place
 from haros_ci.model.package import Package as ModelPackage
 from haros_ci.model.package import SourceFile as ModelFile
 from haros_ci.query.calls import CALLS, RosCall
-from haros_ci.query.places import Location, Location2, readers
+from haros_ci.query.places import Location, Location2, kept, readers
 from haros_ci.query.values import NOTHING, Entity, Listing, Value
 
 SCOPES = ("file", "node", "package", "repository", "project")
@@ -79,7 +79,7 @@ class SourceEntity(Entity):
 
 
 class Package(SourceEntity):
-    __slots__ = ("id", "made", "world")
+    __slots__ = ("cache", "id", "made", "world")
     KIND = "Package"
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
         **readers(
@@ -95,6 +95,7 @@ class Package(SourceEntity):
         self.made = made
         self.world = world
         self.id = f"package:{made.name}"
+        self.cache: dict[str, Value] = {}
 
     name = property(attrgetter("made.name"))
     path = property(attrgetter("made.path"))
@@ -116,11 +117,11 @@ class Package(SourceEntity):
     def location(self) -> Value:
         return self.world.location(self.place)
 
-    @property
+    @kept
     def source_files(self) -> Listing:
         return Listing.of((one for one in self.world.files.values() if one.made.package == self.made.name), True)
 
-    @property
+    @kept
     def nodes(self) -> Listing:
         return Listing.of((one for key, one in self.world.nodes.items() if key[0] == self.made.name), True)
 
@@ -128,20 +129,20 @@ class Package(SourceEntity):
     def file_count(self) -> int:
         return len(self.source_files)
 
-    @property
+    @kept
     def size(self) -> int:
         return sum(one.made.size for one in self.source_files)
 
-    @property
+    @kept
     def lines(self) -> int:
         return sum(one.made.lines for one in self.source_files)
 
-    @property
+    @kept
     def dependencies(self) -> Value:
         names = dict.fromkeys(one.name for one in self.made.dependencies)
         return DependencySet(Listing.of(names, True))
 
-    @property
+    @kept
     def topological_tier(self) -> int:
         """1 for what depends on no package of the workspace, else one more than the highest of those; -1 in a circle."""
         tiers: dict[str, int] = {}
@@ -236,7 +237,7 @@ class SourceFile(SourceEntity):
 class SourceNode(SourceEntity):
     """A type of node: an executable, or the class of a nodelet or component; its calls are those of all its instances."""
 
-    __slots__ = ("_calls", "id", "key", "made", "world")
+    __slots__ = ("_calls", "cache", "id", "key", "made", "world")
     KIND = "Node"
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
         **readers(
@@ -255,6 +256,7 @@ class SourceNode(SourceEntity):
         self.made: list[Node] = []
         self.id = f"node:{key[0]}/{key[1]}"
         self._calls: dict[str, Listing] = {}
+        self.cache: dict[str, Value] = {}
 
     @property
     def name(self) -> str:
@@ -276,7 +278,7 @@ class SourceNode(SourceEntity):
     def nodelet_class(self) -> Value:
         return (self.made[0].class_name or self.key[1]) if self.is_nodelet else None
 
-    @property
+    @kept
     def instances(self) -> Listing:
         """Its nodes in all configurations."""
         nodes = (node for system in self.world.systems for node in system.nodes.items)
@@ -302,7 +304,7 @@ class SourceNode(SourceEntity):
     read_param = property(lambda self: self.calls("read_param"))
     write_param = property(lambda self: self.calls("write_param"))
 
-    @property
+    @kept
     def source_files(self) -> Listing:
         """The files that its calls stand in."""
         paths = {e.location.path for node in self.made for e in node.endpoints if e.location is not None}

@@ -11,7 +11,7 @@ from haros_ci.model.architecture import Configuration
 from haros_ci.model.location import Location as Place
 from haros_ci.query.fault import QueryError
 from haros_ci.query.links import LINKS
-from haros_ci.query.places import RuntimeLocation, readers
+from haros_ci.query.places import RuntimeLocation, kept, readers
 from haros_ci.query.resources import Action, NodeInstance, Parameter, Resource, Service, Topic
 from haros_ci.query.source import DependencySet, World
 from haros_ci.query.values import DEEPEST, Entity, Listing, Record, Value
@@ -22,7 +22,7 @@ KINDS: dict[str, type[Resource]] = {"topics": Topic, "services": Service, "actio
 class Collection(Entity):
     """The nodes, topics, services, actions or parameters of a configuration (HAROS: ResourceCollection)."""
 
-    __slots__ = ("all",)
+    __slots__ = ("all", "by_name", "cache")
     KIND = "ResourceCollection"
     ATTRIBUTES: ClassVar[dict[str, Any]] = readers("all", "enabled", "unresolved", "conditional", "counter")
     METHODS: ClassVar[dict[str, Any]] = {
@@ -33,33 +33,34 @@ class Collection(Entity):
 
     def __init__(self, resources: Iterable[Resource]) -> None:
         self.all = Listing.of(resources)
+        self.cache: dict[str, Value] = {}
+        self.by_name: dict[str, list[Resource]] = {}
+        for one in self.all:
+            self.by_name.setdefault(one.full, []).append(one)
 
     @property
     def items(self) -> Listing:
         return self.all
 
-    @property
+    @kept
     def enabled(self) -> Listing:
         return Listing.of(one for one in self.all if not one.conditions)
 
-    @property
+    @kept
     def conditional(self) -> Listing:
         return Listing.of(one for one in self.all if one.conditions)
 
-    @property
+    @kept
     def unresolved(self) -> Listing:
         return Listing.of(one for one in self.all if one.unresolved)
 
-    @property
+    @kept
     def counter(self) -> Record:
         """How many there are of each name."""
-        counts: dict[str, int] = {}
-        for one in self.all:
-            counts[one.full] = counts.get(one.full, 0) + 1
-        return Record(counts)
+        return Record({name: len(found) for name, found in self.by_name.items()})
 
     def get_all(self, name: Value, conditional: Value = True) -> Listing:
-        return Listing.of(one for one in self.all if one.full == name and (conditional or not one.conditions))
+        return Listing.of(one for one in self.by_name.get(name, ()) if conditional or not one.conditions)
 
     def get(self, name: Value, conditional: Value = True) -> Value:
         """The last one with that name, as in HAROS."""
@@ -69,7 +70,7 @@ class Collection(Entity):
 class System(Entity):
     """A configuration. What it has is made when something asks for it."""
 
-    __slots__ = ("_made", "hpl", "made", "world")
+    __slots__ = ("_made", "cache", "hpl", "made", "world")
     KIND = "Configuration"
     ATTRIBUTES: ClassVar[dict[str, Any]] = {
         **readers("id", "name", "nodes", *KINDS, "roslaunch", "launch_commands", "user_attributes", "location", "dependencies"),
@@ -79,8 +80,8 @@ class System(Entity):
         "hpl_assumptions": lambda self: Listing.of(self.hpl[1]),
     }  # fmt: skip
     METHODS: ClassVar[dict[str, Any]] = {
-        "get_collisions": (0, 0, lambda self: self.get_collisions()),
-        "get_remaps": (0, 0, lambda self: len({pair for node in self.nodes.all for pair in node.made.remaps})),
+        "get_collisions": (0, 0, lambda self: self.collision_count),
+        "get_remaps": (0, 0, lambda self: self.remap_count),
         "get_unresolved": (0, 0, lambda self: sum(len(one.unresolved) for one in self.collections())),
         "get_conditional": (0, 0, lambda self: sum(len(one.conditional) for one in self.collections())),
     }
@@ -92,6 +93,7 @@ class System(Entity):
         self.world = world
         self.hpl = hpl
         self._made: dict[str, Collection] = {}
+        self.cache: dict[str, Value] = {}
 
     @property
     def id(self) -> str:
@@ -107,7 +109,12 @@ class System(Entity):
         """Those that HAROS has."""
         return (self.nodes, self.topics, self.services, self.parameters)
 
-    def get_collisions(self) -> int:
+    @kept
+    def remap_count(self) -> int:
+        return len({pair for node in self.nodes.all for pair in node.made.remaps})
+
+    @kept
+    def collision_count(self) -> int:
         """How many resources have a name that another one has as well."""
         names = [one.full for collection in self.collections() for one in collection.all]
         return len(names) - len(set(names))
@@ -138,7 +145,7 @@ class System(Entity):
         places = self.launch_places() or tuple(p for node in self.nodes.all for p in node.places())
         return next(iter(places), None)
 
-    @property
+    @kept
     def roslaunch(self) -> Listing:
         files = self.world.files
         return Listing.of(files[place.path] for place in self.launch_places() if place.path in files)
@@ -149,11 +156,11 @@ class System(Entity):
         commands = ((verb, item.partition("/")) for item in self.made.launch)
         return Listing.of(Listing.of((v, f"{p} {f.rpartition('/')[2]}"), True) for v, (p, _, f) in commands)
 
-    @property
+    @kept
     def dependencies(self) -> DependencySet:
         return DependencySet(Listing.of(dict.fromkeys(node.package for node in self.made.nodes), True))
 
-    @property
+    @kept
     def user_attributes(self) -> Value:
         data = self.made.user_data
         return plain(data) if isinstance(data, Mapping) else Record({})

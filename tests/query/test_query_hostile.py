@@ -173,3 +173,21 @@ def test_details_are_no_format_of_python(details: str) -> None:
     project = {"rules": {"r": {**rule, "query": "nodes[self.id == '/walker']"}}}
     (result,) = run(ROBOT, project, "haros.yaml").results
     assert result.message.startswith(details)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "for a in <nodes>, b in <nodes>, c in <files>, d in <files> where len(a.rt_outlinks) > len(b.rt_outlinks) + 99 return a",
+        "topics[len(self.publishers) + len(config.nodes.all) < 0]",
+        "packages[len(self.source_files) > 99]",
+    ],
+)
+def test_what_an_entity_has_is_worked_out_once(text: str) -> None:
+    variables = scene()
+    node = variables["nodes"].items[0]
+    assert node.rt_outlinks is node.rt_outlinks
+    assert node.of("publishers") is node.of("publishers")
+    assert variables["packages"][0].source_files is variables["packages"][0].source_files
+    assert variables["topics"].counter is variables["topics"].counter
+    assert Query(text, variables).matches(variables) == ()
