@@ -10,6 +10,7 @@ from haros_ci.link.launch_facts import includes, ros2
 from haros_ci.link.launch_facts.includes import statics_of
 from haros_ci.link.launch_presence import Arguments, Assumed
 from haros_ci.link.launching import presences
+from haros_ci.link.launching.assuming import assume, assumed_problems
 from haros_ci.link.launching.context import Context, Exhausted, Scope
 from haros_ci.link.launching.including import include
 from haros_ci.link.launching.node import command, component, full_name, node
@@ -22,15 +23,14 @@ from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence
-from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.model.workspace import Workspace
 
 #: How deep groups, includes and lists may be nested, together.
 MAX_DEPTH = 80
 #: How many actions may be put off until something happens.
 MAX_EVENTS = 1_000
-#: How many assumptions about launch arguments are made inside one another, and the steps of the outermost.
+#: How many assumptions about launch arguments are made inside one another.
 MAX_ASSUMPTIONS = 3
-MAX_ASSUMED = 150_000
 
 _Conditions = tuple[Condition, ...]
 #: What was launched before, by files, arguments and environment.
@@ -79,7 +79,7 @@ def launch_system(
         arguments=tuple((name, text.shown) for name, text in run.arguments.items()),
         files=tuple(sorted(context.files)),
         includes=tuple(sorted(run.included)),
-        problems=(*context.problems, *run.assumed_problems()),
+        problems=(*context.problems, *assumed_problems(run)),
         alternatives=tuple(run.alternatives),
         facts=includes.finished(context, statics_of(load, shares)),
     )
@@ -149,7 +149,7 @@ class _Run:
             self.context.path = path
             done += 1
             if assumed:
-                self.assume(assumed, presence, lambda: self.actions(action.children, conditions))
+                assume(self, assumed, presence, lambda: self.actions(action.children, conditions))
                 continue
             self.context.presence = presence
             self.actions(action.children, conditions)
@@ -183,7 +183,7 @@ class _Run:
             other = presences.otherwise(context, action.tests)
             if other is not None:
                 assumed = {**context.assumed, **other[0]}
-                self.assume(assumed, other[1], lambda: self.perform(action, conditions, (), handler))
+                assume(self, assumed, other[1], lambda: self.perform(action, conditions, (), handler))
         if key is not None:
             presences.guard(context, action, key, before)
 
@@ -205,40 +205,6 @@ class _Run:
         counts = (len(before.remaps or ()), len(before.parameters or ()))
         handler(self, action, (*conditions, *undecided))
         doubt(self.context, before, counts, undecided)
-
-    def assume(self, assumed: Assumed, presence: Presence, work: Callable[[], None]) -> None:
-        """Do *work* where launch arguments are as *assumed*; what it starts are alternatives, and all else is as before."""
-        context, is_outermost = self.context, not self.assumptions
-        here = (context.scope, context.assumed, context.presence, context.path, context.files, context.included)
-        is_open = context.facts.is_open
-        tables = (context.rewritten, context.rewritten_trees)
-        ours = (self.nodes, self.arguments, self.declared, self.included, self.containers, self.chain, self.depth)
-        context.scope, context.assumed, context.presence = context.scope.apart(), assumed, presence
-        context.files = set(context.files)
-        context.rewritten, context.rewritten_trees = dict(context.rewritten), dict(context.rewritten_trees)
-        self.nodes, self.arguments, self.declared = self.alternatives, dict(self.arguments), set(self.declared)
-        self.included, self.containers, self.chain = set(self.included), dict(self.containers), list(self.chain)
-        self.assumptions += 1
-        try:
-            with presences.spare(context, MAX_ASSUMED):
-                work()
-        except Exhausted:
-            if not is_outermost:
-                raise
-        finally:
-            self.assumptions -= 1
-            context.scope, context.assumed, context.presence, context.path, context.files, context.included = here
-            context.facts.is_open = is_open
-            context.rewritten, context.rewritten_trees = tables
-            self.nodes, self.arguments, self.declared, self.included, self.containers, self.chain, self.depth = ours
-
-    def assumed_problems(self) -> list[Problem]:
-        """What is wrong under assumptions alone, each with the first of them."""
-        return [
-            Problem(problem.path, f"{problem.message} (with {words})", problem.line)
-            for problem, words in self.context.assumed_problems.items()
-            if problem not in self.context.problems
-        ]
 
     def undecided(self, action: Action) -> _Conditions | None:
         """The tests of *action* that may hold, as conditions; None if one does not."""
