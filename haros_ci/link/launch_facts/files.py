@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 
@@ -25,6 +25,9 @@ _MAKES = re.compile(
 _BY_HAND = (".launch", ".launch.py", ".launch.xml", "_launch.py", ".rviz", ".launch.yaml", ".vcg")
 _BUILD_FILES = ("CMakeLists.txt", "setup.py", "setup.cfg", "pyproject.toml")
 MAX_SIMILAR = 3
+MAX_ALIKE = 2_000
+#: Paths that may be looked at, all together.
+MAX_STEPS = 30_000_000
 
 
 @dataclass(slots=True)
@@ -36,7 +39,10 @@ class Finder:
     files: Files = field(init=False)
     names: frozenset[str] = field(init=False)
     directories: frozenset[str] = field(init=False)
+    #: Steps that are left: when they are used up, nothing more is said to be missing.
+    steps: int = MAX_STEPS
     _doubled: frozenset[str] = field(init=False)
+    _listed: dict[str, tuple[str, ...]] = field(default_factory=dict, init=False)
     _scripts: dict[str, str] = field(default_factory=dict, init=False)
     _found: dict[tuple[str, str], FileUse] = field(default_factory=dict, init=False)
 
@@ -132,7 +138,7 @@ class Finder:
 
     def _may_be_made(self, package: str, start: str, inner: str) -> bool:
         """Whether the build may make or install the file in a way that is not known."""
-        if self.is_doubled(package) or package not in self.builds:
+        if self.steps < 0 or self.is_doubled(package) or package not in self.builds:
             return True
         text = self.script(package, start)
         base = posixpath.basename(inner)
@@ -169,16 +175,21 @@ class Finder:
             self._scripts[package] = "\n".join(self.workspace.text(path) for path in dict.fromkeys(paths))
         return self._scripts[package]
 
-    def below(self, prefix: str) -> Iterator[str]:
-        """The paths of all files that begin so."""
-        return (path for path in self.names if path.startswith(prefix))
+    def below(self, prefix: str) -> tuple[str, ...]:
+        """The paths of all files that begin so, sorted."""
+        if prefix not in self._listed:
+            self.steps -= len(self.names)
+            self._listed[prefix] = tuple(sorted(path for path in self.names if path.startswith(prefix)))
+        self.steps -= len(self._listed[prefix])
+        return self._listed[prefix]
 
     def _similar(self, start: str, inner: str) -> tuple[str, ...]:
         """Files of the package that may be meant: of the same name elsewhere, else of a similar one."""
         prefix = "" if start == "." else f"{start}/"
-        inside = sorted(path[len(prefix) :] for path in self.below(prefix))
+        inside = [path[len(prefix) :] for path in self.below(prefix)]
         base = posixpath.basename(inner)
         same = [path for path in inside if posixpath.basename(path) == base]
         suffix = posixpath.splitext(base)[1]
-        alike = [path for path in inside if path.endswith(suffix)]
+        alike = [path for path in inside if path.endswith(suffix)][:MAX_ALIKE]
+        self.steps -= 200 * len(alike)
         return tuple(dict.fromkeys((*same, *get_close_matches(inner, alike, MAX_SIMILAR, 0.8))))[:MAX_SIMILAR]

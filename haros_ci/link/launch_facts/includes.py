@@ -16,6 +16,10 @@ from haros_ci.link.roslaunch_names import Text
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.launch_facts import ArgumentRead, IncludeUse, LaunchFact, PackageUse, PassedArgument
 
+#: How many names are likened to each other.
+MAX_KNOWN = 2_000
+MAX_READS = 200
+
 if TYPE_CHECKING:
     from haros_ci.link.launching.context import Context
     from haros_ci.model.launch_actions import Action
@@ -81,9 +85,11 @@ def finished(context: Context, statics: Statics) -> tuple[LaunchFact, ...]:
         if used is False and declaration.included and facts.is_open:
             used = None
         found.append(replace(declaration, is_used=used))
-    known = sorted({declaration.name for declaration in facts.declared} | set(facts.values))
+    known = sorted({declaration.name for declaration in facts.declared} | set(facts.values))[:MAX_KNOWN]
+    reads = 0
     for fact in facts.found:
-        if isinstance(fact, ArgumentRead):
+        if isinstance(fact, ArgumentRead) and reads < MAX_READS:
+            reads += 1
             fact = replace(fact, similar=tuple(get_close_matches(fact.name, known, 3, 0.7)))
         found.append(fact)
     return tuple(found)

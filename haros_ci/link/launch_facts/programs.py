@@ -72,7 +72,7 @@ class Programs:
 
     def _may_be_made(self, use: ProgramUse, start: str) -> bool:
         """Whether the package may have it in a way that is not known: its build or a file names it, or makes names."""
-        if self.finder.is_doubled(use.package):
+        if self.finder.steps < 0 or self.finder.is_doubled(use.package):
             return True
         last = use.program.rpartition("::")[2].rpartition("/")[2]
         text = self.finder.script(use.package, start)

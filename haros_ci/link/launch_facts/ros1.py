@@ -89,8 +89,8 @@ def undeclared(state: State, scope: Scope, tag: LaunchElement, raw: str) -> None
     for match in _ARG.finditer(raw):
         name = match[1]
         if name not in scope.args and name not in scope.missing:
-            known = sorted({*scope.args, *scope.missing})
-            similar = tuple(get_close_matches(name, known, 3, 0.7))
+            known = sorted({*scope.args, *scope.missing})[:100]
+            similar = tuple(get_close_matches(name, known, 3, 0.7)) if len(state.facts.found) < 5_000 else ()
             note(state, scope, ArgumentRead, place(scope, tag), name=name, similar=similar)
 
 

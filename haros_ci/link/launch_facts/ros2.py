@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.link.launch_facts.conditions import comparisons, is_constant, written
+from haros_ci.link.launch_facts.record import MAX_FACTS
 from haros_ci.link.launch_facts.texts import absolute_paths, is_file_name, named_files, named_packages
 from haros_ci.link.roslaunch_names import Text
 from haros_ci.model.launch_facts import (
@@ -88,7 +89,8 @@ def declared(context: Context, action: Action, name: str, default: Text | None) 
         choices=choices,
         is_top=not context.included,
     )
-    context.facts.declared.setdefault(fact, context.path)
+    if len(context.facts.declared) < MAX_FACTS:
+        context.facts.declared.setdefault(fact, context.path)
 
 
 def read(context: Context, part: Substitution) -> None:
