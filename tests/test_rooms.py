@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 
 import pytest
@@ -116,3 +117,11 @@ def test_checks_see_only_the_api(path: Path) -> None:
 @pytest.mark.parametrize("path", modules(), ids=lambda p: p.relative_to(ROOT).as_posix())
 def test_every_file_carries_its_licence(path: Path) -> None:
     assert path.read_text(encoding="utf-8").startswith("# SPDX-License-Identifier: Apache-2.0\n")
+
+
+def test_every_package_is_installed() -> None:
+    """A directory of modules that pyproject.toml does not name is there in a checkout, and missing after pip install."""
+    text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    named = set(re.findall(r'"(haros_ci[\w.]*)",\n', text[text.index("packages = [") : text.index("package-dir")]))
+    found = {".".join(path.parent.relative_to(ROOT).parts) for path in (ROOT / "haros_ci").rglob("*.py")}
+    assert named == found | {"haros_ci_checks"}
