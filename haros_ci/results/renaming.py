@@ -62,18 +62,17 @@ def pair_partly_mended(
     Two names at least: a single one says too little of what was wrong with it.
     """
     pick = picker("RP")
-    news = [thing for thing in new if len(set(results[thing.index].subject)) >= _LEAST_NAMES]
-    olds = grouped((thing for thing in old if thing.names), pick, {pick(thing.features) for thing in news})
+    new = [thing for thing in new if len(set(results[thing.index].subject)) >= _LEAST_NAMES]
+    olds = grouped((thing for thing in old if thing.names), pick, {pick(thing.features) for thing in new})
     choices = []
-    for a in news:
-        there = olds.get(pick(a.features), [])
-        now = set(results[a.index].subject)
-        for b in there if len(there) * len(news) <= _MOST_CHOICES else ():
-            before = set(known[b.index].subject)
-            if now < before:
-                choices.append(
-                    (len(before) - len(now), abs(a.place[0] - b.place[0]), a.place, b.place, a.index, b.index)
-                )
+    for key, here in grouped(new, pick, olds).items():
+        befores = [(b, set(known[b.index].subject)) for b in olds[key]]
+        for a in here if len(here) * len(befores) <= _MOST_CHOICES else ():
+            now = set(results[a.index].subject)
+            for b, before in befores:
+                if now < before:
+                    gone = len(before) - len(now)
+                    choices.append((gone, abs(a.place[0] - b.place[0]), a.place, b.place, a.index, b.index))
     found = _one_to_one((new, old) for *_, new, old in sorted(choices))
     return tuple(
         Pair(new, old, "some of the same ROS names in the same file; the others were mended") for new, old in found
@@ -113,26 +112,30 @@ class Evidence:
         self.results, self.known, self.sides, self.mapped = results, known, sides, mapped
         self.now = _System(sides.head_names, ((result.graph, result.subject) for result in results))
         self.past = _System(sides.base_names or {}, ((entry.graph, entry.subject) for entry in known))
+        self.new_names = [frozenset(result.subject) for result in results]
+        self.old_names = [frozenset(entry.subject) for entry in known]
         self.news: dict[Key, list[frozenset[str]]] = {}
         self.olds: dict[Key, list[frozenset[str]]] = {}
-        for result in results:
-            self.news.setdefault(_kind(result), []).append(frozenset(result.subject))
-        for entry in known:
+        for result, names in zip(results, self.new_names, strict=True):
+            self.news.setdefault(_kind(result), []).append(names)
+        for entry, names in zip(known, self.old_names, strict=True):
             kind = (sides.rule(entry), sides.renames.get(entry.path, entry.path), entry.roles)
-            self.olds.setdefault(kind, []).append(frozenset(entry.subject))
+            self.olds.setdefault(kind, []).append(names)
 
     def common(self, new: int, old: int) -> int | None:
         """How many names a result and a known finding share, if they are one finding renamed; else None."""
-        result, known = self.results[new], self.known[old]
-        before, now = set(known.subject), set(result.subject)
-        gone, fresh, common = before - now, now - before, len(before & now)
-        if not gone or len(gone) != len(fresh):
+        before, now = self.old_names[old], self.new_names[new]
+        if len(before) != len(now) or before == now:
             return None
+        gone, fresh, common = before - now, now - before, len(before & now)
+        by_text = self.sides.base is None
+        if by_text and (len(gone) != 1 or not common):
+            return None
+        result, known = self.results[new], self.known[old]
         if self.now.has(gone, known.graph, result.graph) or self.past.has(fresh, result.graph, known.graph):
             return None
-        if self.sides.base is not None:
-            return common if self.in_place(result, known) else None
-        return common if common and len(gone) == 1 and self.all_renamed(_kind(result), *gone, *fresh) else None
+        fits = self.all_renamed(_kind(result), *gone, *fresh) if by_text else self.in_place(result, known)
+        return common if fits else None
 
     def all_renamed(self, kind: Key, old: str, new: str) -> bool:
         """Whether all known findings of that kind are about the *old* name, and those of today the same but for it."""
@@ -164,7 +167,7 @@ class _System:
             self.graphs.setdefault(name, set()).update(subject)
         self.every = set().union(*self.graphs.values())
 
-    def has(self, names: set[str], graph: str, other: str) -> bool:
+    def has(self, names: frozenset[str], graph: str, other: str) -> bool:
         """Whether any of the names is in the graph, or in the *other* where there is no such graph, else in any."""
         if not graph:
             return not names.isdisjoint(self.every)
