@@ -88,6 +88,14 @@ class TestLog:
         assert starts["node:/first"]["artifactLocation"]["uri"] == LAUNCH_XML
         assert starts["node:/first"]["region"]["startLine"] == 2
 
+    def test_the_way_through_the_code(self, logs: dict[str, dict[str, Any]]) -> None:
+        for run in logs.values():
+            [flow] = run["results"][0]["codeFlows"]
+            steps = [step["location"] for step in flow["threadFlows"][0]["locations"]]
+            places = [step["physicalLocation"]["artifactLocation"]["uri"] for step in steps]
+            assert len(steps) > 1 and all(step["message"]["text"] for step in steps)
+            assert {LAUNCH_XML, LISTENER_CPP} <= set(places)
+
     def test_what_it_is_about(self, logs: dict[str, dict[str, Any]]) -> None:
         for run in logs.values():
             [result] = run["results"]
