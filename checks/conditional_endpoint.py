@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ends that others count on, but that a node makes under a condition of its code."""
+"""Publishers and servers that others count on, but that a node makes under a condition of its code."""
 
 from __future__ import annotations
 
@@ -15,46 +15,36 @@ DECIDE = ("if", "else", "switch", "catch", "#if", "case", "unless")
 
 def check(system: System) -> Iterator[Finding]:
     for channel in (*system.topics, *system.services, *system.actions):
-        for end, others in _each(channel.givers, channel.takers):
+        if any(not giver.conditions for giver in channel.givers):
+            continue
+        for end in channel.givers:
             condition = _condition(end)
-            if (
-                condition is None
-                or any(word in condition.condition for word in LAZY)
-                or not end.in_source
-                or end.implicit
-            ):
+            if condition is None or not end.in_source or end.implicit:
                 continue
-            counting = [
-                other for other in others if not other.conditions and not other.implicit and other.node is not end.node
-            ]
-            same = channel.givers if end in channel.givers else channel.takers
-            if counting and all(each.conditions for each in same):
-                yield Finding(
-                    at=end.location,
-                    message=(
-                        f"{end.node} is {_article(end.word)} of {channel} only if {condition.condition or condition.statement}, "
-                        f"but {counting[0].node} is always {_article(counting[0].word)} of it: {_effect(end, channel)}"
-                    ),
-                    about=(channel, end),
-                    related=((condition.location, "the condition"), *((o.location, str(o)) for o in counting)),
-                )
+            if sum(other.node is end.node for other in channel.givers) > 1:
+                continue  # one in each branch
+            counting = [t for t in channel.takers if not t.conditions and not t.implicit and t.node is not end.node]
+            if counting:
+                yield _finding(channel, end, condition, counting)
 
 
-def _each(givers: tuple[End, ...], takers: tuple[End, ...]) -> Iterator[tuple[End, tuple[End, ...]]]:
-    for end in givers:
-        yield end, takers
-    for end in takers:
-        yield end, givers
+def _finding(channel: Channel, end: End, condition: Condition, counting: list[End]) -> Finding:
+    effect = "it gets no message" if channel.kind == "topic" else "it gets no answer"
+    return Finding(
+        at=end.location,
+        message=(
+            f"{end.node} is {_article(end.word)} of {channel} only if {condition.condition or condition.statement}, "
+            f"but {counting[0].node} is always {_article(counting[0].word)} of it: otherwise {effect}"
+        ),
+        about=(channel, end),
+        related=((condition.location, "the condition"), *((other.location, str(other)) for other in counting)),
+    )
 
 
 def _condition(end: End) -> Condition | None:
-    return next((each for each in end.conditions if each.statement in DECIDE), None)
-
-
-def _effect(end: End, channel: Channel) -> str:
-    if end not in channel.givers:
-        return "otherwise nobody takes what it sends"
-    return "otherwise it gets no message" if channel.kind == "topic" else "otherwise it gets no answer"
+    deciding = [each for each in end.conditions if each.statement in DECIDE]
+    is_lazy = any(word in each.condition for each in deciding for word in LAZY)
+    return None if is_lazy or not deciding else deciding[0]
 
 
 def _article(word: str) -> str:
