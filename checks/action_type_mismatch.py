@@ -22,7 +22,8 @@ def check(system: System) -> Iterator[Finding]:
         for (given, wanted), ends in found.items():
             clients = [end for end in ends if end.kind == "action_clients"]
             servers = [end for end in ends if end.kind == "action_servers"]
-            wrong = next((end for end in (*clients, *servers) if rule_of(end) is not None), clients[0])
+            wrong = next((end for end in (*clients, *servers) if rule_of(end) is not None), None)
+            wrong = wrong or next((end for end in (*clients, *servers) if end.in_source), clients[0])
             rule = rule_of(wrong)
             advice = "" if rule is None else f"; {wrong.original_name} is remapped here to {wrong.name}"
             others = f" and {len(clients) - 1} more" if len(clients) > 1 else ""

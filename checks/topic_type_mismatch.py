@@ -75,10 +75,12 @@ def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Findin
 
 
 def _wrong(ends: tuple[End, ...]) -> End:
-    """The end that is most likely wrong: remapped, of the smaller side, a subscriber."""
+    """The end that is most likely wrong: remapped, of the smaller side, a subscriber; if it can be, one of the workspace."""
     sides = [[end for end in ends if end.kind == kind] for kind in ("subscribers", "publishers")]
     sides.sort(key=len)
-    return next((end for side in sides for end in side if rule_of(end) is not None), sides[0][0])
+    ordered = [end for side in sides for end in side]
+    remapped = next((end for end in ordered if rule_of(end) is not None), None)
+    return remapped or next((end for end in ordered if end.in_source), ordered[0])
 
 
 def _advice(end: End) -> str:
