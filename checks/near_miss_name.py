@@ -6,6 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import (
+    ACTION,
+    SERVICE,
+    TOPIC,
     Channel,
     Check,
     Decidability,
@@ -33,8 +36,9 @@ def check(system: System) -> Iterator[Finding]:
     if not system.is_launched:
         return
     found: dict[tuple[Location, str], list[tuple[Channel, Channel, End, End]]] = {}
-    for channels in (system.topics, system.services, system.actions):
-        for giver, taker in _lonely(channels, tuple(end for end in system.ends if not end.known)):
+    for channels, kinds in ((system.topics, TOPIC), (system.services, SERVICE), (system.actions, ACTION)):
+        unknown = tuple(end for end in system.ends if end.kind in kinds and not end.known)
+        for giver, taker in _lonely(channels, unknown):
             pair = next((pair for pair in can_meet(giver.givers, taker.takers) if _fit(*pair)), None)
             if pair is not None:
                 wrong = _wrong(*pair)
@@ -64,13 +68,11 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
     for taker in takers:
         alike = givers.get(taker.types[0], [])
         for giver in alike if len(alike) <= MOST else ():
-            if _is_near(giver.name, taker.name):
+            if is_moved(giver.name, taker.name) or _is_misspelt(giver.name, taker.name):
                 yield giver, taker
 
 
-def _is_near(one: str, other: str) -> bool:
-    if is_moved(one, other):
-        return True
+def _is_misspelt(one: str, other: str) -> bool:
     segments, others = one.split("/"), other.split("/")
     if len(segments) != len(others):
         return False
@@ -79,7 +81,21 @@ def _is_near(one: str, other: str) -> bool:
 
 
 def _fit(giver: End, taker: End) -> bool:
-    return giver.node is not taker.node and (giver.in_source or taker.in_source)
+    """Whether two ends may be meant for each other.
+
+    A topic in another namespace is one for somebody else as a rule. It is meant for this one if somebody chose its name: by a remapping
+    rule, or as a global name where the other end has a relative one.
+    """
+    if giver.node is taker.node or not (giver.in_source or taker.in_source):
+        return False
+    if giver.kind != "publishers" or not is_moved(giver.name, taker.name):
+        return True
+    if rule_of(giver) is not None or rule_of(taker) is not None:
+        return True
+    written = [end.raw.written or "?" for end in (giver, taker)]
+    return sum(each.startswith("/") for each in written) == 1 and not any(
+        each.startswith(("?", "~")) for each in written
+    )
 
 
 def _wrong(giver: End, taker: End) -> End:
