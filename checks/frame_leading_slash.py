@@ -82,7 +82,7 @@ def _broadcasters(system: System) -> Iterator[Finding]:
         if words:
             yield Finding(
                 at=node.location,
-                message=f"the frame {words[0]} of {node} begins with a slash, which tf2 takes off; write {words[0].lstrip('/')}",
+                message=f"the frame {words[0]} of the broadcaster begins with a slash, which tf2 takes off; write {words[0].lstrip('/')}",
                 about=(node,),
                 level=Level.NOTE,
             )

@@ -44,6 +44,7 @@ def _finding(found: list[tuple[Channel, End, End]]) -> Finding:
         about=tuple(part for each in found for part in each),
         related=tuple((end.location, f"{end.word} {end.name}") for _, one, two in found for end in (one, two)),
         flow=way_to(second),
+        level=None if first.in_source and second.in_source else Level.WARNING,  # other releases may have other services
     )
 
 
