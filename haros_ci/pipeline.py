@@ -158,18 +158,26 @@ def lint_options(settings: Settings) -> LintOptions:
 def unheard(settings: Settings) -> frozenset[str]:
     """The linters of which no rule is on, so that they need not run: all of them in the profile of the checks alone."""
     layers = (settings.policy, settings.command_line, *(entry.policy for entry in settings.per_path))
-    if settings.profile != "architecture" or settings.per_path or any(policy.select or policy.levels for policy in layers):
+    if (
+        settings.profile != "architecture"
+        or settings.per_path
+        or any(policy.select or policy.levels for policy in layers)
+    ):
         return frozenset()
     return frozenset(ADAPTERS)
 
 
 def selected(results: Iterable[Result], selection: Selection, workspace: Workspace) -> tuple[Result, ...]:
-    """Those results whose rule is on for their file, at the level that the settings give them."""
+    """Those results whose rule is on for their file, at the level that the settings give them.
+
+    Where they give none, a check's finding keeps its own level: it may weigh less or more than the check as a rule.
+    """
     kept = []
     for result in results:
         if not workspace.reports_on(result.location.path):
             continue
-        level = selection.decide(result.tool, result.rule, result.location.path)
+        default = result.level if result.tool == own.TOOL else None
+        level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
     return tuple(kept)
