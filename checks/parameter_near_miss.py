@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 
 from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System, SystemNode, is_moved, is_slip
@@ -10,8 +11,8 @@ from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System
 
 def check(system: System) -> Iterator[Finding]:
     reads = [end for end in system.ends if end.kind in ("getters", "setters") and end.node.ros == 1]
-    if any("?" in end.name and end.name.rpartition("?")[2].count("/") == len(end.name) for end in reads):
-        return
+    vague = sorted({".*".join(map(re.escape, end.name.split("?"))) for end in reads if "?" in end.name})
+    perhaps = re.compile("|".join(vague)) if vague else None
     given = [each for each in system.parameters if "?" not in each.name and ":" not in each.name]
     named = {part for end in reads for part in _around(end.name)}
     read = {end.name for end in reads}
@@ -22,7 +23,8 @@ def check(system: System) -> Iterator[Finding]:
         for each in given
         if each.name not in named
         and not any(part in read for part in _around(each.name))
-        and _is_sure(each, system, reads)
+        and not (perhaps is not None and perhaps.fullmatch(each.name))
+        and _is_sure(each, system)
     ]
     by_last: dict[str, list[Parameter]] = {}
     for each in unread:
@@ -67,7 +69,7 @@ def _finding(end: End, given: Parameter, at: Location) -> Finding:
     )
 
 
-def _is_sure(given: Parameter, system: System, reads: list[End]) -> bool:
+def _is_sure(given: Parameter, system: System) -> bool:
     """Whether nobody can read it who is not seen to: its node is complete, or for a shared one all are."""
     owners = [node for node in system.nodes if given.name.startswith(f"{node.name}/")]
     return all(_is_read_through(node) for node in (owners or system.nodes))
