@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api import NO_SYSTEMS, Check, Finding, Level, System
 
 
 def check(system: System) -> Iterator[Finding]:
     for node in system.nodes:
-        if node.ros != 2 or not node.known:
+        if node.ros != 2 or not node.known or system.name.endswith(NO_SYSTEMS):
             continue
         for key, ends in node.names.declared.items():
             if "?" in key or key in node.names.set or len(ends) < 2:

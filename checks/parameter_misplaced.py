@@ -24,6 +24,7 @@ def check(system: System) -> Iterator[Finding]:
             ),
             about=(each.node, each.key),
             flow=((each.tag, f"{each.node} is given the parameters"), (each.at, f"{meant} is meant")),
+            presence=each.presence,
         )
 
 

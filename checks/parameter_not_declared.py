@@ -52,6 +52,7 @@ def _finding(given: Given, section: str, keys: Sequence[str]) -> Finding:
         message=f"{node} {what}: what is said here has no effect" + (f"; did you mean {meant}?" if meant else ""),
         about=(node, section if len(keys) > 1 else keys[0]),
         flow=((given.tag, f"{node} is given the parameters"), (given.at, "this one is not declared")),
+        presence=given.presence,
     )
 
 

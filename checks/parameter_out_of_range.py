@@ -6,29 +6,35 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import Check, End, Finding, Level, Location, System
+from haros_ci.api import ALWAYS, Check, End, Finding, Given, Level, System
 
 
 def check(system: System) -> Iterator[Finding]:
     for node in system.nodes:
-        given = {each.key: each for each in node.given}
         for key, ends in node.names.declared.items() if node.ros == 2 else ():
-            for end in ends:
-                value = given[key].value if key in given else end.raw.value
-                at = given[key].at if key in given else end.location
-                said = _outside(end, value)
-                if said and not (key in given and _differ(ends)):
-                    yield _finding(end, key, value, said, at, key in given)
+            if all(end.raw.range is None for end in ends):
+                continue
+            given = [each for each in node.given if each.key == key]
+            for each in given:
+                if not _differ(ends) and each.type == ends[0].type:
+                    yield from _judged(ends[0], key, each.value, each)
+            for end in ends if not given else ():
+                yield from _judged(end, key, end.raw.value, None)
 
 
-def _finding(end: End, key: str, value: Any, said: str, at: Location, is_given: bool) -> Finding:
-    whose = "is given" if is_given else "declares by default"
-    return Finding(
-        at=at,
-        message=(f"{end.node} {whose} {value} for the parameter {key}, {said}: the node throws when it declares it"),
-        about=(end.node, key),
-        related=((end.location, "declared with a range"),),
-    )
+def _judged(end: End, key: str, value: Any, given: Given | None) -> Iterator[Finding]:
+    said = _outside(end, value)
+    if said:
+        yield Finding(
+            at=given.at if given else end.location,
+            message=(
+                f"{end.node} {'is given' if given else 'declares by default'} {value} for the parameter {key}, {said}: "
+                f"the node throws when it declares it"
+            ),
+            about=(end.node, key),
+            related=((end.location, "declared with a range"),),
+            presence=given.presence if given else ALWAYS,
+        )
 
 
 def _differ(ends: tuple[End, ...]) -> bool:

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Level, System, near
+from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System, near
 
 
 def check(system: System) -> Iterator[Finding]:
     for node in system.nodes:
-        if node.ros != 2 or not node.names.is_whole:
+        if node.ros != 2 or not node.names.is_whole or system.name.endswith(NO_SYSTEMS):
             continue
         for key, ends in node.names.read.items():
             if "?" in key or node.names.has(key) is not False:

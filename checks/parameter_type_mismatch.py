@@ -28,6 +28,7 @@ def check(system: System) -> Iterator[Finding]:
             about=(given.node, given.key),
             related=((end.location, f"declared as {end.type}"),) if end.in_source else (),
             flow=((given.tag, f"{given.node} is given the parameters"), (given.at, f"{_a(given.type)}")),
+            presence=given.presence,
         )
 
 

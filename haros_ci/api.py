@@ -8,7 +8,7 @@ from haros_ci.checking.closed import told
 from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
-from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
+from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.remapping import named_at, rule_of, way_to
@@ -38,6 +38,7 @@ from haros_ci.results.rule import Level
 __all__ = [
     "ACTION",
     "ALWAYS",
+    "NO_SYSTEMS",
     "SERVICE",
     "TOPIC",
     "ArgumentDeclaration",

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.location import Location
-from haros_ci.model.presence import ALWAYS, Presence
+from haros_ci.model.presence import ALWAYS, Presence, together
 
 if TYPE_CHECKING:
     from haros_ci.checking.system import End, System, SystemNode
@@ -88,7 +88,8 @@ def give(system: System) -> tuple[Given, ...]:
     for parameter in system.parameters:
         name, colon, key = parameter.name.partition(":")
         if colon and "?" not in parameter.name:
-            found += [Given(node, key, parameter) for node in nodes.get(name, ())]
+            made = [Given(node, key, parameter) for node in nodes.get(name, ())]
+            found += [each for each in made if together(each.presence, each.node.presence) is not None]
     by_node: dict[int, list[Given]] = {}
     for each in found:
         by_node.setdefault(id(each.node), []).append(each)

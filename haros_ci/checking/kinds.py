@@ -19,3 +19,5 @@ WORDS = {
     "setters": "write",
     "parameters": "parameter",
 }
+#: How configurations are called that are no systems, but tell of code that may run in nodes (docs/model.md).
+NO_SYSTEMS = (" (plug-ins)", " (behaviour trees)", " (library)")
