@@ -25,6 +25,8 @@ def check(system: System) -> Iterator[Finding]:
     for use in system.facts(FileUse):
         if use.is_found is not False or use.text in said:
             continue
+        if use.kind == "parameters" and use.ros == 2:  # parameter-file-missing
+            continue
         if use.kind in ("value", "default") and (
             not _READ.search(use.inner) or _WRITES.search(f"{use.name} {use.inner}")
         ):

@@ -13,15 +13,19 @@ def check(system: System) -> Iterator[Finding]:
     for use in system.facts(ParameterFileUse):
         if use.is_found is not False or use.ros != 2:
             continue
+        program = "/".join(use.program)
+        is_loaded = any(node.kind == "component" and node.type == program for node in system.nodes)
+        what = (
+            f"launch fails to load {use.node or program}"
+            if is_loaded
+            else f"launch says so in a warning, and starts {use.node or program} without these parameters"
+        )
         meant = next(iter(similar.get(use.location, ())), None)
         yield Finding(
             at=use.location,
-            message=(
-                f"the parameter file {use.text} does not exist: launch says so in a warning, and starts "
-                f"{use.node or '/'.join(use.program)} without these parameters"
-                + (f"; did you mean {meant}?" if meant else "")
-            ),
-            about=(use.text, "/".join(use.program)),
+            message=f"the parameter file {use.text} does not exist: {what}"
+            + (f"; did you mean {meant}?" if meant else ""),
+            about=(use.text, program),
             flow=tuple((place, "includes the next one") for place in use.included),
             presence=use.presence,
         )
