@@ -52,6 +52,7 @@ CHECK = Check(
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     status=Status.PREVIEW,
+    catalogue="P01",
     tags=("parameters",),
     run=check,
 )
