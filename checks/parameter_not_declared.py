@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from haros_ci.api import Check, Finding, Given, Level, System, is_mentioned, misplaced, near
+from haros_ci.api import Check, Finding, Given, Level, System, SystemNode, is_mentioned, is_slip, misplaced, near
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -13,7 +13,9 @@ def check(system: System) -> Iterator[Finding]:
     for each in system.given:
         if each.place not in system.taken and each.place not in system.whole.taken and misplaced(each) is None:
             section = _section(each)
-            if not is_mentioned(system, each.node, section or each.key):
+            if not (section and _is_spare(each.node, section)) and not is_mentioned(
+                system, each.node, section or each.key
+            ):
                 name = "" if section else _meant(each) or (each.key if "." not in each.key else "")
                 groups.setdefault(
                     (each.node.name, each.at.path, section or each.key.rpartition(".")[0], name), []
@@ -31,6 +33,22 @@ def _section(given: Given) -> str:
         if head not in given.node.names.sections:
             return head
     return ""
+
+
+def _is_spare(node: SystemNode, section: str) -> bool:
+    """Whether values choose among sections, and this one is not chosen: ``plugins: [a]`` where ``b`` has parameters, too."""
+    above, _, last = section.rpartition(".")
+    found = {text for text in _texts(node) if (f"{above}.{text}" if above else text) in node.names.sections}
+    return bool(found) and not any(is_slip(last, text) for text in found)
+
+
+def _texts(node: SystemNode) -> Iterator[str]:
+    """The texts, and the items of lists of texts, that parameters of the node have."""
+    values = [end.raw.effective for ends in node.names.declared.values() for end in ends]
+    for value in (*values, *(each.value for each in node.given)):
+        for item in value if isinstance(value, list) else (value,):
+            if isinstance(item, str):
+                yield item
 
 
 def _meant(given: Given) -> str:
