@@ -38,17 +38,8 @@ def _section(given: Given) -> str:
 def _is_spare(node: SystemNode, section: str) -> bool:
     """Whether values choose among sections, and this one is not chosen: ``plugins: [a]`` where ``b`` has parameters, too."""
     above, _, last = section.rpartition(".")
-    found = {text for text in _texts(node) if (f"{above}.{text}" if above else text) in node.names.sections}
+    found = {text for text in node.names.texts if (f"{above}.{text}" if above else text) in node.names.sections}
     return bool(found) and not any(is_slip(last, text) for text in found)
-
-
-def _texts(node: SystemNode) -> Iterator[str]:
-    """The texts, and the items of lists of texts, that parameters of the node have."""
-    values = [end.raw.effective for ends in node.names.declared.values() for end in ends]
-    for value in (*values, *(each.value for each in node.given)):
-        for item in value if isinstance(value, list) else (value,):
-            if isinstance(item, str):
-                yield item
 
 
 def _meant(given: Given) -> str:

@@ -9,24 +9,21 @@ from haros_ci.api import Check, Finding, Level, Location, NodePattern, Parameter
 
 
 def check(system: System) -> Iterator[Finding]:
-    files = {use.path for use in system.facts(ParameterFileUse) if use.path is not None and use.is_read}
-    if not files:
-        return
-    uses: dict[str, list[ParameterFileUse]] = {}
-    for each in {id(each): each for each in (*system.whole.systems, system)}.values():
-        for use in each.facts(ParameterFileUse):
-            if use.path in files:
-                uses.setdefault(use.path, []).append(use)
-    for path in sorted(uses):
-        yield from _of_file(system, uses[path])
+    here: dict[str, list[ParameterFileUse]] = {}
+    for use in system.facts(ParameterFileUse):
+        if use.path is not None and use.is_read:
+            here.setdefault(use.path, []).append(use)
+    for path, uses in sorted(here.items()):
+        unserved = [use for use in uses if _is_unserved(use)]
+        if unserved:
+            yield from _of_file(system, unserved, (*uses, *system.whole.parameter_files.get(path, ())))
 
 
-def _of_file(system: System, uses: list[ParameterFileUse]) -> Iterator[Finding]:
+def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[ParameterFileUse, ...]) -> Iterator[Finding]:
     """The sections that match no process which is given the file, where another process is given it for nothing."""
     if not all(use.is_read for use in uses):
         return
     live = {_key(each) for use in uses for each in use.patterns if each.matches is not False}
-    unserved = [use for use in system.facts(ParameterFileUse) if use in uses and _is_unserved(use)]
     is_own = len({use.program for use in uses}) == 1
     told: set[tuple[str, Location]] = set()
     for use in unserved:
@@ -64,10 +61,11 @@ def _right(use: ParameterFileUse) -> str:
 def _names(system: System, use: ParameterFileUse) -> set[str]:
     """What the node is called, here and in other systems, and its program."""
     program = "/".join(use.program)
-    names = {use.program[1].rpartition("::")[2].removesuffix(".py")} | ({use.node} if use.node else set())
-    for each in (system, *system.whole.systems):
-        names.update(node.name for node in each.nodes if node.type == program)
-    return {name.rpartition("/")[2] for name in names if "?" not in name}
+    names = {use.program[1].rpartition("::")[2].removesuffix(".py")}
+    if use.node:
+        names.add(use.node.rpartition("/")[2])
+    names.update(node.name.rpartition("/")[2] for node in system.nodes if node.type == program)
+    return {name for name in names | system.whole.names.get(program, frozenset()) if "?" not in name}
 
 
 def _is_like(pattern: str, name: str) -> bool:

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.model.architecture import Condition, Parameter, Unknown
+from haros_ci.model.launch_facts import ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence, together
 
@@ -130,6 +131,14 @@ class Names:
         parts = [name.split(".") for names in (self.declared, self.set) for name in names]
         return frozenset(".".join(each[:count]) for each in parts for count in range(1, len(each)))
 
+    @cached_property
+    def texts(self) -> frozenset[str]:
+        """The texts, and the items of lists of texts, that its parameters have."""
+        values = [end.raw.effective for ends in self.declared.values() for end in ends]
+        values += [each.value for each in self.node.given]
+        items = (item for value in values for item in (value if isinstance(value, list) else (value,)))
+        return frozenset(item for item in items if isinstance(item, str))
+
     def has(self, key: str) -> bool | None:
         """Whether the node has the parameter *key*; None where that is not known."""
         if key in self.declared or key in self.set or is_of_library(key):
@@ -174,6 +183,25 @@ class Whole:
     def declared(self) -> frozenset[str]:
         """The names of parameters that any node is seen to declare."""
         return frozenset(key for system in self.systems for node in system.nodes for key in node.names.declared)
+
+    @cached_property
+    def parameter_files(self) -> Mapping[str, tuple[ParameterFileUse, ...]]:
+        """All uses of the parameter files that are known, by path."""
+        found: dict[str, list[ParameterFileUse]] = {}
+        for system in self.systems:
+            for use in system.facts(ParameterFileUse):
+                if use.path is not None:
+                    found.setdefault(use.path, []).append(use)
+        return {path: tuple(uses) for path, uses in found.items()}
+
+    @cached_property
+    def names(self) -> Mapping[str, frozenset[str]]:
+        """The last parts of the names that the nodes of a program have, by ``package/executable``."""
+        found: dict[str, set[str]] = {}
+        for system in self.systems:
+            for node in system.nodes:
+                found.setdefault(node.type, set()).add(node.name.rpartition("/")[2])
+        return {program: frozenset(names) for program, names in found.items()}
 
     def sources(self, folder: str, system: System) -> tuple[str, ...]:
         """The texts of the C++ and Python files below *folder* that are no launch files."""
