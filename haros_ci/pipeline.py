@@ -12,14 +12,14 @@ from haros_ci.baselines import compare, read_input, sarif_runs
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors
 from haros_ci.config.settings import PROFILES, Settings
+from haros_ci.inspection import asks, inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.linter import LintOptions
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.run import lint
-from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Store, Workspace
-from haros_ci.registry import LINTERS, check_rules, checks
+from haros_ci.registry import LINTERS, check_rules
 from haros_ci.results import own
 from haros_ci.results.fingerprint import fingerprint
 from haros_ci.results.result import Artifact, Coverage, Notification, Report, Result, Run, Tool
@@ -33,9 +33,6 @@ Progress = Callable[[str], None]
 #: The metrics of both languages are one run, whatever measured them.
 METRICS = "metrics"
 MEASURED_BY = ("lizard", "radon")
-
-#: Whose notes it is that something of the architecture is not known.
-ARCHITECTURE = "architecture"
 
 #: The names that results of ours carry.
 TOOLS = (own.TOOL, *catalogue.TOOLS)
@@ -98,7 +95,7 @@ def examine(
 ) -> tuple[Run, ...]:
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline."""
     raw = lint(workspace, LINTERS, lint_options(settings), store, selection.wants, progress)
-    own_one = checked(own_run(workspace), workspace, settings, selection, store, progress)
+    own_one = inspected(own_run(workspace), workspace, settings, selection, store, progress)
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     return finished(distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection)
@@ -204,72 +201,6 @@ def own_run(workspace: Workspace) -> Run:
     return Run(tool, results=own.manifest_results(workspace.faults), analysed=analysed)
 
 
-def checked(
-    run: Run, workspace: Workspace, settings: Settings, selection: Selection, store: Store, progress: Progress | None
-) -> Run:
-    """*run* with what the checks say of the architecture, where any of them is on."""
-    chosen = tuple(check for check in checks() if is_on(check_rules()[check.id], workspace, selection))
-    if not (chosen or asks(settings)) or only_files(workspace, settings):
-        return run
-    from haros_ci.architecture import varied
-    from haros_ci.checking.run import Assigned, run_checks
-    from haros_ci.checking.system import System, systems
-
-    if progress is not None:
-        progress("architecture")
-    made = varied(workspace, settings, store, processes=settings.jobs)
-    found = made.architecture
-
-    def under(system: System, arguments: Assigned) -> System | None:
-        configuration = made.under(system.name, dict(arguments))
-        return None if configuration is None else System(configuration, found, workspace)
-
-    if progress is not None:
-        progress(f"{len(chosen)} checks")
-    said = run_checks(chosen, systems(found, workspace), own.TOOL, under)
-    run = replace(
-        run,
-        results=(*run.results, *said.results),
-        notifications=(
-            *run.notifications,
-            *said.notifications,
-            *(Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line) for p in found.problems),
-        ),
-        graphs=said.graphs,
-        architecture=not said.notifications,
-        successful=run.successful and not said.notifications,
-    )
-    return queried(run, found, workspace, settings, selection) if asks(settings) else run
-
-
-def queried(run: Run, found: Architecture, workspace: Workspace, settings: Settings, selection: Selection) -> Run:
-    """*run* with the matches of the project file's queries."""
-    from haros_ci.query import queries
-
-    where = settings.project_file or "the project file"
-    asked = queries.run(
-        found, settings.project, where, workspace.files, wanted=lambda rule: is_on(rule, workspace, selection)
-    )
-    return replace(
-        run,
-        results=(*run.results, *asked.results),
-        notifications=(*run.notifications, *asked.notifications),
-        successful=run.successful and not asked.failed,
-        architecture=run.architecture and not asked.failed,
-    )
-
-
-def is_on(rule: Rule, workspace: Workspace, selection: Selection) -> bool:
-    """Whether *rule* is on in any file."""
-    return any(selection.wants(own.TOOL, rule, file.path) for file in workspace.files)
-
-
-def only_files(workspace: Workspace, settings: Settings) -> bool:
-    """Whether nothing but single files was asked for: of them alone no architecture is made, unless its profile asks."""
-    paths = {file.path for file in workspace.files}
-    return settings.profile != "architecture" and all(path in paths for path in settings.paths)
-
-
 def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
     """Lizard's and radon's runs joined into the one run named ``metrics``, after the linters."""
     runs = tuple(runs)
@@ -301,11 +232,6 @@ def with_queries(settings: Settings) -> Callable[[str], Mapping[str, Rule]]:
 
     own_ones = {**rules_of(own.TOOL), **rules(settings.project)}
     return lambda tool: own_ones if tool == own.TOOL else rules_of(tool)
-
-
-def asks(settings: Settings) -> bool:
-    """Whether the project file may have queries."""
-    return "rules" in settings.project or "configurations" in settings.project
 
 
 def documented_rules() -> Iterator[tuple[str, Rule]]:

@@ -27,9 +27,9 @@ DOORS: dict[str, set[str]] = {
     "registry": {"model", "results", "errors", "linters", "checking"},
     "api": {"model", "results", "checking"},
     "baselines": {"model", "results", "errors", "config", "workspace"},
+    "inspection": {"architecture", "checking", "config", "model", "query", "registry", "results"},
     "pipeline": {
-        "architecture", "baselines", "checking", "config", "errors", "linters", "model", "query", "registry",
-        "results", "workspace",
+        "baselines", "config", "errors", "inspection", "linters", "model", "query", "registry", "results", "workspace",
     },
     "forks": set(),
     "architecture": {"model", "errors", "config", "workspace", "extract", "link", "exactness", "forks"},
