@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import ACTION, SERVICE, TOPIC, Check, Finding, Level, System
+from haros_ci.api import ACTION, SERVICE, TOPIC, Check, End, Finding, Level, System, rule_of
 
 #: Names that are global by agreement (REP 105, ROS itself).
 COMMON = frozenset(
@@ -16,17 +16,35 @@ COMMON = frozenset(
 def check(system: System) -> Iterator[Finding]:
     for node in system.nodes:
         for end in node.of(*TOPIC, *SERVICE, *ACTION):
-            written = end.raw.written or ""
-            if not written.startswith("/") or end.implicit or not end.in_source or written in COMMON:
+            if end.implicit or not end.in_source or end.original_name in COMMON:
                 continue
-            yield Finding(
-                at=end.location,
-                message=(
-                    f"the {end.word} {written} has a global name: no namespace applies to it, and two instances of the node "
-                    f"share it; write {written.lstrip('/')}"
-                ),
-                about=(end,),
-            )
+            written = end.raw.written or ""
+            if written.startswith("/"):
+                yield Finding(
+                    at=end.location,
+                    message=(
+                        f"the {end.word} {written} has a global name: no namespace applies to it, and two instances of the node "
+                        f"share it; write {written.lstrip('/')}"
+                    ),
+                    about=(end,),
+                )
+            elif written and written[0] not in "~?":
+                yield from _rule(end)
+
+
+def _rule(end: End) -> Iterator[Finding]:
+    """The rule for a relative name that is written as a global one: it works in one namespace alone."""
+    rule = rule_of(end)
+    if rule is not None and rule.source.startswith("/"):
+        yield Finding(
+            at=rule.location,
+            message=(
+                f"the rule remaps the global name {rule.source}, but the code of {end.node} says {end.raw.written}: in another "
+                f"namespace the rule does nothing; write from {end.raw.written}"
+            ),
+            about=(end,),
+            related=((end.location, f"{end.word} {end.raw.written}"),),
+        )
 
 
 CHECK = Check(
