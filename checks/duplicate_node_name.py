@@ -23,6 +23,8 @@ def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:
     """The first two that can be there at the same time."""
     for number, second in enumerate(nodes):
         for first in nodes[:number]:
+            if first.location == second.location and first.presence != second.presence:
+                continue  # one tag under other arguments
             if together(first.presence, second.presence) is not None:
                 return first, second
     return None
