@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, NodePattern, ParameterFileUse, System, is_slip
@@ -23,7 +24,7 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
     """The sections that match no process which is given the file, where another process is given it for nothing."""
     if not all(use.is_read for use in uses):
         return
-    live = {_key(each) for use in uses for each in use.patterns if each.matches is not False}
+    live = {_key(each) for use in uses for each in use.patterns if _matches(use, each) is not False}
     is_own = len({use.program for use in uses}) == 1
     told: set[tuple[str, Location]] = set()
     for use in unserved:
@@ -51,7 +52,28 @@ def _key(pattern: NodePattern) -> tuple[str, Location]:
 
 
 def _is_unserved(use: ParameterFileUse) -> bool:
-    return bool(use.patterns) and all(each.matches is False for each in use.patterns)
+    return bool(use.patterns) and all(_matches(use, each) is False for each in use.patterns)
+
+
+def _matches(use: ParameterFileUse, pattern: NodePattern) -> bool | None:
+    """Whether the section is for a node of the process; None if that is not known.
+
+    The name in a launch file is that of all nodes of a process but those that name themselves whatever they are told: a section
+    alone in its file that is called nearly so is meant for it, also of a program that is not in the workspace.
+    """
+    if pattern.matches is None and use.node and "?" not in use.node and len(use.patterns) == 1:
+        if _is_like(pattern.pattern, use.node.rpartition("/")[2]) and not _fits(pattern.pattern, use.node):
+            return False
+    return pattern.matches
+
+
+def _fits(pattern: str, name: str) -> bool:
+    """Whether the key of a section is for the node of that full name (rcl_yaml_param_parser, namespace.c; rcl/wildcards)."""
+    parts = re.split(r"(/\*\*|/\*)", f"/{pattern.lstrip('/')}")
+    return re.fullmatch("".join(_WILD.get(part) or re.escape(part) for part in parts), name) is not None
+
+
+_WILD = {"/**": r"(?:/[^/]+)*", "/*": r"/[^/]+"}
 
 
 def _right(use: ParameterFileUse) -> str:
@@ -70,7 +92,8 @@ def _names(system: System, use: ParameterFileUse) -> set[str]:
 
 def _is_like(pattern: str, name: str) -> bool:
     last = pattern.rpartition("/")[2]
-    return last == name or is_slip(last, name)
+    shorter, longer = sorted((last, name), key=len)
+    return last == name or is_slip(last, name) or (len(shorter) > 4 and longer.startswith(shorter))
 
 
 CHECK = Check(

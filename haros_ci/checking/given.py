@@ -28,6 +28,7 @@ TRANSPORTS = frozenset(
     "point_cloud_transport".split()
 )
 #: How the names of source files end.
+_OTHER = re.compile(r"launch[^/]*$|(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_test)\.\w+$")
 CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
 #: Last words of parameters that older transports declare below a topic: ``image.jpeg_quality``.
 OF_TRANSPORTS = frozenset("format jpeg_quality png_level tiff".split())
@@ -207,7 +208,7 @@ class Whole:
         """The texts of the C++ and Python files below *folder* that are no launch files."""
         if folder not in self._sources and system.workspace is not None:
             files = [file.path for file in system.workspace.files if _is_in(file.path, folder)]
-            names = [path for path in files if path.endswith(CODE) and "launch" not in path.rpartition("/")[2]]
+            names = [path for path in files if path.endswith(CODE) and not _OTHER.search(path)]
             self._sources[folder] = tuple(map(system.workspace.text, names))
         return self._sources.get(folder, ())
 
