@@ -42,7 +42,10 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
                         f"write {_right(use)} or /** here, or name the node {each.pattern}"
                     ),
                     about=(each.pattern, "/".join(use.program)),
-                    related=((use.location, "the file is given here"),),
+                    flow=(
+                        (use.location, "the file is given here"),
+                        (each.location, "this section is for another name"),
+                    ),
                     presence=use.presence,
                 )
 
