@@ -16,7 +16,10 @@ def check(system: System) -> Iterator[Finding]:
         declared = given.node.names.declared.get(given.key, ())
         if not declared or given.type not in TYPES:
             continue
-        if any(end.raw.is_dynamic or end.type not in TYPES or end.type == given.type for end in declared):
+        if any(
+            end.raw.source == "known-node" or end.raw.is_dynamic or end.type not in TYPES or end.type == given.type
+            for end in declared
+        ):
             continue
         end = declared[0]
         yield Finding(
