@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Readings of parameters that a node does not declare: they throw."""
+"""Readings of parameters that a node does not declare: they throw, or find nothing."""
 
 from __future__ import annotations
 
@@ -17,19 +17,27 @@ def check(system: System) -> Iterator[Finding]:
                 continue
             meant = near(key, (name for name in node.names.declared if name not in node.names.read))
             for end in ends:
-                if end.raw.is_strict and not _is_guarded(end):
-                    yield Finding(
-                        at=end.location,
-                        message=(
-                            f"{node.type} reads the parameter {key}, but does not declare it: the call throws"
-                            + (f"; did you mean {meant}?" if meant else "; declare it first")
-                        ),
-                        about=(end, key),
-                    )
+                if end.implicit or end.raw.source == "known-node" or _is_guarded(end):
+                    continue
+                what = "the call throws" if end.raw.is_strict else "the call finds none, whatever is given from outside"
+                yield Finding(
+                    at=end.location,
+                    message=(
+                        f"{node.type} reads the parameter {key}, but does not declare it: {what}"
+                        + (f"; did you mean {meant}?" if meant else "; declare it first")
+                    ),
+                    about=(end, key),
+                    level=None if end.raw.is_strict else Level.WARNING,
+                )
 
 
 def _is_guarded(end: End) -> bool:
-    """Whether a condition around it asks for the parameter, or it is only read where something has failed."""
+    """Whether a condition around it asks for the parameter, it is only read where something has failed, or what it throws is caught.
+
+    A call that throws has nothing that tells a type; where it is not strict, somebody catches it.
+    """
+    if not end.raw.is_strict and end.raw.type is None and not any(each.field == "type" for each in end.raw.unknowns):
+        return True
     return any("has_parameter" in each.condition or each.statement == "catch" for each in end.conditions)
 
 
