@@ -31,7 +31,6 @@ CHECK = Check(
     id="parameter-declared-twice",
     summary="A node declares a parameter once.",
     level=Level.ERROR,
-    catalogue="P08",
     tags=("parameters",),
     run=check,
 )

@@ -51,7 +51,6 @@ CHECK = Check(
     id="parameter-not-given",
     summary="A node is given the parameters that it declares without a default.",
     level=Level.ERROR,
-    catalogue="P04",
     tags=("parameters",),
     run=check,
 )

@@ -52,7 +52,6 @@ CHECK = Check(
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     status=Status.PREVIEW,
-    catalogue="P01",
     tags=("parameters",),
     run=check,
 )
