@@ -36,6 +36,7 @@ def check(system: System) -> Iterator[Finding]:
                 *((each.location, f"{each} asks for them: {qos_in_words(each.qos)}") for each in others[:3]),
             ),
             level=Level.WARNING if others else Level.NOTE,
+            apart=("durability",),
         )
 
 

@@ -32,6 +32,7 @@ def incompatible(system: System, policy: str, fix: str, advice: dict[str, str]) 
             related=(*related, *(((found.end.location, f"{found.end}"),) if place is not None else ())),
             flow=tuple(_flow(found)),
             level=Level.ERROR if found.is_starved else Level.WARNING,
+            apart=(policy,),
         )
 
 

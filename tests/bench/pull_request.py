@@ -60,6 +60,7 @@ def main() -> int:
     parser.add_argument("repository", type=Path)
     parser.add_argument("edits", type=Path, nargs="?")
     parser.add_argument("--profile", default="ros")
+    parser.add_argument("--cache-dir", type=Path, help="a cache that is kept; by default an empty one")
     options = parser.parse_args()
     source = options.repository.resolve()
     edits = [Edit(**each) for each in yaml.safe_load(_edits(options.edits, source).read_text(encoding="utf-8"))]
@@ -67,9 +68,9 @@ def main() -> int:
         root = Path(place) / source.name
         shutil.copytree(source, root, symlinks=True, ignore=shutil.ignore_patterns(".git"))
         base = commit(root, "base")
-        cache = Path(place) / "cache"
+        cache = options.cache_dir or Path(place) / "cache"
         run = ["check", ".", "--profile", options.profile, "--cache-dir", str(cache)]
-        first = told(root, [*run, "--output", "github"], "base branch, empty cache")[1]
+        first = told(root, [*run, "--output", "github"], "base branch")[1]
         git(root, "checkout", "-q", "-b", "change")
         for edit in edits:
             edit.apply(root)

@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from haros_ci.checking.compatibility import Mismatch, in_words, mismatches, override_place, refuses
+from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.system import System
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Qos
 from haros_ci.model.location import Location
@@ -188,3 +189,12 @@ def test_words() -> None:
         "reliable, volatile, keep last an unknown number, lease unknown, liveliness manual by topic"
     )
     assert in_words(None) == "unknown"
+
+
+def test_one_call_is_one_finding_in_all_configurations() -> None:
+    """Whoever else is there: the related places differ, the call to change does not."""
+    few = system((pub(1, SENSOR),), (sub(2, PLAIN),))
+    more = system((pub(1, SENSOR),), (pub(3, SENSOR),), (sub(2, PLAIN),))
+    found = [next(incompatible(each, "reliability", "taker", {"subscribers": "change it"})) for each in (few, more)]
+    assert [len(each.related) for each in found] == [1, 2]
+    assert len({(each.at, each.apart) for each in found}) == 1
