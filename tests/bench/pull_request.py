@@ -68,7 +68,7 @@ def main() -> int:
         root = Path(place) / source.name
         shutil.copytree(source, root, symlinks=True, ignore=shutil.ignore_patterns(".git"))
         base = commit(root, "base")
-        cache = options.cache_dir or Path(place) / "cache"
+        cache = options.cache_dir.resolve() if options.cache_dir else Path(place) / "cache"
         run = ["check", ".", "--profile", options.profile, "--cache-dir", str(cache)]
         first = told(root, [*run, "--output", "github"], "base branch")[1]
         git(root, "checkout", "-q", "-b", "change")
