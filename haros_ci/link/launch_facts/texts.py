@@ -12,7 +12,7 @@ _MARKED = re.compile(
 )
 _PACKAGE = re.compile(r"\$\((?:find-pkg-share|find-pkg-prefix|find) ([^\s()?\ue000]+)\)")
 _END = re.compile(r"[\s'\",;:)\]}]|\Z")
-_SUFFIX = re.compile(r"[^/.][^/]*\.[A-Za-z][A-Za-z0-9_]{0,11}\Z")
+_SUFFIX = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,11}")
 _WORD = re.compile(r"(?<![^\s'\"=:,\[(])(?:file://)?(~|/)([^\s'\"$?\ue000,;:\])]*)(?=[\s'\",;:\])]|\Z)")
 _HOME = re.compile(r"~(/|\Z)|/(home|Users)/[^/]+/|/root/")
 #: Where programs and devices of every machine lie.
@@ -29,7 +29,8 @@ def named_files(text: str) -> Iterator[tuple[str, bool]]:
 
 def is_file_name(path: str) -> bool:
     """Whether *path* ends in the name of a file: with a suffix."""
-    return _SUFFIX.search(path) is not None
+    stem, _, suffix = path.rpartition("/")[2].rpartition(".")
+    return bool(stem) and _SUFFIX.fullmatch(suffix) is not None
 
 
 def named_packages(text: str) -> Iterator[str]:
