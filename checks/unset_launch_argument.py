@@ -23,7 +23,7 @@ def check(system: System) -> Iterator[Finding]:
     needs = any(each.is_top and each.default is None and each.ros == 2 for each in system.facts(ArgumentDeclaration))
     for read in system.facts(ArgumentRead):
         # A launch file of ROS 2 that cannot be launched by itself is there to be included, and inherits what is set around it.
-        if read.ros == 2 and (needs or read.included):
+        if read.ros == 2 and needs:
             continue
         how = f"$(arg {read.name})" if read.ros == 1 else f"launch configuration {read.name!r}"
         yield Finding(
