@@ -34,7 +34,7 @@ def _said(end: End) -> tuple[str, Level] | None:
     return (
         f"{end.node} {does} {end.name} with a queue of size 0, which is a queue without a limit: it grows as long as messages "
         "come faster than they are taken; give it a size",
-        Level.WARNING,
+        Level.NOTE,
     )
 
 

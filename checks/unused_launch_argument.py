@@ -12,10 +12,11 @@ from haros_ci.api import ArgumentDeclaration, Check, Finding, IncludeUse, Level,
 def check(system: System) -> Iterator[Finding]:
     for use in system.facts(IncludeUse):
         known = {*use.declared, *use.read}
+        free = sorted({*use.declared} - {passed.name for passed in use.passed})
         for passed in use.passed if use.is_whole else ():
             if passed.name in known:
                 continue
-            similar = tuple(get_close_matches(passed.name, sorted(use.declared), 1, 0.7))
+            similar = tuple(get_close_matches(passed.name, free, 1, 0.7))
             what = "launch stops here" if use.ros == 1 else "it has no effect"
             yield Finding(
                 at=passed.location,
