@@ -6,7 +6,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import ArgumentDeclaration, Check, Finding, IncludeUse, Level, System, included_by, meant
+from haros_ci.api import (
+    ArgumentDeclaration,
+    Check,
+    ConstructUse,
+    Finding,
+    IncludeUse,
+    Level,
+    System,
+    included_by,
+    meant,
+)
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -27,8 +37,9 @@ def check(system: System) -> Iterator[Finding]:
                 level=Level.ERROR if use.ros == 1 else None,
                 presence=use.presence,
             )
+    refused = {use.location.path for use in system.facts(ConstructUse) if use.kind == "foreign"}
     for argument in system.facts(ArgumentDeclaration):
-        if argument.is_used is False:
+        if argument.is_used is False and argument.location.path not in refused:
             yield Finding(
                 at=argument.location,
                 message=f"launch argument {argument.name!r} is declared, but nothing reads it: setting it has no effect",

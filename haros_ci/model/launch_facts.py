@@ -184,12 +184,14 @@ class ParameterFileUse(LaunchFact):
 class ConstructUse(LaunchFact):
     """A construct of another ROS version (*kind* ``foreign``) or one that is deprecated (``deprecated``).
 
-    *text* is the construct, *instead* what to write.
+    *text* is the construct, *instead* what to write. *is_installed* says whether the package installs the launch file, None
+    where nobody can tell; it is looked up for ``foreign`` alone.
     """
 
     kind: str
     text: str
     instead: str = ""
+    is_installed: bool | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

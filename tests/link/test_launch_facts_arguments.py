@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from launch_facts_kit import facts, ros1
+from launch_facts_kit import CMAKE, facts, ros1
 
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
@@ -198,6 +198,21 @@ def test_constructs_of_the_other_version() -> None:
     ) == [("foreign", "$(var ...)")]
     assert facts(ConstructUse, ARG + NODE.format('namespace="$(var x)"')) == []
     assert ros1(ConstructUse, '<node pkg="p" type="n" name="n" ns="$(arg x)"/>') == []
+
+
+@pytest.mark.parametrize(
+    ("build", "expected"),
+    [
+        ("install(DIRECTORY launch DESTINATION share/p)", True),
+        ("install(FILES launch/a.launch.xml DESTINATION share/p)", True),
+        ("install(DIRECTORY config DESTINATION share/p)", False),
+        ("install_my_files(launch/a.launch.xml)", None),
+    ],
+)
+def test_whether_a_file_with_foreign_constructs_is_installed(build: str, expected: bool | None) -> None:
+    files = {"p/CMakeLists.txt": CMAKE.replace("launch config", "config") + build + "\n"}
+    (fact,) = facts(ConstructUse, ARG + '<node pkg="p" exec="n" namespace="$(arg x)"/>', files)
+    assert fact.is_installed is expected
 
 
 def test_keywords_that_are_gone() -> None:

@@ -12,7 +12,7 @@ from haros_ci.link.ros2_process import matches
 from haros_ci.link.system import Job, Types
 from haros_ci.model.architecture import Node
 from haros_ci.model.build import Build
-from haros_ci.model.launch_facts import FileUse, LaunchFact, NodePattern, PackageUse, ProgramUse
+from haros_ci.model.launch_facts import ConstructUse, FileUse, LaunchFact, NodePattern, PackageUse, ProgramUse
 from haros_ci.model.workspace import Workspace
 
 
@@ -44,6 +44,8 @@ class Completion:
             return self.programs.completed(fact)
         if isinstance(fact, PackageUse):
             return replace(fact, is_here=fact.package in self.packages)
+        if isinstance(fact, ConstructUse) and fact.kind == "foreign":
+            return replace(fact, is_installed=self.finder.is_installed(fact.location.path))
         return fact
 
     def given(self, job: Job, nodes: Iterable[Node]) -> tuple[LaunchFact, ...]:

@@ -106,6 +106,17 @@ class Finder:
             return made
         return replace(made, is_found=False, similar=self._similar(start, inner))
 
+    def is_installed(self, path: str) -> bool | None:
+        """Whether the package around the file installs it; None where nobody can tell."""
+        owner = self._owner(path)
+        if owner is None or owner[0] not in self.builds:
+            return None
+        name, inner = owner
+        covered = [posixpath.normpath(entry.path) for entry in self._entries(name)]
+        if any(path == one or path.startswith(f"{one}/") for one in covered):
+            return True
+        return None if self._is_hidden(name, self.files.directories[name], inner) else False
+
     def _owner(self, path: str) -> tuple[str, str] | None:
         """The package around *path*, and the path inside it."""
         best: tuple[str, str] | None = None
@@ -137,7 +148,20 @@ class Finder:
         return build.installed if build is not None else ()
 
     def _may_be_made(self, package: str, start: str, inner: str) -> bool:
-        """Whether the build may make or install the file in a way that is not known."""
+        """Whether the build may make or install the file in a way that is not known, perhaps under that name from elsewhere."""
+        if self._is_hidden(package, start, inner):
+            return True
+        base = posixpath.basename(inner)
+        prefix = "" if start == "." else f"{start}/"
+        covered = [posixpath.normpath(entry.path) for entry in self._entries(package)]
+        return any(
+            not any(path == one or path.startswith(f"{one}/") for one in covered)
+            for path in self.below(prefix)
+            if posixpath.basename(path) == base
+        )
+
+    def _is_hidden(self, package: str, start: str, inner: str) -> bool:
+        """Whether the build may do with the file what cannot be read from it."""
         if self.steps < 0 or self.is_doubled(package) or package not in self.builds:
             return True
         text = self.script(package, start)
@@ -154,13 +178,7 @@ class Finder:
                 return True
             if entry.kind == "directory" and inside.startswith(where + "/") and not self._there(entry.path):
                 return True  # a directory that the build makes
-        prefix = "" if start == "." else f"{start}/"
-        covered = [posixpath.normpath(entry.path) for entry in self._entries(package)]
-        return any(
-            not any(path == one or path.startswith(f"{one}/") for one in covered)
-            for path in self.below(prefix)
-            if posixpath.basename(path) == base
-        )
+        return False
 
     def is_doubled(self, package: str) -> bool:
         """Whether several packages have that name, so that it is not known which is meant."""
