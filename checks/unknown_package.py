@@ -7,6 +7,9 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Decidability, Finding, Level, PackageUse, System, included_by, is_slip
 
+#: How many packages of a workspace begin alike where that is their prefix.
+COMMON = 4
+
 
 def check(system: System) -> Iterator[Finding]:
     known = {dependency.name for package in system.packages.values() for dependency in package.dependencies}
@@ -27,13 +30,18 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _meant(name: str, system: System) -> str | None:
-    """A package of the workspace of nearly that name: misspelt, or with another word before it or behind it."""
+    """A package of the workspace that is meant: misspelt, or with the prefix that many packages there have."""
     if len(name) < 5:
         return None
     for other in system.packages:
-        if is_slip(name, other) or other.endswith(f"_{name}") and len(other) - len(name) < 12:
+        prefix = other.removesuffix(name)
+        if is_slip(name, other) or (prefix != other and prefix.endswith("_") and _is_common(prefix, system)):
             return other
     return None
+
+
+def _is_common(prefix: str, system: System) -> bool:
+    return sum(other.startswith(prefix) for other in system.packages) >= COMMON
 
 
 CHECK = Check(
