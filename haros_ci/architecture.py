@@ -56,7 +56,12 @@ def architecture(
     *wanted* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees. With *exact*
     libclang fills what is not known, where headers are installed. Up to so many *processes* do the work.
     """
-    options: dict[str, Any] = {"environment": environment, "known_nodes": known_nodes, "exact": exact, "processes": processes}
+    options: dict[str, Any] = {
+        "environment": environment,
+        "known_nodes": known_nodes,
+        "exact": exact,
+        "processes": processes,
+    }
     return varied(workspace, settings, store, wanted=wanted, alternatives=False, **options).architecture
 
 
@@ -127,7 +132,11 @@ def varied(
 
 
 def keeper(workspace: Workspace, store: Store) -> Keeper:
-    """Where what nodes make is kept between runs: in *store*, beside the facts of the files."""
+    """Where what nodes make is kept between runs: in *store*, beside the facts of the files.
+
+    Each state of the files has a record of its own, so that a branch and its base do not drive out each other's; a new state begins
+    with the record that was written last.
+    """
     files = {file.path: file.digest for file in workspace.files if file.language in ("cpp", "python")}
     files[YAML_FILES] = digest_of([(file.path, file.digest) for file in workspace.files if file.language == "yaml"])
     known = [(file.path, file.digest if file.path.endswith(".xml") else "") for file in workspace.files]
@@ -137,12 +146,18 @@ def keeper(workspace: Workspace, store: Store) -> Keeper:
     def program(path: str, digest: str) -> Program | None:
         return from_json(store.get(f"facts-{languages[path]}", path, f"{FACTS} {digest}"))
 
-    return Keeper(
-        files,
-        lambda key: store.get("linked", "nodes", f"{FACTS} {key}"),
-        lambda key, data: store.put("linked", "nodes", f"{FACTS} {key}", data),
-        program,
-    )
+    state = digest_of(sorted(files.items()))
+
+    def get(key: str) -> Any:
+        own = store.get("linked", f"nodes {state}", f"{FACTS} {key}")
+        last = store.get("linked", "last", f"{FACTS} {key}") if own is None else None
+        return store.get("linked", f"nodes {last}", f"{FACTS} {key}") if isinstance(last, str) else own
+
+    def put(key: str, data: Any) -> None:
+        store.put("linked", f"nodes {state}", f"{FACTS} {key}", data)
+        store.put("linked", "last", f"{FACTS} {key}", state)
+
+    return Keeper(files, get, put, program)
 
 
 def filled(

@@ -49,7 +49,7 @@ class Cache:
             self.kept[group, path, key] = json.dumps(value)
 
     def records(self) -> list[tuple[str, str, str]]:
-        return [place for place in self.kept if place[0] == "linked"]
+        return [place for place in self.kept if place[0] == "linked" and place[1] != "last"]
 
 
 @pytest.fixture
@@ -235,7 +235,7 @@ def test_classes_of_libraries(followed: list[str]) -> None:
         "p/CMakeLists.txt": ROS2_CMAKE.format("p")
         + "ament_auto_add_library(l SHARED src/tool.cpp)\nament_auto_add_executable(u src/u.cpp)\nament_auto_package()\n",
         header: "#include <rclcpp/rclcpp.hpp>\nclass Tool { public: Tool(rclcpp::Node & node, int count = 1);\n};\n",
-        "p/src/tool.cpp": f'#include <p/tool.hpp>\n{ROS2_HEAD}Tool::Tool(rclcpp::Node & node, int count) {{'
+        "p/src/tool.cpp": f"#include <p/tool.hpp>\n{ROS2_HEAD}Tool::Tool(rclcpp::Node & node, int count) {{"
         ' node.create_publisher<String>("t" + std::to_string(count), 1); }\n',
         user: "#include <p/tool.hpp>\nint main(int argc, char ** argv) { rclcpp::init(argc, argv);\n"
         'rclcpp::Node node("u");\n}\n',
@@ -286,6 +286,15 @@ def test_rows_of_the_project_file_are_for_all(before: Any, after: Any, followed:
 def test_other_settings_follow_nothing_anew(after: Any, followed: list[str]) -> None:
     calls, _ = again(OLDER, OLDER, followed, None, {}, after)
     assert calls == []
+
+
+def test_a_branch_and_its_base_have_a_record_each(followed: list[str]) -> None:
+    """As a run with ``--baseline-rev`` looks at both, one must not drive out the other."""
+    cache, after = Cache(), edited(OLDER, B, '"d"', '"e"')
+    base, branch = model(OLDER, cache, None), model(after, cache, None)
+    followed.clear()
+    assert [model(OLDER, cache, None), model(after, cache, None), model(OLDER, cache, None)] == [base, branch, base]
+    assert followed == []
 
 
 def test_facts_that_are_gone_void_the_record(followed: list[str]) -> None:
@@ -439,7 +448,9 @@ public:
 
 def test_files_of_behaviour_trees(followed: list[str]) -> None:
     """What makes trees is followed anew where one of them has changed, come or gone; all else is not."""
-    body = 'BT::BehaviorTreeFactory factory; factory.registerNodeType<Say>("Say", m);\nfactory.createTreeFromFile(%s);\n}'
+    body = (
+        'BT::BehaviorTreeFactory factory; factory.registerNodeType<Say>("Say", m);\nfactory.createTreeFromFile(%s);\n}'
+    )
     for file, paths in (
         ('ament_index_cpp::get_package_share_directory("p") + "/tree.xml"', ("p/tree.xml",)),
         ("argv[1]", ("p/tree.xml", "p/other.xml")),
