@@ -6,7 +6,7 @@
 *DIRECTORY* holds git repositories, bare or not, named ``owner+name`` or ``owner/name``, with the history. For each entry of
 history.yaml the tree of the parent and of the fix are written to a temporary directory (texts as they are, other files empty; nothing
 of them is run), and ``haros-ci check --profile architecture --isolated`` looks at both, all checks selected, the preview ones too. A
-fix counts as found if a finding of an expected check (by its id in the catalogue of ROS checks), in the named file or with that file
+fix counts as found if a finding of an expected check (by its name, or its id in the catalogue of ROS checks), in the named file or with that file
 among its other places, disappears with the fix. Prints a Markdown table; --details has the findings that came and went, as JSON.
 """
 
@@ -54,14 +54,7 @@ def main() -> None:
         if entry["fix"] in done or (options.only and not any(part in text for part in options.only)):
             continue
         done[entry["fix"]] = compare(entry, repository(options.mirrors, entry["repository"]), options.cache_dir)
-        print(
-            entry["fix"][:10],
-            entry["repository"],
-            entry["check"],
-            done[entry["fix"]]["found"],
-            file=sys.stderr,
-            flush=True,
-        )
+        print(entry["fix"][:10], entry["repository"], *found(entry, done[entry["fix"]]), file=sys.stderr, flush=True)
         if options.details:
             options.details.write_text(json.dumps(done, indent=1))
     table = "".join(rows([entry for entry in entries if entry["fix"] in done], done))
@@ -79,20 +72,26 @@ def repository(mirrors: Path, name: str) -> Path:
     sys.exit(f"{name} is not below {mirrors}")
 
 
-def compare(entry: dict, git: Path, cache: Path | None) -> dict:
-    """Whether the fault of *entry* is found, and which findings and notices disappear and appear with its fix."""
-    before = look(git, entry["parent"], entry.get("tree", []), cache)
-    after = look(git, entry["fix"], entry.get("tree", []), cache)
+def compare(entry: dict, git: Path, cache: Path | None) -> dict[str, list]:
+    """Which findings and notices disappear with the fix of *entry*, and which appear."""
+    before = Counter(look(git, entry["parent"], entry.get("tree", []), cache))
+    after = Counter(look(git, entry["fix"], entry.get("tree", []), cache))
+    return {"gone": list((before - after).elements()), "new": list((after - before).elements())}
+
+
+def found(entry: dict, result: dict[str, list]) -> tuple[list[str], str]:
+    """The expected rules that tell the fault of *entry*; and, if there is none, what else there is to say."""
     files = {entry["file"], *entry.get("also", [])}
-    gone, new = [list((Counter(one) - Counter(other)).elements()) for one, other in ((before, after), (after, before))]
-    expected = [result for result in gone if result[1] in entry["check"] and files & set(result[3])]
-    elsewhere = [result for result in gone if result[1] in entry["check"] and not files & set(result[3])]
-    near = [result for result in gone if result[1] not in entry["check"] and files & set(result[3])]
-    said = {"found": expected, "elsewhere": elsewhere, "other": near}
-    return {key: sorted({result[0] for result in results}) for key, results in said.items()} | {
-        "gone": gone,
-        "new": new,
-    }
+    here, elsewhere, others = set(), set(), set()
+    for rule, catalogue, _, places in result["gone"]:
+        if {rule, catalogue} & set(entry["check"]):
+            (here if files & set(places) else elsewhere).add(rule)
+        elif files & set(places):
+            others.add(rule)
+    said = [f"`{name}` goes, at other places" for name in sorted(elsewhere)] + [
+        f"`{name}` goes" for name in sorted(others)
+    ]
+    return sorted(here), "" if here else "; ".join(said)
 
 
 def look(git: Path, revision: str, directories: list[str], cache: Path | None) -> list[tuple]:
@@ -119,12 +118,12 @@ def look(git: Path, revision: str, directories: list[str], cache: Path | None) -
         if not output.exists():
             return [("none", "-", run.stderr[-300:], ())]
         report = json.loads(output.read_text())
-    found = [
+    results = [
         (result["rule"], ids.get(result["rule"], ""), result["message"], tuple(sorted(places(result))))
         for result in report["results"]
     ]
     notices = [("notice", "-", note["message"], (note["path"] or "",)) for note in report["notifications"]]
-    return found + notices
+    return results + notices
 
 
 def places(result: dict) -> set[str]:
@@ -174,19 +173,16 @@ def rows(entries: list[dict], done: dict[str, dict]) -> Iterator[str]:
     yield "| Repository, fix | Class | What was wrong | At the parent | Expected | Found before, gone after |\n|---|---|---|---|---|---|\n"
     total: Counter[tuple[str, bool]] = Counter()
     for entry in entries:
-        result = done[entry["fix"]]
-        total[entry["class"], bool(result["found"])] += 1
-        said = ", ".join(f"`{name}`" for name in result["found"]) or "no"
-        if not result["found"]:
-            said += "".join(f"; `{name}` goes, at other places" for name in result["elsewhere"])
-            said += "".join(f"; `{name}` goes" for name in result["other"])
+        rules, more = found(entry, done[entry["fix"]])
+        total[entry["class"], bool(rules)] += 1
+        said = ", ".join(f"`{name}`" for name in rules) or "no" + (more and f"; {more}")
         where, why = f"{entry['file']}:{entry['line']}", entry["why"].replace("|", "\\|")
         fix = f"{entry['repository']} [{entry['fix'][:10]}](https://github.com/{entry['repository']}/commit/{entry['fix']})"
         yield f"| {fix} | {entry['class']} | {why} | {where} | {' '.join(entry['check'])} | {said} |\n"
     yield "\n| Class | Fixes | Found |\n|---|---:|---:|\n"
     for name in sorted({entry["class"] for entry in entries}):
         yield f"| {name} | {total[name, True] + total[name, False]} | {total[name, True]} |\n"
-    yield f"| all | {len(entries)} | {sum(count for (_, found), count in total.items() if found)} |\n"
+    yield f"| all | {len(entries)} | {sum(count for (_, is_found), count in total.items() if is_found)} |\n"
 
 
 if __name__ == "__main__":
