@@ -25,7 +25,7 @@ def check(system: System) -> Iterator[Finding]:
             about=(path,),
             related=tuple((use.location, f"{use.text}, too") for use in uses[1:20]),
             flow=included_by(first),
-            level=Level.NOTE if first.ros == 2 and first.is_installed is False else None,
+            level=Level.NOTE if other == 1 and first.is_installed is False else None,
         )
 
 
