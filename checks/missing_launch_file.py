@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, FileUse, Finding, Level, System, included_by, meant
+from haros_ci.api import Check, FileUse, Finding, Level, ParameterFileUse, System, included_by, meant
 
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
@@ -21,11 +21,12 @@ _WHAT = {
 
 
 def check(system: System) -> Iterator[Finding]:
-    said: set[str] = set()
+    # What a ROS 2 node is given is told by parameter-file-missing, also of the argument that leads there.
+    said = {use.text for use in system.facts(ParameterFileUse) if use.is_found is False and use.ros == 2}
     for use in system.facts(FileUse):
         if use.is_found is not False or use.text in said:
             continue
-        if use.kind == "parameters" and use.ros == 2:  # parameter-file-missing
+        if use.kind == "parameters" and use.ros == 2:
             continue
         if use.kind in ("value", "default") and (
             not _READ.search(use.inner) or _WRITES.search(f"{use.name} {use.inner}")

@@ -9,8 +9,9 @@ from haros_ci.api import Check, Decidability, Finding, Level, System, SystemNode
 
 
 def check(system: System) -> Iterator[Finding]:
+    containers = {node.raw.container for node in system.nodes}
     for node in system.nodes if system.is_launched else ():
-        if not node.known or node.raw.kind == "library":
+        if not node.known or node.raw.kind == "library" or node.name in containers:
             continue
         twice = _twice(node.name.split("/")[:-1])
         if twice:

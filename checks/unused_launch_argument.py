@@ -39,7 +39,7 @@ def check(system: System) -> Iterator[Finding]:
             )
     refused = {use.location.path for use in system.facts(ConstructUse) if use.kind == "foreign"}
     for argument in system.facts(ArgumentDeclaration):
-        if argument.is_used is False and argument.location.path not in refused:
+        if argument.is_used is False and argument.location.path not in refused and not _stands_in(argument, system):
             yield Finding(
                 at=argument.location,
                 message=f"launch argument {argument.name!r} is declared, but nothing reads it: setting it has no effect",
@@ -48,6 +48,14 @@ def check(system: System) -> Iterator[Finding]:
                 flow=included_by(argument),
                 presence=argument.presence,
             )
+
+
+def _stands_in(argument: ArgumentDeclaration, system: System) -> bool:
+    """Whether *argument* is there for the sake of who includes the file: empty, and of use in a file beside it."""
+    if argument.default != "":
+        return False
+    folder = argument.location.path.rpartition("/")[0]
+    return (folder, argument.name) in system.whole.used_arguments
 
 
 CHECK = Check(

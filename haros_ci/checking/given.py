@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.model.architecture import Condition, Parameter, Unknown
-from haros_ci.model.launch_facts import ParameterFileUse
+from haros_ci.model.launch_facts import ArgumentDeclaration, ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence, together
 
@@ -194,6 +194,12 @@ class Whole:
                 if use.path is not None:
                     found.setdefault(use.path, []).append(use)
         return {path: tuple(uses) for path, uses in found.items()}
+
+    @cached_property
+    def used_arguments(self) -> frozenset[tuple[str, str]]:
+        """The launch arguments that some file declares and uses, each with the directory of the file."""
+        every = (fact for system in self.systems for fact in system.facts(ArgumentDeclaration) if fact.is_used)
+        return frozenset((fact.location.path.rpartition("/")[0], fact.name) for fact in every)
 
     @cached_property
     def names(self) -> Mapping[str, frozenset[str]]:
