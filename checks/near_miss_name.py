@@ -59,7 +59,9 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
             continue
         if any(end.implicit or end.type is None for end in channel.ends):
             continue
-        if any(end.type in (None, channel.types[0]) and may_be(end.name, channel.name) for end in unknown):
+        if any(
+            end.type in (None, channel.types[0]) and _tells(end) and may_be(end.name, channel.name) for end in unknown
+        ):
             continue
         if not channel.takers and len({end.location for end in channel.givers}) == len(channel.givers):
             givers.setdefault(channel.types[0], []).append(channel)
@@ -70,6 +72,11 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
         for giver in alike if len(alike) <= MOST else ():
             if is_moved(giver.name, taker.name) or _is_misspelt(giver.name, taker.name):
                 yield giver, taker
+
+
+def _tells(end: End) -> bool:
+    """Whether anything is known of an end: of one without a type and without a part of its own name, nothing speaks for it."""
+    return end.type is not None or end.name.rpartition("/")[2] != "?"
 
 
 def _is_misspelt(one: str, other: str) -> bool:
