@@ -108,7 +108,8 @@ class Finder:
 
     def is_installed(self, path: str) -> bool | None:
         """Whether the package around the file installs it; None where nobody can tell."""
-        owner = self._owner(path)
+        root = next((name for name, start in self.files.directories.items() if start == "."), None)
+        owner = self._owner(path) or (None if root is None else (root, path))
         if owner is None or owner[0] not in self.builds:
             return None
         name, inner = owner

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Findings that are less grave than their check: what is left over and not installed, and what is documented and at times meant."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from test_checks import said
+
+from haros_ci.checking.page import Example
+from haros_ci.registry import checks
+from haros_ci.results.rule import Level
+
+PACKAGE = (
+    '<package format="3"><name>demo</name><version>1.0.0</version><description>d</description>'
+    '<maintainer email="a@b.cd">m</maintainer><license>Apache-2.0</license>'
+    "<buildtool_depend>{0}</buildtool_depend><depend>{1}</depend>{2}</package>\n"
+)
+ROS2 = PACKAGE.format("ament_cmake", "rclcpp", "<export><build_type>ament_cmake</build_type></export>")
+ROS1 = PACKAGE.format("catkin", "rospy", "")
+CMAKE = "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\n{}\nament_package()\n"
+OLD = '<launch><arg name="x" default="1"/><node pkg="demo" type="n" name="n" args="$(arg x)"/></launch>\n'
+
+
+def levels(name: str, files: dict[str, str], tmp_path: Path) -> list[Level]:
+    check = next(check for check in checks() if check.id == name)
+    return [result.level for result in said(check, Example("", True, files), tmp_path)]
+
+
+@pytest.mark.parametrize(
+    ("install", "expected"),
+    [
+        ("install(DIRECTORY launch DESTINATION share/demo)", Level.WARNING),
+        ("install(FILES launch/a.launch DESTINATION share/demo)", Level.WARNING),
+        ("install_my_files(launch/a.launch)", Level.WARNING),
+        ("install(DIRECTORY config DESTINATION share/demo)", Level.NOTE),
+        ("", Level.NOTE),
+    ],
+)
+def test_a_launch_file_of_ros1_that_is_left_over(install: str, expected: Level, tmp_path: Path) -> None:
+    files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format(install), "launch/a.launch": OLD}
+    assert levels("foreign-launch-construct", files, tmp_path) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("Publisher('a', String)", Level.WARNING),
+        ("Publisher('a', String, queue_size=0)", Level.NOTE),
+        ("Subscriber('a', String, print, queue_size=0)", Level.ERROR),
+    ],
+)
+def test_queues_without_a_size(call: str, expected: Level, tmp_path: Path) -> None:
+    node = f"import rospy\nfrom std_msgs.msg import String\nrospy.init_node('n')\nrospy.{call}\nrospy.spin()\n"
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\n"
+        "catkin_package()\ncatkin_install_python(PROGRAMS n.py DESTINATION lib/demo)\n",
+        "n.py": "#!/usr/bin/env python3\n" + node,
+    }
+    assert levels("queue-without-size", files, tmp_path) == [expected]
