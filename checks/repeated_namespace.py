@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, System, SystemNode, named_at
+from haros_ci.api import Check, Decidability, Finding, Level, Status, System, SystemNode, named_at
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -51,6 +51,7 @@ CHECK = Check(
     summary="A namespace is pushed once.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
+    status=Status.PREVIEW,
     catalogue="N04",
     tags=("names", "launch"),
     run=check,
