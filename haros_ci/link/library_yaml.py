@@ -67,7 +67,8 @@ def yaml_file(run: Run, path: Value) -> Value:
     if isinstance(path, Known) and isinstance(path.value, str):
         if run.index.trace is not None:
             run.index.trace.paths.add(YAML_FILES)
-            run.index.trace.is_whole = run.index.trace.is_whole and path.value.endswith((".yaml", ".yml"))
+            is_traced = not path.value or path.value.endswith((".yaml", ".yml"))  # no file has no name
+            run.index.trace.is_whole = run.index.trace.is_whole and is_traced
         found = run.context.read_yaml(path.value)
         if found is not None:
             return found
