@@ -60,7 +60,10 @@ def make_flwr(compiler: Compiler, tree: Flwr, names: Names) -> Run:
         found: list[Value] = []
         for own in scopes(scope):
             value = give(own)
-            found.extend(flattened(value)) if tree.flatten else found.append(value)
+            if tree.flatten:
+                found.extend(flattened(value))
+            else:
+                found.append(value)
             if len(found) & 1023 == 0:
                 Listing.of(found)  # too many are told in time
         return Listing.of(found if tree.order is None else in_order(found, tree.order, output), True)

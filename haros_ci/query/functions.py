@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from math import isfinite
 from typing import Any
 
 from haros_ci.query.fault import QueryError
@@ -106,7 +107,7 @@ def rounded(value: Value, digits: Value = None) -> Value:
     if digits is not None and not (isinstance(digits, int) and abs(digits) < 400):
         raise QueryError("round takes a whole number of digits")
     plain = number(value)
-    if isinstance(plain, float) and (plain != plain or plain in (float("inf"), float("-inf"))):
+    if isinstance(plain, float) and not isfinite(plain):
         raise QueryError("the number cannot be rounded")
     return round(plain, digits) if digits is not None else round(plain)
 
@@ -116,7 +117,8 @@ def both(left: Value, right: Value) -> Listing:
     a, b = number(left), number(right)
     if b == 0:
         raise QueryError("division by zero")
-    quotient(a, b) if isinstance(a, float) or isinstance(b, float) else None
+    if isinstance(a, float) or isinstance(b, float):
+        quotient(a, b)  # raises where the result is too large
     return Listing.of(divmod(a, b), True)
 
 

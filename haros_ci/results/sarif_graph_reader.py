@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Union
 
 from haros_ci.model.location import Location
 from haros_ci.results.json_shape import items, mapping, natural, string
@@ -14,7 +15,7 @@ MAX_GRAPHS = 1_000
 _MAX_EDGES = 1_000  # of one result
 
 Edge = tuple[str, str]
-Placed = Callable[[dict[str, object]], "Location | None"]
+Placed = Callable[[dict[str, object]], Union[Location, None]]
 
 
 @dataclass(frozen=True, slots=True)
