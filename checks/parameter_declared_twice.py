@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from haros_ci.api import NO_SYSTEMS, Check, Finding, Level, System
+from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -16,7 +16,7 @@ def check(system: System) -> Iterator[Finding]:
         for key, ends in node.names.declared.items():
             if "?" in key or key in node.names.set or len(ends) < 2:
                 continue
-            certain = [end for end in ends if not (end.implicit or end.conditions or end.raw.unknowns)]
+            certain = [end for end in ends if not (end.implicit or end.conditions or is_doubtful(end))]
             for first, second in combinations(certain, 2):
                 if first.raw.location is not None and second.raw.location not in (None, first.raw.location):
                     yield Finding(
@@ -25,6 +25,11 @@ def check(system: System) -> Iterator[Finding]:
                         about=(first, second, key),
                         related=((first.location, "declared here already"),),
                     )
+
+
+def is_doubtful(end: End) -> bool:
+    """Whether it is not known that this very parameter is declared; what its default is does not matter."""
+    return any(unknown.field in ("name", "presence", "conditions") for unknown in end.raw.unknowns)
 
 
 CHECK = Check(

@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 
 from haros_ci.linters.catalogue import TOOLS, UNSERVED, rules_of
+from haros_ci.registry import check_rules
 
 CPPLINT = """
     line_endings comments_must_end no_copyright header_guard header_guard_format header_guard_close include_own_header
@@ -54,8 +55,9 @@ IDS = [
 
 def by_alias() -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
-    for tool in TOOLS:
-        for entry in rules_of(tool).values():
+    tables = {tool: rules_of(tool) for tool in TOOLS} | {"haros-ci": check_rules()}
+    for tool, rules in tables.items():
+        for entry in rules.values():
             for alias in entry.aliases:
                 found.setdefault(alias, []).append(f"{tool}:{entry.id}")
     return found
@@ -83,6 +85,7 @@ def test_every_id_is_served_or_explained(identifier: str) -> None:
         ("haros_plugin_lizard:max_cyclomatic_complexity_10", ["metrics:max-cyclomatic-complexity-10"]),
         ("max_eloc_70", ["metrics:max-eloc-70"]),
         ("haros_plugin_ccd:halstead_volume_above_8000", ["metrics:halstead-volume-above-8000"]),
+        ("no_global_names", ["haros-ci:global-name"]),
         ("haros_plugin_mi_calculator:mi_below_20", ["metrics:mi-below-20"]),
     ],
 )

@@ -221,7 +221,6 @@ UNSERVED: Mapping[str, str] = {
     "max_weighted_methods_100": _NO_METRIC,
     "max_deepest_inheritance_5": _NO_METRIC,
     "max_methods_available_20": _NO_METRIC,
-    "no_global_names": "It speaks of ROS names, which no linter knows.",
 }
 
 #: Plug-ins whose rules were HAROS's common ones, so that a project file names them without the plug-in.
