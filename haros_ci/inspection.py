@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
-from haros_ci.model.workspace import Store, Workspace
+from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.registry import check_rules, checks
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Run
@@ -46,7 +46,7 @@ def inspected(
     said = run_checks(chosen, systems(found, workspace), own.TOOL, under)
     run = replace(
         run,
-        results=(*run.results, *said.results),
+        results=(*run.results, *own.launch_results(malformed(workspace)), *said.results),
         notifications=(
             *run.notifications,
             *said.notifications,
@@ -57,6 +57,18 @@ def inspected(
         successful=run.successful and not said.notifications,
     )
     return queried(run, found, workspace, settings, selection) if asks(settings) else run
+
+
+def malformed(workspace: Workspace) -> Iterator[Problem]:
+    """The launch files that begin as XML and are none."""
+    from haros_ci.architecture import launch_reader
+
+    read = launch_reader(workspace)
+    for file in workspace.files:
+        if file.language == "launch" and workspace.text(file.path).lstrip().startswith("<"):
+            launch = read(file.path)
+            if launch is not None and launch.root is None:
+                yield from (Problem(file.path, message, line) for line, message in launch.problems[:1])
 
 
 def queried(run: Run, found: Architecture, workspace: Workspace, settings: Settings, selection: Selection) -> Run:

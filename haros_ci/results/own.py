@@ -26,6 +26,19 @@ MALFORMED_MANIFEST = Rule(
     tags=("ros", "correctness"),
 )
 
+MALFORMED_LAUNCH = Rule(
+    id="malformed-launch-file",
+    summary="A launch file cannot be read, so nothing in it can be started or checked.",
+    level=Level.ERROR,
+    help=(
+        "roslaunch and ros2 launch stop at a launch file that is not well-formed XML, and at every file that includes it. "
+        "Correct the line that the message names: a tag that is not closed, a quote that is missing, a bare & or <."
+    ),
+    precision="very-high",
+    profiles=("ros", "strict", "google", "bugs-only", "architecture"),
+    tags=("ros", "correctness"),
+)
+
 UNUSED_SUPPRESSION = Rule(
     id="unused-suppression",
     summary="A haros suppression comment hides nothing.",
@@ -39,7 +52,15 @@ UNUSED_SUPPRESSION = Rule(
     tags=("maintainability",),
 )
 
-RULES = {rule.id: rule for rule in (MALFORMED_MANIFEST, UNUSED_SUPPRESSION)}
+RULES = {rule.id: rule for rule in (MALFORMED_MANIFEST, MALFORMED_LAUNCH, UNUSED_SUPPRESSION)}
+
+
+def launch_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
+    """One result for each launch file that is no XML, at the line that the parser names."""
+    return tuple(
+        Result(TOOL, MALFORMED_LAUNCH.id, MALFORMED_LAUNCH.level, fault.message, Location(fault.path, fault.line or 1))
+        for fault in faults
+    )
 
 
 def manifest_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
