@@ -19,7 +19,7 @@ MANIFEST = """<package format="3"><name>demo</name><version>1.0.0</version><desc
 
 def found(root: Path, name: str, text: str) -> list[tuple[str, int | None]]:
     place = root / "launch" / name
-    place.parent.mkdir()
+    place.parent.mkdir(parents=True)
     place.write_text(text, encoding="utf-8")
     (root / "package.xml").write_text(MANIFEST, encoding="utf-8")
     report, _ = analyse(Settings(root=root, profile="architecture"), MemoryCache())
@@ -43,6 +43,7 @@ def test_fires(name: str, text: str, tmp_path: Path) -> None:
         ("a.launch.yaml", "launch: []\n"),
         ("a.launch.py", "def generate_launch_description(:\n"),
         ("a.launch", ""),
+        ("template/a.launch", "<launch>\n  [NODES]<arg [NAME]/>\n</launch>\n"),
         ("a.launch", "launch:\n  - arg: {name: a}\n"),
     ],
 )
