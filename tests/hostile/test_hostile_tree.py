@@ -178,7 +178,7 @@ CONTENTS = [
     holding("error.cpp", b'#error "::error::x \x1b[31m ##[error]"\n', "cppcheck could not analyse this file"),
     holding("conditions.cpp", b"#if A\n" * 500, ""),
     holding("unclosed.cpp", b"/*" + b"\n" * 100, ""),
-    holding("launch/bomb.launch", b'<!DOCTYPE x [<!ENTITY a "a">]><launch>&a;</launch>', ""),
+    holding("launch/bomb.launch", b'<!DOCTYPE x [<!ENTITY a "a">]><launch>&a;</launch>', "malformed-launch-file"),
     holding("script", b"#!/usr/bin/env python3\n" + PYTHON, "undefined-variable"),
 ]
 
