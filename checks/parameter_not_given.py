@@ -27,7 +27,8 @@ def check(system: System) -> Iterator[Finding]:
                 at=node.location,
                 message=(
                     f"{node} is not given {_listed(keys)}, which {node.type} declares without a default: "
-                    f"the node throws when it starts" + (f"; {meant} is given, which it does not declare" if meant else "")
+                    f"the node throws when it starts"
+                    + (f"; {meant} is given, which it does not declare" if meant else "")
                 ),
                 about=(node, *(each for _, each in missing)),
                 related=((end.location, f"{keys[0]} is declared without a default"),),

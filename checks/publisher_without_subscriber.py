@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, System, named_at, told, way_to
+from haros_ci.api import Check, Decidability, Finding, Level, System, unmet
 
 #: What people look at with tools.
 TOOLS = frozenset(
@@ -14,25 +14,10 @@ TOOLS = frozenset(
 
 
 def check(system: System) -> Iterator[Finding]:
-    if not system.closed or not system.is_launched:
-        return
-    for channel in system.topics:
-        ends = [end for end in channel.givers if not end.implicit]
-        if (
-            not ends
-            or channel.takers
-            or channel.name.rpartition("/")[2] in TOOLS
-            or not told(system, channel, "takers")
-        ):
-            continue
-        more = f" and {len(ends) - 1} more" if len(ends) > 1 else ""
-        yield Finding(
-            at=named_at(ends[0]),
-            message=f"{ends[0].node}{more} publishes {channel}, which nothing in the system subscribes to",
-            about=(channel, *ends),
-            related=tuple((end.location, str(end)) for end in ends[1:]),
-            flow=way_to(ends[0]),
-        )
+    topics = (topic for topic in system.topics if topic.name.rpartition("/")[2] not in TOOLS)
+    yield from unmet(
+        system, topics, "takers", lambda topic: f"publishes {topic}, which nothing in the system subscribes to"
+    )
 
 
 CHECK = Check(

@@ -5,43 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Level, System, named_at, rule_of, way_to
+from haros_ci.api import Check, Finding, Level, System, type_mismatches
 
 
 def check(system: System) -> Iterator[Finding]:
-    for service in system.services:
-        if len(service.types) < 2:
-            continue
-        found: dict[tuple[str, str], dict[End, None]] = {}
-        for server, client in service.pairs():
-            if server.type is None or client.type is None or server.type == client.type:
-                continue
-            if server.implicit or client.implicit or _has_other(server, client.type) or _has_other(client, server.type):
-                continue
-            found.setdefault((server.type, client.type), {}).update({server: None, client: None})
-        for (given, wanted), ends in found.items():
-            clients = [end for end in ends if end.kind == "clients"]
-            servers = [end for end in ends if end.kind == "servers"]
-            wrong = next((end for end in (*clients, *servers) if rule_of(end) is not None), None)
-            wrong = wrong or next((end for end in (*clients, *servers) if end.in_source), clients[0])
-            rule = rule_of(wrong)
-            advice = "" if rule is None else f"; {wrong.original_name} is remapped here to {wrong.name}"
-            others = f" and {len(clients) - 1} more" if len(clients) > 1 else ""
-            yield Finding(
-                at=named_at(wrong),
-                message=(
-                    f"{clients[0].node}{others} uses {service} as {wanted}, "
-                    f"but {servers[0].node} offers {given}: every call fails, or waits for ever{advice}"
-                ),
-                about=(service, *ends),
-                related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in ends),
-                flow=way_to(wrong),
-            )
-
-
-def _has_other(end: End, kind: str) -> bool:
-    """Whether the node has an end of that *kind* of type, too: one of them is made, as its conditions say."""
-    return any(other.name == end.name and other.type in (kind, None) for other in end.node.of(end.kind))
+    yield from type_mismatches(system.services, "every call fails, or waits for ever")
 
 
 CHECK = Check(

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from haros_ci.checking.check import Check, Decidability, Finding, Status
-from haros_ci.checking.closed import told
+from haros_ci.checking.closed import unmet
 from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
+from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
@@ -91,6 +92,7 @@ __all__ = [
     "qos_in_words",
     "rule_of",
     "together",
-    "told",
+    "type_mismatches",
+    "unmet",
     "way_to",
 ]

@@ -3,8 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
+
+from haros_ci.checking.check import Finding
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.likeness import may_be
+from haros_ci.checking.remapping import named_at, way_to
 from haros_ci.checking.system import Channel, System
 
 _KINDS = {"topic": TOPIC, "service": SERVICE, "action": ACTION}
@@ -22,3 +26,25 @@ def told(system: System, channel: Channel, side: str) -> bool:
         if any(not end.known and may_be(end.name, channel.name) for end in node.of(kind)):
             return False
     return True
+
+
+def unmet(system: System, channels: Iterable[Channel], side: str, what: Callable[[Channel], str]) -> Iterator[Finding]:
+    """One finding for each of *channels* with ends, but certainly nobody on *side*, in a closed system that is launched.
+
+    *what* says what the ends do and what comes of it: ``subscribes to /scan, which nothing in the system publishes``.
+    """
+    if not system.closed or not system.is_launched:
+        return
+    for channel in channels:
+        missing, there = (channel.givers, channel.takers) if side == "givers" else (channel.takers, channel.givers)
+        ends = [end for end in there if not end.implicit]
+        if not ends or missing or not told(system, channel, side):
+            continue
+        more = f" and {len(ends) - 1} more" if len(ends) > 1 else ""
+        yield Finding(
+            at=named_at(ends[0]),
+            message=f"{ends[0].node}{more} {what(channel)}",
+            about=(channel, *ends),
+            related=tuple((end.location, str(end)) for end in ends[1:]),
+            flow=way_to(ends[0]),
+        )
