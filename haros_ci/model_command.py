@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from haros_ci.architecture import architecture, chosen
+from haros_ci.architecture import architecture
 from haros_ci.baselines import read_input
 from haros_ci.commands import cores, settings_from, store_for
 from haros_ci.errors import UserError
@@ -19,6 +19,7 @@ from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.output import write
 from haros_ci.report.escape import terminal
+from haros_ci.wanted import chosen
 from haros_ci.workspace.discover import discover
 
 #: Problems that are told one by one.

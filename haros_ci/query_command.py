@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from haros_ci.architecture import architecture, chosen
+from haros_ci.architecture import architecture
 from haros_ci.baselines import read_input
 from haros_ci.commands import cores, settings_from, store_for
 from haros_ci.errors import UserError
@@ -21,6 +21,7 @@ from haros_ci.query.findings import names_of, places_of, provenance
 from haros_ci.query.queries import VARIABLES, Scenes
 from haros_ci.query.values import Entity, Listing, Pair, Record, Value, words
 from haros_ci.report.escape import terminal
+from haros_ci.wanted import chosen
 from haros_ci.workspace.discover import discover
 
 

@@ -32,14 +32,15 @@ DOORS: dict[str, set[str]] = {
         "baselines", "config", "errors", "inspection", "linters", "model", "query", "registry", "results", "workspace",
     },
     "forks": set(),
-    "architecture": {"model", "errors", "config", "workspace", "extract", "link", "exactness", "forks"},
+    "wanted": {"model", "errors", "link"},
+    "architecture": {"wanted", "model", "errors", "config", "workspace", "extract", "link", "exactness", "forks"},
     "exactness": {"model", "config", "extract", "linters"},
     "model_command": {
-        "architecture", "baselines", "commands", "errors", "interface_files", "link", "model", "output", "readme_check",
+        "wanted", "architecture", "baselines", "commands", "errors", "interface_files", "link", "model", "output", "readme_check",
         "report", "workspace",
     },
     "query_command": {
-        "architecture", "baselines", "commands", "errors", "model_command", "query", "report", "workspace",
+        "wanted", "architecture", "baselines", "commands", "errors", "model_command", "query", "report", "workspace",
     },
     "interface_files": {"model", "errors", "output", "report"},
     "readme_check": {"model", "report"},
