@@ -153,15 +153,9 @@ def lint_options(settings: Settings) -> LintOptions:
 
 
 def unheard(settings: Settings) -> frozenset[str]:
-    """The linters of which no rule is on, so that they need not run: all of them in the profile of the checks alone."""
-    layers = (settings.policy, settings.command_line, *(entry.policy for entry in settings.per_path))
-    if (
-        settings.profile != "architecture"
-        or settings.per_path
-        or any(policy.select or policy.levels for policy in layers)
-    ):
-        return frozenset()
-    return frozenset(ADAPTERS)
+    """The linters that need not run: all in the profile of the checks alone, unless the command line selects rules."""
+    has_others = settings.command_line.select or any(entry.profile for entry in settings.per_path)
+    return frozenset(ADAPTERS) if settings.profile == "architecture" and not has_others else frozenset()
 
 
 def selected(results: Iterable[Result], selection: Selection, workspace: Workspace) -> tuple[Result, ...]:
