@@ -6,15 +6,28 @@ from __future__ import annotations
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import unmet
 from haros_ci.checking.compatibility import in_words as qos_in_words
+from haros_ci.checking.editing import add_dependency, add_element, drop_lines, insert_line
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.offered import type_mismatches
+from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
+from haros_ci.model.build import (
+    Build,
+    CMakeCommand,
+    EntryPoint,
+    Installed,
+    Interface,
+    InterfaceField,
+    PluginClass,
+    Target,
+)
+from haros_ci.model.element import Element
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -32,8 +45,10 @@ from haros_ci.model.launch_facts import (
     ProgramUse,
 )
 from haros_ci.model.location import Location
-from haros_ci.model.package import Dependency, Package
+from haros_ci.model.package import Dependency, Package, SourceFile
 from haros_ci.model.presence import ALWAYS, Presence, together
+from haros_ci.model.program import Program
+from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.rule import Level
 
 __all__ = [
@@ -44,6 +59,8 @@ __all__ = [
     "TOPIC",
     "ArgumentDeclaration",
     "ArgumentRead",
+    "Build",
+    "CMakeCommand",
     "Channel",
     "Check",
     "Comparison",
@@ -52,12 +69,19 @@ __all__ = [
     "ConstructUse",
     "Decidability",
     "Dependency",
+    "Edit",
+    "Element",
     "End",
     "Endpoint",
+    "EntryPoint",
     "FileUse",
     "Finding",
+    "Fix",
     "Given",
     "IncludeUse",
+    "Installed",
+    "Interface",
+    "InterfaceField",
     "LaunchFact",
     "Level",
     "Location",
@@ -69,17 +93,27 @@ __all__ = [
     "ParameterFileUse",
     "PassedArgument",
     "PathUse",
+    "PluginClass",
     "Presence",
+    "Program",
     "ProgramUse",
+    "Project",
+    "ProjectPackage",
     "Qos",
     "RemapRule",
+    "SourceFile",
     "Status",
     "System",
     "SystemNode",
+    "Target",
     "Whole",
+    "add_dependency",
+    "add_element",
     "can_meet",
+    "drop_lines",
     "included_by",
     "incompatible",
+    "insert_line",
     "is_mentioned",
     "is_moved",
     "is_slip",

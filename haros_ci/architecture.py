@@ -128,7 +128,7 @@ def varied(
         configurations=tuple(hinted),
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
     )
-    return Linked(whole, under)
+    return replace(made, architecture=whole, under=under)
 
 
 def keeper(workspace: Workspace, store: Store) -> Keeper:

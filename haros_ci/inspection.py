@@ -5,15 +5,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
+from haros_ci.model.element import Element
 from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.registry import check_rules, checks
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level, Rule
+
+if TYPE_CHECKING:  # they are loaded where there is something to check
+    from haros_ci.checking.project import Project
+    from haros_ci.checking.system import System
+    from haros_ci.link.link import Linked
 
 Progress = Callable[[str], None]
 
@@ -29,7 +36,7 @@ def inspected(
     if not (chosen or asks(settings)) or only_files(workspace, settings):
         return run
     from haros_ci.architecture import varied
-    from haros_ci.checking.run import Assigned, run_checks
+    from haros_ci.checking.run import Assigned, run_checks, run_on_project
     from haros_ci.checking.system import System, systems
 
     if progress is not None:
@@ -43,20 +50,38 @@ def inspected(
 
     if progress is not None:
         progress(f"{len(chosen)} checks")
-    said = run_checks(chosen, systems(found, workspace), own.TOOL, under)
+    all_systems = tuple(systems(found, workspace))
+    said = run_checks(chosen, all_systems, own.TOOL, under)
+    said_once = run_on_project(chosen, project_of(made, workspace, all_systems), own.TOOL)
+    failures = (*said.notifications, *said_once.notifications)
     run = replace(
         run,
-        results=(*run.results, *own.launch_results(malformed(workspace)), *said.results),
+        results=(*run.results, *own.launch_results(malformed(workspace)), *said.results, *said_once.results),
         notifications=(
             *run.notifications,
-            *said.notifications,
+            *failures,
             *(Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line) for p in found.problems),
         ),
         graphs=said.graphs,
-        architecture=not said.notifications,
-        successful=run.successful and not said.notifications,
+        architecture=not failures,
+        successful=run.successful and not failures,
     )
     return queried(run, found, workspace, settings, selection) if asks(settings) else run
+
+
+def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...]) -> Project:
+    """What the checks of packages see, from what the architecture was *made* of."""
+    from haros_ci.checking.project import Project
+    from haros_ci.workspace.xml import XmlError, parse_xml
+
+    def element(path: str) -> Element | None:
+        try:
+            return parse_xml(workspace.text(path).encode())
+        except (XmlError, UnicodeEncodeError):
+            return None
+
+    programs = {source.path: source.program for source in made.sources}
+    return Project(workspace, made.builds, programs, systems, element)
 
 
 def malformed(workspace: Workspace) -> Iterator[Problem]:

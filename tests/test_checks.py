@@ -3,21 +3,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from haros_ci.architecture import architecture
+from haros_ci.architecture import varied
 from haros_ci.checking.check import Check
 from haros_ci.checking.page import SECTIONS, Example, Page, read_page
-from haros_ci.checking.run import run_checks
+from haros_ci.checking.run import run_checks, run_on_project
 from haros_ci.checking.system import systems
 from haros_ci.config.load import load
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
+from haros_ci.inspection import project_of
 from haros_ci.new_check import new_check
 from haros_ci.registry import check_rules, checks, page_of
 from haros_ci.report.check_table import render
+from haros_ci.results.fix import Edit, applied
 from haros_ci.results.result import Result
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
@@ -31,19 +35,23 @@ EXAMPLES = [
 ]
 
 
-def said(check: Check, example: Example, tmp_path: Path) -> tuple[Result, ...]:
-    """What *check* says of *example*; a project file in it is read."""
+def said(check: Check, example: Example, tmp_path: Path, executables: Container[str] = ()) -> tuple[Result, ...]:
+    """What *check* says of *example*; a project file in it is read. *executables* are paths of files with that bit."""
     for path, text in example.files.items():
         place = tmp_path / path
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(text, encoding="utf-8")
+        if path in executables:
+            place.chmod(0o755)
     project = next((name for name in (".haros-ci.yaml", "haros.yaml") if name in example.files), None)
     settings = load(tmp_path) if project else Settings(root=tmp_path)
     workspace = discover(tmp_path, (".",))
-    found = architecture(workspace, settings, MemoryCache())
-    outcome = run_checks((check,), systems(found, workspace), "haros-ci")
-    assert not outcome.notifications
-    return outcome.results
+    made = varied(workspace, settings, MemoryCache(), alternatives=False)
+    all_systems = tuple(systems(made.architecture, workspace))
+    outcome = run_checks((check,), all_systems, "haros-ci")
+    once = run_on_project((check,), project_of(made, workspace, all_systems), "haros-ci")
+    assert not outcome.notifications and not once.notifications
+    return (*outcome.results, *once.results)
 
 
 @pytest.mark.parametrize(("check", "example"), EXAMPLES)
@@ -51,6 +59,26 @@ def test_a_page_is_true(check: Check, example: Example, tmp_path: Path) -> None:
     results = said(check, example, tmp_path)
     assert [(r.location.path, r.location.line) for r in results] == list(example.expected), [r.message for r in results]
     assert all(result.rule == check.id and result.subject for result in results)
+
+
+BAD = [param for param in EXAMPLES if param.values[1].is_bad]
+
+
+@pytest.mark.parametrize(("check", "example"), BAD)
+def test_what_a_check_offers_to_mend_is_mended(check: Check, example: Example, tmp_path: Path) -> None:
+    """The first fix of each finding takes it away; nothing else comes, and nothing more is offered for it."""
+    before = said(check, example, tmp_path / "before")
+    offered = [result for result in before if result.fixes]
+    files = {path: applied(text, edits_of(path, offered)) for path, text in example.files.items()}
+    executables = {e.path for result in offered for e in result.fixes[0].edits if e.is_executable}
+    after = said(check, replace(example, files=files), tmp_path / "after", executables)
+    assert sorted(r.message for r in after) == sorted(r.message for r in before if not r.fixes)
+
+
+def edits_of(path: str, offered: list[Result]) -> tuple[Edit, ...]:
+    """The edits of the text at *path*, once each, as several findings may offer the same one."""
+    edits = (edit for result in offered for edit in result.fixes[0].edits)
+    return tuple(dict.fromkeys(edit for edit in edits if edit.path == path and not edit.is_executable))
 
 
 @pytest.mark.parametrize("check", checks(), ids=lambda check: check.id)
@@ -93,3 +121,8 @@ def test_a_new_check_fails_until_it_is_written(tmp_path: Path) -> None:
             new_check(name, tmp_path)
     with pytest.raises(UserError, match="no checks in"):
         new_check("other-topic", tmp_path / "checks")
+
+
+@pytest.mark.parametrize("check", checks(), ids=lambda check: check.id)
+def test_a_check_looks_at_one_thing(check: Check) -> None:
+    assert (check.run is None) != (check.project is None)

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Union
 
+from haros_ci.checking.project import Project
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence
+from haros_ci.results.fix import Fix
 from haros_ci.results.rule import Level, Rule
 
 #: What a finding may be about: an end, a node, a topic or service, or a name.
@@ -41,7 +43,7 @@ class Finding:
     *about* are the entities and names that the finding is about: by them it is the same finding after lines, files or launch
     arguments have changed, by them it is known when it can happen at all. *related* are the other ends, *flow* the places that lead
     to it, in order. *level* replaces the check's own. *presence* is a condition besides those of the entities. *apart* are names that
-    tell several findings at one place apart, where the related places do not.
+    tell several findings at one place apart, where the related places do not. *fixes* mend it, where an edit is certain to.
     """
 
     at: Location
@@ -52,11 +54,12 @@ class Finding:
     level: Level | None = None
     presence: Presence = ALWAYS
     apart: tuple[str, ...] = ()
+    fixes: tuple[Fix, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Check:
-    """One check: *run* looks at one system. Its page, ``checks/<id>.md`` with underscores, is its help and its test.
+    """One check: *run* looks at one system, or *project* at the whole workspace. Its page, ``checks/<id>.md`` with underscores, is its help and its test.
 
     *catalogue* is its short id in the catalogue of ROS checks (``G06``); *aliases* are further names, HAROS's for example. *profiles*
     says where it is on if not where its *status* says: stable ones in all but ``google``, of them errors in ``bugs-only``, too.
@@ -65,7 +68,8 @@ class Check:
     id: str
     summary: str
     level: Level
-    run: Callable[[System], Iterable[Finding]]
+    run: Callable[[System], Iterable[Finding]] | None = None
+    project: Callable[[Project], Iterable[Finding]] | None = None
     decidability: Decidability = Decidability.EXACT
     status: Status = Status.STABLE
     catalogue: str = ""

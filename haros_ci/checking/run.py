@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from haros_ci.checking.check import About, Check, Finding
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
+from haros_ci.checking.project import Project
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.location import Location
 from haros_ci.model.presence import assignment, in_words, together
@@ -33,7 +34,7 @@ class Checked:
 class _Told:
     check: Check
     finding: Finding
-    system: System
+    system: System | None
     arguments: Assigned
 
     @property
@@ -60,10 +61,11 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
     told: dict[tuple[object, ...], dict[tuple[str, ...], _Told]] = {}
     failures: dict[str, Notification] = {}
     confirm = _Confirmation(under)
+    ones = [(check, check.run) for check in checks if check.run is not None]
     for system in found:
-        for check in checks:
+        for check, run in ones:
             try:
-                for finding in check.run(system):
+                for finding in run(system):
                     each = _told(check, finding, system)
                     if each is None or (each.arguments and not confirm(each)):
                         continue
@@ -75,10 +77,29 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
                 said = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
                 failures.setdefault(check.id, Notification(Level.ERROR, said, tool=tool))
     chosen = [(min(alike.values(), key=lambda each: each.rank), len(alike) - 1) for alike in told.values()]
-    used = {each.system.name: each.system for each, _ in chosen if _edges(each.finding.about)}
+    used = {
+        each.system.name: each.system for each, _ in chosen if each.system is not None and _edges(each.finding.about)
+    }
     results = sorted((_result(each, more, tool) for each, more in chosen), key=lambda result: result.sort_key)
     graphs = tuple(graph_of(system) for _, system in sorted(used.items()))
     return Checked(tuple(results), graphs, tuple(failures[id] for id in sorted(failures)))
+
+
+def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Checked:
+    """Run those of *checks* that look at the whole workspace; one that fails loses no other's findings."""
+    results: dict[tuple[object, ...], Result] = {}
+    failures = []
+    for check in checks:
+        if check.project is None:
+            continue
+        try:
+            for finding in check.project(project):
+                each = _Told(check, finding, None, ())
+                results.setdefault((*each.key, subject(finding.about)), _result(each, 0, tool))
+        except Exception as err:  # a fault of one check must not lose the others
+            said = f"the check {check.id} failed: {type(err).__name__}: {err}"
+            failures.append(Notification(Level.ERROR, said, tool=tool))
+    return Checked(tuple(sorted(results.values(), key=lambda result: result.sort_key)), (), tuple(failures))
 
 
 def _told(check: Check, finding: Finding, system: System) -> _Told | None:
@@ -101,7 +122,8 @@ class _Confirmation:
         self.said: dict[tuple[str, str, Assigned], frozenset[tuple[object, ...]]] = {}
 
     def __call__(self, told: _Told) -> bool:
-        if self.under is None:
+        run = told.check.run
+        if self.under is None or told.system is None or run is None:
             return False
         place = (told.system.name, told.arguments)
         if place not in self.systems:
@@ -111,7 +133,7 @@ class _Confirmation:
             return False
         key = (told.check.id, *place)
         if key not in self.said:
-            found = (_told(told.check, finding, system) for finding in told.check.run(system))
+            found = (_told(told.check, finding, system) for finding in run(system))
             self.said[key] = frozenset(each.key for each in found if each is not None and not each.arguments)
         return told.key in self.said[key]
 
@@ -153,7 +175,9 @@ def _result(told: _Told, more: int, tool: str) -> Result:
     check, finding, system = told.check, told.finding, told.system
     message = finding.message.rstrip(". ")
     about_system = any(isinstance(each, (End, SystemNode, Channel)) for each in finding.about)
-    if told.arguments:
+    if system is None:
+        pass
+    elif told.arguments:
         message += f"; seen with {command(system, told.arguments)}"
     elif about_system and system.is_launched:
         message += f"; in {system.name}"
@@ -170,8 +194,9 @@ def _result(told: _Told, more: int, tool: str) -> Result:
         subject=subject(finding.about),
         roles=roles(finding.about),
         flow=tuple(Related(place, text) for place, text in finding.flow),
-        graph=system.name if edges else "",
+        graph=system.name if edges and system is not None else "",
         edges=edges,
+        fixes=finding.fixes,
     )
 
 

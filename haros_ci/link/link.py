@@ -104,11 +104,14 @@ class Opened:
 class Linked:
     """An architecture; *under* gives a configuration of it by its name, with some launch arguments set otherwise.
 
-    It is linked as any other, with what has been followed before; None if no launch file starts it.
+    It is linked as any other, with what has been followed before; None if no launch file starts it. *builds* and *sources* are what was
+    linked.
     """
 
     architecture: Architecture
     under: Callable[[str, Mapping[str, str]], Configuration | None]
+    builds: Mapping[str, Build]
+    sources: tuple[Source, ...]
 
 
 def open_(
@@ -157,7 +160,7 @@ def open_(
 
 def linked(
     workspace: Workspace,
-    sources: Iterable[Source],
+    sources: tuple[Source, ...],
     load: Callable[[str], LaunchFile | None],
     builds: Mapping[str, Build],
     rows: Mapping[tuple[str, int], Iterable[Row]],
@@ -268,7 +271,7 @@ def linked(
         packages=workspace.packages,
         problems=tuple(sorted(problems, key=lambda p: (p.path, p.line or 0, p.message))),
     )
-    return Linked(found, under)
+    return Linked(found, under, builds, sources)
 
 
 def _configuration(

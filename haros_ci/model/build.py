@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from dataclasses import dataclass
 from typing import Any
 
@@ -147,12 +148,48 @@ class Interface:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CMakeCommand:
+    """One command as it was followed, *name* in lower case, its *arguments* evaluated; flow and variables are none.
+
+    What only a build knows stays in the arguments as ``${NAME}``. Places in the workspace begin with ``${ROOT}/``, those of the build tree
+    with ``${BUILD}/``; *directory* is the root-relative directory that relative ones count from. *is_conditional* if a
+    construct that could not be decided stands around it, *is_test* if it runs for tests only. A command inside a
+    function stands where the function is called.
+    """
+
+    name: str
+    arguments: tuple[str, ...]
+    location: Location
+    directory: str
+    is_conditional: bool = False
+    is_test: bool = False
+
+    def place(self, word: str) -> str | None:
+        """The root-relative path that *word* means; None if it is not known, or not in the workspace."""
+        if word == "${ROOT}" or word.startswith("${ROOT}/"):
+            path = posixpath.normpath(word[len("${ROOT}/") :] or ".")
+        elif "${" in word or word.startswith("/"):
+            return None
+        else:
+            path = posixpath.normpath(f"{self.directory}/{word}")
+        return None if path.startswith("..") or "${" in path else path
+
+    def after(self, keyword: str, *keywords: str) -> tuple[str, ...]:
+        """The arguments that follow *keyword* up to the next of *keywords*; () without it."""
+        if keyword not in self.arguments:
+            return ()
+        rest = self.arguments[self.arguments.index(keyword) + 1 :]
+        end = next((at for at, word in enumerate(rest) if word in keywords), len(rest))
+        return rest[:end]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Build:
     """All of one package.
 
     *scripts* are Python files that are installed as programs or begin with a shebang. *python_roots* are pairs of an
     import root (``""`` for all, or a top-level name) and the root-relative directory that it stands for. *defined* are
-    the macros that the build defines for C++.
+    the macros that the build defines for C++. *commands* are those of CMake in the order in which they run.
     """
 
     package: str
@@ -167,3 +204,4 @@ class Build:
     defined: tuple[str, ...] = ()
     parameter_libraries: tuple[ParameterLibrary, ...] = ()
     problems: tuple[Problem, ...] = ()
+    commands: tuple[CMakeCommand, ...] = ()

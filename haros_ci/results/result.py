@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from haros_ci.model.location import Location
+from haros_ci.results.fix import Fix
 from haros_ci.results.rule import Level, Rule
 
 
@@ -69,7 +70,7 @@ class Result:
     (node types, kinds of endpoints), which a renaming leaves as it is; ``flow`` are the places that lead to it, in order, and
     ``edges`` what it traverses of the run's ``Graph`` called ``graph``: pairs of ids. ``also`` are
     ``tool:rule`` of other tools that found the same defect. ``state`` is None where no baseline was given, and
-    ``reason`` says why it is new or how it was matched (``--why``).
+    ``reason`` says why it is new or how it was matched (``--why``). ``fixes`` are ways to mend it, the best first.
     """
 
     tool: str
@@ -91,6 +92,7 @@ class Result:
     state: BaselineState | None = None
     reason: str = ""
     suppressions: tuple[Suppression, ...] = ()
+    fixes: tuple[Fix, ...] = ()
 
     @property
     def sort_key(self) -> tuple[object, ...]:

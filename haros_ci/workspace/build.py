@@ -77,6 +77,7 @@ def build_of(workspace: Workspace, package: Package, tree: Tree | None = None) -
         defined=_defined(state),
         parameter_libraries=_parameter_libraries(tree, package, state, setup),
         problems=tuple(sorted(set(problems), key=lambda p: (p.path, p.line or 0, p.message))),
+        commands=tuple(state.commands),
     )
 
 

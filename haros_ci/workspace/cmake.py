@@ -10,7 +10,7 @@ from types import MappingProxyType
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
-from haros_ci.workspace.cmake_commands import COMMANDS, SUMMARIES, note_unknown
+from haros_ci.workspace.cmake_commands import COMMANDS, SUMMARIES, UNREMARKABLE, note_unknown
 from haros_ci.workspace.cmake_conditions import decide
 from haros_ci.workspace.cmake_loops import foreach_rows
 from haros_ci.workspace.cmake_parse import Command
@@ -109,10 +109,14 @@ def _run(state: State, command: Command, macro: dict[str, str] | None) -> str:
         return DEAD if is_fatal and state.doubts else END
     run = COMMANDS.get(name) or (None if name in state.functions else SUMMARIES.get(name))
     if run is not None:
-        run(state, state.expand(command, command.arguments, macro))
+        call = state.expand(command, command.arguments, macro)
+        if name not in UNREMARKABLE:
+            state.keep(call)
+        run(state, call)
         return _extras(state) if state.pending else END
     if name in state.functions:
         return _call(state, command, macro)
+    state.keep(state.expand(command, command.arguments, macro))
     note_unknown(state, command)
     return END
 

@@ -6,11 +6,23 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
+from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_parse import Argument, Command
-from haros_ci.workspace.cmake_words import UNKNOWN, absolute, cleaned, is_certain, readable, split_list, unknown
+from haros_ci.workspace.cmake_words import (
+    MAYBE,
+    UNKNOWN,
+    absolute,
+    cleaned,
+    inside,
+    is_certain,
+    readable,
+    split_list,
+    unknown,
+    written,
+)
 from haros_ci.workspace.tree import Tree
 
 #: What evaluation may cost in all: about one for each command and for each hundred characters it handles.
@@ -108,6 +120,19 @@ class State:
         self.guarded: set[str] = set()
         self.pending: list[tuple[str, str, str]] = []
         self.lent: set[str] = set()
+        self.commands: dict[CMakeCommand, None] = {}
+
+    def keep(self, call: Call) -> None:
+        """Remember that a command was followed."""
+        command = CMakeCommand(
+            name=call.name,
+            arguments=tuple(written(word) for word in call.words),
+            location=call.location,
+            directory=inside(self.source_directory()) or ".",
+            is_conditional=bool(self.doubts) or any(MAYBE in word for word in call.words),
+            is_test=bool(self.testing),
+        )
+        self.commands[command] = None
 
     def spend(self, cost: int = 1) -> None:
         self.steps -= cost

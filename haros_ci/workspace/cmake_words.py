@@ -32,6 +32,14 @@ def readable(value: str) -> str:
     return value.replace(MAYBE, "").replace(UNKNOWN, "$")
 
 
+def written(value: str) -> str:
+    """*value* without marks, unknown references as ``${NAME}``, the workspace as ``${ROOT}`` and the build tree as ``${BUILD}``."""
+    if value.isascii():
+        return value
+    value = value.replace(SOURCE_ROOT, "${ROOT}").replace(BINARY_ROOT, "${BUILD}")
+    return value.replace(MAYBE, "").replace(UNKNOWN, "$")
+
+
 def unknown(name: str) -> str:
     """The value of a variable that is not known."""
     return f"{UNKNOWN}{{{name}}}"

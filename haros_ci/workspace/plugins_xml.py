@@ -7,11 +7,12 @@ import posixpath
 import re
 
 from haros_ci.model.build import PluginClass
+from haros_ci.model.element import Element
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.tree import Tree
-from haros_ci.workspace.xml import Element, XmlError, parse_xml
+from haros_ci.workspace.xml import XmlError, parse_xml
 
 
 def exported_descriptions(tree: Tree, package: Package) -> tuple[list[tuple[str, Location]], list[Problem]]:

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from haros_ci.model.element import Element
 
 MAX_DEPTH = 100
 MAX_ELEMENTS = 100_000
@@ -17,21 +16,6 @@ class XmlError(ValueError):
         super().__init__(message)
         self.message = message
         self.line = line
-
-
-@dataclass(slots=True)
-class Element:
-    """A tag; ``text`` is all character data directly in it."""
-
-    tag: str
-    attributes: dict[str, str]
-    line: int
-    text: str = ""
-    children: list[Element] = field(default_factory=list)
-
-    def all(self, *tags: str) -> Iterator[Element]:
-        """The children with one of *tags*, in document order."""
-        return (child for child in self.children if child.tag in tags)
 
 
 def parse_xml(data: bytes) -> Element:

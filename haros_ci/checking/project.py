@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a check of packages sees: the whole workspace, with what each package declares, builds, installs and contains."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+
+from haros_ci.checking.system import System
+from haros_ci.model.build import Build, CMakeCommand, Interface
+from haros_ci.model.element import Element
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package, SourceFile
+from haros_ci.model.program import Program
+from haros_ci.model.workspace import Workspace
+
+
+class ProjectPackage:
+    """A package with its manifest, its build and its files."""
+
+    def __init__(self, raw: Package, build: Build, files: tuple[SourceFile, ...], project: Project) -> None:
+        self.raw = raw
+        self.build = build
+        #: Its own files, those of packages inside it left out, sorted by path.
+        self.files = files
+        self.project = project
+
+    @property
+    def name(self) -> str:
+        return self.raw.name
+
+    @property
+    def path(self) -> str:
+        """Its directory, relative to the workspace root; ``.`` for the root itself."""
+        return self.raw.path
+
+    @property
+    def ros(self) -> int | None:
+        """1 or 2; None where the manifest does not tell."""
+        return self.raw.ros
+
+    @property
+    def manifest_path(self) -> str:
+        return self.inside("package.xml")
+
+    @property
+    def cmake_path(self) -> str:
+        return self.inside("CMakeLists.txt")
+
+    @cached_property
+    def manifest(self) -> Element | None:
+        """The root of its package.xml; None if it is malformed (then malformed-manifest is reported)."""
+        return self.project.element(self.manifest_path)
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        """The names that its manifest depends on, of whatever kind."""
+        return frozenset(each.name for each in self.raw.dependencies)
+
+    def inside(self, path: str) -> str:
+        """The root-relative path of *path* in the package."""
+        return path if self.path == "." else f"{self.path}/{path}"
+
+    def has(self, path: str) -> bool:
+        """Whether there is a file of this path in the package, analysed or not."""
+        return self.inside(path) in self.project.workspace.names
+
+    def commands(self, *names: str) -> tuple[CMakeCommand, ...]:
+        """The commands of its CMake with one of *names*, in the order in which they run."""
+        return tuple(command for command in self.build.commands if command.name in names)
+
+    def at(self, *tags: str) -> Location:
+        """The first element of the manifest with one of *tags*, else its root."""
+        root = self.manifest
+        found = next(root.all(*tags), root) if root is not None else None
+        return Location(self.manifest_path, found.line if found is not None else 1)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+class Project:
+    """All packages of a workspace, their code and launch configurations.
+
+    Of packages with one name the first by path counts, as everywhere. *base* is the same at the base revision, None if none was given.
+    """
+
+    def __init__(
+        self,
+        workspace: Workspace,
+        builds: Mapping[str, Build],
+        programs: Mapping[str, Program],
+        systems: Sequence[System] = (),
+        read_xml: Callable[[str], Element | None] = lambda path: None,
+        base: Project | None = None,
+    ) -> None:
+        self.workspace = workspace
+        self.programs = programs
+        self.systems = tuple(systems)
+        self.base = base
+        self._read_xml = read_xml
+        self._elements: dict[str, Element | None] = {}
+        files: dict[str, list[SourceFile]] = {}
+        for file in workspace.files:
+            if file.package is not None:
+                files.setdefault(file.package, []).append(file)
+        found: dict[str, ProjectPackage] = {}
+        for raw in workspace.packages:
+            if raw.name not in found:
+                own = tuple(f for f in files.get(raw.name, ()) if raw.path == "." or f.path.startswith(f"{raw.path}/"))
+                found[raw.name] = ProjectPackage(raw, builds.get(raw.name, Build(package=raw.name)), own, self)
+        self._packages = found
+
+    @property
+    def packages(self) -> tuple[ProjectPackage, ...]:
+        """By path."""
+        return tuple(self._packages.values())
+
+    def package(self, name: str) -> ProjectPackage | None:
+        return self._packages.get(name)
+
+    @cached_property
+    def interfaces(self) -> Mapping[tuple[str, str], Interface]:
+        """The msg, srv and action definitions by name (``pkg/T``) and kind (``msg``)."""
+        return {(each.name, each.kind): each for package in self.packages for each in package.build.interfaces}
+
+    def text(self, path: str) -> str:
+        """The text of a file of the workspace; "" if it is not there or not text."""
+        return self.workspace.text(path)
+
+    def element(self, path: str) -> Element | None:
+        """The root element of an XML file of the workspace; None if it is none."""
+        if path not in self._elements:
+            self._elements[path] = self._read_xml(path)
+        return self._elements[path]

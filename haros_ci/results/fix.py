@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How a finding can be mended, where that is certain: edits of text, and a file made executable (SARIF §3.55)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+#: Line and column, 1-based; columns count Unicode code points (SARIF §3.30).
+Point = tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """The text of *path* from *start* up to *end* becomes *text*; with both equal it is inserted.
+
+    A point may be column 1 of the line after the last one: the end of the file. With *is_executable* the file's execute
+    bits are set, and nothing else changes.
+    """
+
+    path: str
+    start: Point = (1, 1)
+    end: Point = (1, 1)
+    text: str = ""
+    is_executable: bool = False
+
+    @classmethod
+    def executable(cls, path: str) -> Edit:
+        """Set the execute bits of *path*."""
+        return cls(path, is_executable=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """One way to mend a finding: all *edits* or none. *description* is an order: ``declare std_msgs``."""
+
+    description: str
+    edits: tuple[Edit, ...]
+
+
+def applied(text: str, edits: Iterable[Edit]) -> str:
+    """*text* after *edits* of it, given in any order; ValueError if two of them overlap or one lies outside."""
+    starts = [0]
+    for line in text.splitlines(keepends=True):
+        starts.append(starts[-1] + len(line))
+
+    def offset(point: Point) -> int:
+        line, column = point
+        if not 1 <= line <= len(starts) or column < 1 or starts[line - 1] + column - 1 > len(text):
+            raise ValueError(f"line {line}, column {column} is not in the text")
+        return starts[line - 1] + column - 1
+
+    parts, at = [], 0
+    for start, end, new in sorted((offset(edit.start), offset(edit.end), edit.text) for edit in edits):
+        if start < at or end < start:
+            raise ValueError("two edits overlap")
+        parts += [text[at:start], new]
+        at = end
+    return "".join((*parts, text[at:]))
