@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, ConstructUse, Finding, Level, System, included_by
+from haros_ci.api import Check, ConstructUse, Finding, Fix, Level, System, included_by, renamed_keyword
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -17,7 +17,16 @@ def check(system: System) -> Iterator[Finding]:
                 about=(use.text,),
                 flow=included_by(use),
                 presence=use.presence,
+                apart=(use.text,),
+                fixes=fixes(system, use),
             )
+
+
+def fixes(system: System, use: ConstructUse) -> tuple[Fix, ...]:
+    """The keyword written as it is today."""
+    text = system.workspace.text(use.location.path) if system.workspace is not None else ""
+    edit = renamed_keyword(text, use.location, use.text.rstrip("="), use.instead.rstrip("="))
+    return (Fix(f"write {use.instead}", (edit,)),) if edit is not None else ()
 
 
 CHECK = Check(

@@ -10,6 +10,7 @@ from haros_ci.checking.editing import add_dependency, add_element, drop_lines, i
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
+from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.offered import type_mismatches
@@ -124,6 +125,7 @@ __all__ = [
     "near",
     "owner",
     "qos_in_words",
+    "renamed_keyword",
     "rule_of",
     "together",
     "type_mismatches",

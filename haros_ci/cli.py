@@ -122,6 +122,8 @@ def haros_ci() -> None:
 @click.option("--import", "imports", metavar="FILE.sarif", multiple=True, help="Take in another tool's log.")
 @click.option("--fail-on", type=LEVELS, help="Lowest level of a new result that fails the run; default: warning.")
 @click.option("--allow-tool-failure", metavar="TOOL", multiple=True, help="This tool's trouble does not fail the run.")
+@click.option("--fix", is_flag=True, help="Mend what can be mended for certain, then report what is left.")
+@click.option("--diff", is_flag=True, help="Print what --fix would change as a patch; exit with 1 if there is any.")
 @click.option("--why", is_flag=True, help="Say for each result why it is new or which old one it matched.")
 @click.option("--statistics", is_flag=True, help="Counts per rule and tool at the end.")
 @click.option("--show-settings", is_flag=True, help="Print the effective settings and stop.")

@@ -40,6 +40,10 @@ def check(flags: Flags) -> int:
         click.echo(describe(settings), nl=False)
         return 0
     report, workspace = run(settings, flags)
+    if flags["diff"]:
+        return show_patch(report, workspace, settings)
+    if flags["fix"] and mend(report, workspace, settings):
+        report, workspace = run(settings, flags)
     for format, path in outputs:
         text = rendered(report, workspace.text, format, flags, to_file=path is not None)
         if path is None and format in ("sarif", "json"):
@@ -54,6 +58,36 @@ def check(flags: Flags) -> int:
 
         click.echo(summary_line(report), err=True)
     return exit_code(report, settings)
+
+
+def show_patch(report: Report, workspace: Workspace, settings: Settings) -> int:
+    """``--diff``: what ``--fix`` would change, as a patch; nothing is written."""
+    from haros_ci.fixing import patch, plan
+    from haros_ci.report.escape import multiline
+
+    made = plan(report.shown(), workspace.text)
+    text = patch(made)
+    read_here = sys.stdout.isatty() or os.environ.get(
+        "GITHUB_ACTIONS"
+    )  # by a person, or a runner that obeys what it reads
+    click.echo(multiline(text) if read_here else text, nl=False)
+    if set(report.failed_tools()) - settings.allow_tool_failure:
+        return EXIT_TOOL_TROUBLE
+    return 1 if made.files else 0
+
+
+def mend(report: Report, workspace: Workspace, settings: Settings) -> bool:
+    """``--fix``: mend what is open and can be mended; whether any file was changed."""
+    from haros_ci.fixing import plan, write
+    from haros_ci.report.escape import terminal
+
+    made = plan(report.shown(), workspace.text)
+    left = write(settings.root, made)
+    for path, why in left.items():
+        click.echo(f"warning: {terminal(path)}: left as it is: {terminal(why)}", err=True)
+    if len(left) < len(made.files):
+        click.echo(f"mended: {made.without(left)} findings, in {len(made.files) - len(left)} files", err=True)
+    return len(left) < len(made.files)
 
 
 def exit_code(report: Report, settings: Settings) -> int:

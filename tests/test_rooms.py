@@ -72,7 +72,9 @@ DOORS: dict[str, set[str]] = {
     "interface_files": {"model", "errors", "output", "report"},
     "readme_check": {"model", "report"},
     "output": {"results", "errors", "report"},
+    "fixing": {"results", "workspace"},
     "commands": {
+        "fixing",
         "output",
         "model",
         "results",

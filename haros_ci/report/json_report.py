@@ -8,7 +8,8 @@ notes, failing, unchanged, updated, absent, suppressed}, ``baseline`` {kind, sou
 [{level, message, tool, path, line, configuration}], and ``results``, one a line, in the order of every output:
 {tool, rule, level, message, path, line, column, endLine, endColumn, open, state, reason, scope, value, limit,
 subject, roles, also, occurrence, snippet, related [{path, line, column, message}], flow (as related, in order), graph,
-edges [[id, id]], suppressions [{kind, justification}]}. ``subject`` are the ROS names that it is about, ``roles`` what
+edges [[id, id]], fixes [{description, edits [{path, start [line, column], end, text} or {path, executable}]}],
+suppressions [{kind, justification}]}. ``subject`` are the ROS names that it is about, ``roles`` what
 they are; ``graph`` names the configuration through which the ``edges`` go, from id to id (``node:/talker``).
 A key without a value is null; lines and columns count as SARIF's do.
 """
@@ -23,6 +24,7 @@ from haros_ci.report import summary
 from haros_ci.report.escape import terminal
 from haros_ci.report.message import label, number, plain
 from haros_ci.report.source_lines import quoted
+from haros_ci.results.fix import Fix
 from haros_ci.results.result import Notification, Related, Report, Result, Run, is_open
 
 SCHEMA_VERSION = 1
@@ -87,6 +89,7 @@ def _result(result: Result) -> dict[str, Any]:
         "flow": [_related(step) for step in result.flow],
         "graph": result.graph or None,
         "edges": [list(edge) for edge in result.edges],
+        "fixes": [_fix(fix) for fix in result.fixes],
         "suppressions": [{"kind": s.kind, "justification": s.justification or None} for s in result.suppressions],
     }
 
@@ -94,6 +97,17 @@ def _result(result: Result) -> dict[str, Any]:
 def _related(near: Related) -> dict[str, Any]:
     place = near.location
     return {"path": place.path, "line": place.line, "column": place.column, "message": label(near)}
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    """*start* and *end* are [line, column]; what lies between them becomes *text*."""
+    edits = [
+        {"path": edit.path, "executable": True}
+        if edit.is_executable
+        else {"path": edit.path, "start": list(edit.start), "end": list(edit.end), "text": edit.text}
+        for edit in fix.edits
+    ]
+    return {"description": fix.description, "edits": edits}
 
 
 def _run(run: Run) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from urllib.parse import quote
 from haros_ci.model.location import Location
 from haros_ci.report.escape import REPLACEMENT, terminal
 from haros_ci.report.message import label, linked, number, sentence
+from haros_ci.report.sarif_fixes import build_fixes
 from haros_ci.report.sarif_graphs import Drawn, build_flow, build_graphs, build_traversals, drawn
 from haros_ci.report.sarif_objects import dumps, om, properties, write
 from haros_ci.report.sarif_rules import GUIDS, all_rules, build_taxonomy, build_tool, trouble, troubles, weaknesses
@@ -154,6 +155,7 @@ def build_result(result: Result, setting: Setting) -> om.Result:
         code_flows=[build_flow(result.flow, lambda place, text: build_location(place, setting, message=text))]
         if result.flow
         else None,
+        fixes=list(build_fixes(result.fixes, lambda path: _artifact_location(path, setting))) or None,
         graph_traversals=build_traversals(result, setting.graphs) or None,
         partial_fingerprints=dict(sorted(partial_fingerprints(result).items())) or None,
         baseline_state=(result.state.value if result.state else "new") if setting.with_states else None,

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``--fix`` and ``--diff``: what the findings offer to mend, as new texts of files, as a patch, and on disk."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator
+from dataclasses import dataclass
+from difflib import unified_diff
+from pathlib import Path
+
+from haros_ci.results.fix import Edit, Fix, applied
+from haros_ci.results.result import Result
+from haros_ci.workspace.files import TooLarge, Tree, read_regular
+
+#: A file larger than this is left as it is; manifests, CMake and launch files are far smaller.
+MAX_BYTES = 4_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Mended:
+    """A file with all edits made: its text *before* and *after*, and whether its execute bits are to be set."""
+
+    path: str
+    before: str
+    after: str
+    is_executable: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What is to be written, and the findings that this mends."""
+
+    files: tuple[Mended, ...] = ()
+    mended: tuple[Result, ...] = ()
+
+    def without(self, paths: Collection[str]) -> int:
+        """How many findings are mended if the files at *paths* stay as they are."""
+        return sum(not any(edit.path in paths for edit in result.fixes[0].edits) for result in self.mended)
+
+
+def plan(results: Iterable[Result], text: Callable[[str], str]) -> Plan:
+    """The first fix of each of *results*, all of its edits or none; of two that overlap the earlier finding's."""
+    edits: dict[str, list[Edit]] = {}
+    executables: set[str] = set()
+    mended = []
+    for result in results:
+        if not result.fixes or not _fits(result.fixes[0], edits, text):
+            continue
+        mended.append(result)
+        for edit in result.fixes[0].edits:
+            if edit.is_executable:
+                executables.add(edit.path)
+            elif edit not in edits.setdefault(edit.path, []):
+                edits[edit.path].append(edit)
+    files = []
+    for path in sorted({*edits, *executables}):
+        before = text(path)
+        files.append(Mended(path, before, applied(before, edits.get(path, ())), path in executables))
+    return Plan(tuple(files), tuple(mended))
+
+
+def _fits(fix: Fix, edits: dict[str, list[Edit]], text: Callable[[str], str]) -> bool:
+    """Whether the edits of *fix* can be made beside those that are there already."""
+    for path in {edit.path for edit in fix.edits if not edit.is_executable}:
+        own = [edit for edit in fix.edits if edit.path == path and not edit.is_executable]
+        try:
+            applied(text(path), dict.fromkeys((*edits.get(path, ()), *own)))
+        except ValueError:
+            return False
+    return True
+
+
+def patch(made: Plan) -> str:
+    """The plan as a patch that ``git apply`` reads."""
+    return "".join(line for file in made.files for line in _patch(file))
+
+
+def _patch(file: Mended) -> Iterator[str]:
+    if file.is_executable:
+        yield f"diff --git a/{file.path} b/{file.path}\nold mode 100644\nnew mode 100755\n"
+    before, after = (re.findall(r"[^\n]*\n|[^\n]+", text) for text in (file.before, file.after))
+    for line in unified_diff(before, after, f"a/{file.path}", f"b/{file.path}"):
+        yield line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
+
+
+def write(root: Path, made: Plan) -> dict[str, str]:
+    """Write the plan below *root*; the paths of files that are left as they are, and why.
+
+    Files are written in place, as they are no others': no symbolic link is followed, nothing but UTF-8 is touched, and nothing
+    that has changed since it was read.
+    """
+    tree = Tree(root)
+    return {file.path: said for file in made.files if (said := _write(tree, file))}
+
+
+def _write(tree: Tree, file: Mended) -> str:
+    try:
+        place = tree.place(file.path)
+        data = read_regular(place, MAX_BYTES)
+        mark = b"\xef\xbb\xbf" if data is not None and data.startswith(b"\xef\xbb\xbf") else b""
+        if data is None or data[len(mark) :] != file.before.encode():
+            return "it is not UTF-8, or has changed meanwhile"
+        descriptor = os.open(place, os.O_WRONLY | os.O_NOFOLLOW | os.O_CLOEXEC)
+    except (OSError, ValueError, TooLarge) as err:
+        return str(err) or "it is too large"
+    try:
+        if file.after != file.before:
+            _put(descriptor, mark + file.after.encode())
+        if file.is_executable:
+            mode = os.fstat(descriptor).st_mode
+            os.fchmod(descriptor, mode | (mode & 0o444) >> 2)
+    except OSError as err:
+        return str(err)
+    finally:
+        os.close(descriptor)
+    return ""
+
+
+def _put(descriptor: int, data: bytes) -> None:
+    """The whole file becomes *data*."""
+    at = 0
+    while at < len(data):
+        at += os.write(descriptor, data[at:])
+    os.ftruncate(descriptor, len(data))
