@@ -69,8 +69,8 @@ def inspected(
     return queried(run, found, workspace, settings, selection) if asks(settings) else run
 
 
-def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...]) -> Project:
-    """What the checks of packages see, from what the architecture was *made* of."""
+def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...], base: Project | None = None) -> Project:
+    """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision."""
     from haros_ci.checking.project import Project
     from haros_ci.workspace.xml import XmlError, parse_xml
 
@@ -81,7 +81,7 @@ def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...]) 
             return None
 
     programs = {source.path: source.program for source in made.sources}
-    return Project(workspace, made.builds, programs, systems, element)
+    return Project(workspace, made.builds, programs, systems, element, base)
 
 
 def malformed(workspace: Workspace) -> Iterator[Problem]:

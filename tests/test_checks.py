@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,11 +13,13 @@ from haros_ci.architecture import varied
 from haros_ci.checking.check import Check
 from haros_ci.checking.page import SECTIONS, Example, Page, read_page
 from haros_ci.checking.run import run_checks, run_on_project
-from haros_ci.checking.system import systems
+from haros_ci.checking.system import System, systems
 from haros_ci.config.load import load
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.inspection import project_of
+from haros_ci.link.link import Linked
+from haros_ci.model.workspace import Workspace
 from haros_ci.new_check import new_check
 from haros_ci.registry import check_rules, checks, page_of
 from haros_ci.report.check_table import render
@@ -37,21 +39,32 @@ EXAMPLES = [
 
 def said(check: Check, example: Example, tmp_path: Path, executables: Container[str] = ()) -> tuple[Result, ...]:
     """What *check* says of *example*; a project file in it is read. *executables* are paths of files with that bit."""
-    for path, text in example.files.items():
-        place = tmp_path / path
+    base = None
+    if example.base is not None:
+        workspace, made, all_systems = read(example.base, tmp_path / "base")
+        base = project_of(made, workspace, all_systems)
+    workspace, made, all_systems = read(example.files, tmp_path / "head", executables)
+    outcome = run_checks((check,), all_systems, "haros-ci")
+    once = run_on_project((check,), project_of(made, workspace, all_systems, base), "haros-ci")
+    assert not outcome.notifications and not once.notifications
+    return (*outcome.results, *once.results)
+
+
+def read(
+    files: Mapping[str, str], root: Path, executables: Container[str] = ()
+) -> tuple[Workspace, Linked, tuple[System, ...]]:
+    """*files*, written below *root*, with what is made of them."""
+    for path, text in files.items():
+        place = root / path
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(text, encoding="utf-8")
         if path in executables:
             place.chmod(0o755)
-    project = next((name for name in (".haros-ci.yaml", "haros.yaml") if name in example.files), None)
-    settings = load(tmp_path) if project else Settings(root=tmp_path)
-    workspace = discover(tmp_path, (".",))
+    project = next((name for name in (".haros-ci.yaml", "haros.yaml") if name in files), None)
+    settings = load(root) if project else Settings(root=root)
+    workspace = discover(root, (".",))
     made = varied(workspace, settings, MemoryCache(), alternatives=False)
-    all_systems = tuple(systems(made.architecture, workspace))
-    outcome = run_checks((check,), all_systems, "haros-ci")
-    once = run_on_project((check,), project_of(made, workspace, all_systems), "haros-ci")
-    assert not outcome.notifications and not once.notifications
-    return (*outcome.results, *once.results)
+    return workspace, made, tuple(systems(made.architecture, workspace))
 
 
 @pytest.mark.parametrize(("check", "example"), EXAMPLES)

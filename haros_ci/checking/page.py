@@ -11,6 +11,10 @@ A comment ``expect: <id>`` marks a line that is reported, in any comment syntax;
 a comment cannot end the line. Without a title of its own a section is one example. Files that every
 package has (package.xml, CMakeLists.txt) are filled in where an example has no package.xml: its files are then those of the package
 ``demo``, with an executable for each C++ file and each Python file outside ``launch``, ``config`` and the like.
+
+A title ``base/msg/Pose.msg`` gives what the file ``msg/Pose.msg`` was at the base revision: an example with such a fence shows a
+change. At the base are the other files as they are now; an empty fence says that the file was not there yet. A file that only the
+base has is removed by the change.
 """
 
 from __future__ import annotations
@@ -19,6 +23,8 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
+#: Titles of the files of the base revision begin with it.
+BASE = "base/"
 #: Sections that a page has, in this order.
 SECTIONS = ("What it finds", "Why it matters", "Bad", "Good", "Limits")
 _FENCE = re.compile(r"^```(\w*)[ \t]+title=\"([^\"\n]+)\"[ \t]*\n(.*?)^```[ \t]*$", re.M | re.S)
@@ -28,12 +34,16 @@ _EXPECT = re.compile(r"\bexpect(-next)?: ([a-z0-9-]+)")
 
 @dataclass(frozen=True, slots=True)
 class Example:
-    """A workspace as texts by path, and where the check reports: pairs of a path and a line."""
+    """A workspace as texts by path, and where the check reports: pairs of a path and a line.
+
+    *base* is the workspace before the change that the example shows; None if it shows no change.
+    """
 
     title: str
     is_bad: bool
     files: Mapping[str, str]
     expected: tuple[tuple[str, int], ...] = ()
+    base: Mapping[str, str] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,14 +95,23 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
 
 
 def _example(found: _Open, rule: str) -> Example:
+    files = {path: text for path, text in found.files.items() if not path.startswith(BASE)}
+    before = {path.removeprefix(BASE): text for path, text in found.files.items() if path.startswith(BASE)}
+    base = {path: text for path, text in {**files, **before}.items() if text or path not in before} if before else None
     expected = [
         (path, number + (1 if mark[1] else 0))
-        for path, text in found.files.items()
+        for path, text in files.items()
         for number, line in enumerate(text.split("\n"), 1)
         for mark in _EXPECT.finditer(line)
         if mark[2] == rule
     ]
-    return Example(found.title, found.is_bad, filled(found.files), tuple(sorted(expected)))
+    return Example(
+        title=found.title,
+        is_bad=found.is_bad,
+        files=filled(files),
+        expected=tuple(sorted(expected)),
+        base=None if base is None else filled(base),
+    )
 
 
 def filled(files: Mapping[str, str]) -> dict[str, str]:

@@ -76,3 +76,59 @@ def test_a_package_of_its_own_is_left_alone() -> None:
 def test_odd_pages_have_no_examples() -> None:
     assert read_page("").examples == ()
     assert read_page('# t\n## Bad\n```python title="a.py"\nnever closed').examples == ()
+
+
+CHANGE = """# odd-change
+
+## Bad
+
+### A field removed
+
+```text title="msg/Pose.msg"
+float64 x  # expect: odd-change
+```
+
+```text title="base/msg/Pose.msg"
+float64 x  # expect: odd-change
+float64 y
+```
+
+```text title="msg/New.msg"
+bool is_new
+```
+
+```text title="base/msg/New.msg"
+```
+
+```text title="base/msg/Old.msg"
+bool is_old
+```
+
+```text title="msg/Same.msg"
+bool is_same
+```
+
+## Good
+
+```text title="msg/Pose.msg"
+float64 x
+```
+"""
+
+
+def test_an_example_of_a_change() -> None:
+    bad, good = read_page(CHANGE).examples
+    assert bad.base is not None
+    of_package = {"package.xml", "CMakeLists.txt"}
+    assert set(bad.files) == {"msg/Pose.msg", "msg/New.msg", "msg/Same.msg"} | of_package
+    assert set(bad.base) == {"msg/Pose.msg", "msg/Old.msg", "msg/Same.msg"} | of_package
+    assert bad.base["msg/Pose.msg"].endswith("float64 y\n")
+    assert bad.base["msg/Same.msg"] == bad.files["msg/Same.msg"]
+    assert bad.expected == (("msg/Pose.msg", 1),), "what the base marks is not expected"
+    assert good.base is None
+
+
+def test_a_base_with_a_manifest_is_as_it_is() -> None:
+    head = '## Bad\n\n```xml title="package.xml"\n<package/>\n```\n'
+    (example,) = read_page(f'{head}\n```cpp title="base/a.cpp"\nint a;\n```\n').examples
+    assert example.base == {"package.xml": "<package/>\n", "a.cpp": "int a;\n"}
