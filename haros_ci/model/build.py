@@ -124,20 +124,26 @@ class ParameterLibrary:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InterfaceField:
-    """A field or constant: *type* as written with the package completed (``std_msgs/Header``, ``float64[3]``)."""
+    """A field or constant: *type* as written with the package completed (``std_msgs/Header``, ``float64[3]``).
+
+    *written* is the type and *value* the constant's or default value as they stand in the file, without a comment.
+    """
 
     name: str
     type: str
     line: int
     default: Any = None
     is_constant: bool = False
+    written: str = ""
+    value: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interface:
     """A msg, srv or action definition; *sections* has 1, 2 or 3 parts. *name* is ``pkg/T``.
 
-    *is_generated* is False where the package's CMake generates interfaces, but not this one.
+    *is_generated* is False where the package's CMake generates interfaces, but not this one. *is_whole* is False where a part of the
+    definition could not be read, or is not read (.idl).
     """
 
     name: str
@@ -145,6 +151,7 @@ class Interface:
     path: str
     sections: tuple[tuple[InterfaceField, ...], ...] = ()
     is_generated: bool = True
+    is_whole: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.model.build import Interface, InterfaceField
@@ -57,6 +58,7 @@ def read_interface(path: str, text: str, package: str, *, is_generated: bool = T
         path=path,
         sections=tuple(map(tuple, sections)),
         is_generated=is_generated,
+        is_whole=not problems,
     )
     return made, problems
 
@@ -66,7 +68,8 @@ def _of_idl(path: str, stem: str, package: str, is_generated: bool) -> Interface
     above = path.rpartition("/")[0].rpartition("/")[2]
     kind = above if above in _SECTIONS else "msg"
     parts = ((),) * _SECTIONS[kind]
-    return Interface(name=f"{package}/{stem}", kind=kind, path=path, sections=parts, is_generated=is_generated)
+    name = f"{package}/{stem}"
+    return Interface(name=name, kind=kind, path=path, sections=parts, is_generated=is_generated, is_whole=False)
 
 
 def _field(line: str, package: str, number: int) -> InterfaceField | None:
@@ -76,22 +79,22 @@ def _field(line: str, package: str, number: int) -> InterfaceField | None:
     kind = _complete(match["type"], package)
     if kind is None:
         return None
-    name, rest = match["name"], match["rest"]
+    made = InterfaceField(name=match["name"], type=kind, line=number, written=match["type"])
+    rest = match["rest"]
     stripped = rest.lstrip()
     if stripped[:1] == "=":
         value = stripped[1:].strip()
         if kind.startswith(("string", "wstring")):
             # ROS 1 takes the rest of the line, "#" included; ROS 2 wants quotes.
-            return InterfaceField(name=name, type=kind, line=number, default=_text(value), is_constant=True)
-        constant = _value(kind, value.partition("#")[0].strip())
-        if constant is None:
-            return None
-        return InterfaceField(name=name, type=kind, line=number, default=constant, is_constant=True)
+            return replace(made, default=_text(value), is_constant=True, value=value)
+        value = value.partition("#")[0].strip()
+        constant = _value(kind, value)
+        return None if constant is None else replace(made, default=constant, is_constant=True, value=value)
     if not stripped or stripped[0] == "#":
-        return InterfaceField(name=name, type=kind, line=number)
+        return made
     if rest[:1].isspace():
         default = _default(kind, stripped)
-        return None if default is None else InterfaceField(name=name, type=kind, line=number, default=default)
+        return None if default is None else replace(made, default=default, value=stripped.partition("#")[0].strip())
     return None
 
 
@@ -107,7 +110,7 @@ def _complete(written: str, package: str) -> str | None:
         return None
     parts = base.split("/")
     if len(parts) == 1:
-        return f"std_msgs/Header{array}" if base == "Header" else f"{package}/{base}{array}"
+        return "std_msgs/Header" if written == "Header" else f"{package}/{base}{array}"
     if len(parts) == 3 and parts[1] not in ("msg", "srv", "action"):
         return None
     return f"{parts[0]}/{parts[-1]}{array}"
