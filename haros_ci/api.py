@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+from haros_ci.changes.interfaces import InterfaceChange, containing
+from haros_ci.changes.interfaces import in_words as change_in_words
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import unmet
 from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.editing import add_dependency, add_element, drop_lines, insert_line
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
+from haros_ci.checking.interface_users import InterfaceUsers, changes_of, defined_in
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
@@ -82,7 +85,9 @@ __all__ = [
     "IncludeUse",
     "Installed",
     "Interface",
+    "InterfaceChange",
     "InterfaceField",
+    "InterfaceUsers",
     "LaunchFact",
     "Level",
     "Location",
@@ -111,6 +116,10 @@ __all__ = [
     "add_dependency",
     "add_element",
     "can_meet",
+    "change_in_words",
+    "changes_of",
+    "containing",
+    "defined_in",
     "drop_lines",
     "included_by",
     "incompatible",

@@ -25,7 +25,7 @@ DOORS: dict[str, set[str]] = {
     "changes": {"model", "interfaces"},
     "query": {"model", "results"},
     "report": {"model", "results", "errors"},
-    "checking": {"model", "results", "errors"},
+    "checking": {"model", "results", "errors", "interfaces", "changes"},
     "registry": {"model", "results", "errors", "linters", "checking"},
     "api": {"model", "results", "checking", "interfaces", "changes"},
     "baselines": {"model", "results", "errors", "config", "workspace"},
