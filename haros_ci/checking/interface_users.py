@@ -62,7 +62,7 @@ class InterfaceUsers:
             if program.language == "python":
                 named = {str(alias.type[0]): of_import(str(alias.type[0])) for alias in program.aliases}
             else:
-                named = {written: of_include(written) for written in program.includes}
+                named = {written: of_include(written.strip('"<>')) for written in program.includes}
             for written, reference in named.items():
                 if reference is not None:
                     made.setdefault(reference, []).append((path, written))
@@ -94,7 +94,7 @@ def location_of(project: Project, path: str, written: str) -> Location:
     """Where the file *path* has the include or import *written*; the whole file if it is not found."""
     lines = project.text(path).split("\n")[:MAX_LINES]
     if "/" in written:
-        wanted = re.compile(rf'\s*#\s*(?:include|import)\s*[<"]{re.escape(written)}[>"]')
+        wanted = re.compile(rf"\s*#\s*(?:include|import)\s*{re.escape(written)}")
         for number, line in enumerate(lines, 1):
             if wanted.match(line):
                 column = len(line) - len(line.lstrip()) + 1

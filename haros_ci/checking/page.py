@@ -25,6 +25,8 @@ from dataclasses import dataclass, field
 
 #: Titles of the files of the base revision begin with it.
 BASE = "base/"
+#: Directories of definitions, and how CMake calls what is in them.
+KINDS = {"msg": "message", "srv": "service", "action": "action"}
 #: Sections that a page has, in this order.
 SECTIONS = ("What it finds", "Why it matters", "Bad", "Good", "Limits")
 _FENCE = re.compile(r"^```(\w*)[ \t]+title=\"([^\"\n]+)\"[ \t]*\n(.*?)^```[ \t]*$", re.M | re.S)
@@ -124,17 +126,26 @@ def filled(files: Mapping[str, str]) -> dict[str, str]:
     names = sorted(files)
     programs = [path for path in names if path.endswith(".cpp")]
     scripts = [path for path in names if path.endswith(".py") and path.partition("/")[0] not in ("launch", "config")]
-    folders = sorted({path.partition("/")[0] for path in names if "/" in path} - {"src", "scripts", "include"})
+    folders = sorted({path.partition("/")[0] for path in names if "/" in path} - {"src", "scripts", "include", *KINDS})
+    interfaces = [path for path in names if path.partition("/")[0] in KINDS]
     made = {
-        "package.xml": _manifest(is_old, any(path.startswith(("msg/", "srv/", "action/")) for path in names)),
-        "CMakeLists.txt": _cmake(is_old, programs, scripts, folders),
+        "package.xml": _manifest(is_old, bool(interfaces)),
+        "CMakeLists.txt": _cmake(is_old, programs, scripts, folders, interfaces),
     }
     return {**made, **files}
 
 
+#: What the manifest of a package with interfaces has besides, in ROS 2 and in ROS 1.
+_GENERATES = {
+    False: "<buildtool_depend>rosidl_default_generators</buildtool_depend><exec_depend>rosidl_default_runtime</exec_depend>"
+    "<member_of_group>rosidl_interface_packages</member_of_group>",
+    True: "<build_depend>message_generation</build_depend><exec_depend>message_runtime</exec_depend>",
+}
+
+
 def _manifest(is_old: bool, has_interfaces: bool) -> str:
     tool, client = ("catkin", "roscpp") if is_old else ("ament_cmake", "rclcpp")
-    group = "<member_of_group>rosidl_interface_packages</member_of_group>" if has_interfaces and not is_old else ""
+    group = _GENERATES[is_old] if has_interfaces else ""
     return (
         '<?xml version="1.0"?>\n<package format="3">\n  <name>demo</name><version>1.0.0</version>'
         "<description>An example.</description>\n"
@@ -144,7 +155,24 @@ def _manifest(is_old: bool, has_interfaces: bool) -> str:
     )
 
 
-def _cmake(is_old: bool, programs: list[str], scripts: list[str], folders: list[str]) -> str:
+def _generated(is_old: bool, interfaces: list[str]) -> list[str]:
+    """What generates the code of *interfaces*."""
+    if not interfaces:
+        return []
+    if not is_old:
+        names = " ".join(f'"{path}"' for path in interfaces)
+        return [
+            "find_package(rosidl_default_generators REQUIRED)",
+            f"rosidl_generate_interfaces(${{PROJECT_NAME}} {names})",
+        ]
+    lines = ["find_package(catkin REQUIRED COMPONENTS message_generation)"]
+    for kind, word in KINDS.items():
+        names = " ".join(path.rpartition("/")[2] for path in interfaces if path.startswith(f"{kind}/"))
+        lines += [f"add_{word}_files(FILES {names})"] if names else []
+    return [*lines, "generate_messages()"]
+
+
+def _cmake(is_old: bool, programs: list[str], scripts: list[str], folders: list[str], interfaces: list[str]) -> str:
     to = (
         ("${CATKIN_PACKAGE_BIN_DESTINATION}", "${CATKIN_PACKAGE_SHARE_DESTINATION}")
         if is_old
@@ -152,6 +180,7 @@ def _cmake(is_old: bool, programs: list[str], scripts: list[str], folders: list[
     )
     find = "catkin REQUIRED COMPONENTS roscpp" if is_old else "rclcpp REQUIRED"
     lines = ["cmake_minimum_required(VERSION 3.8)", "project(demo)", f"find_package({find})"]
+    lines += _generated(is_old, interfaces)
     lines += ["catkin_package()"] if is_old else ["find_package(ament_cmake REQUIRED)"]
     for path in programs:
         name = path.rpartition("/")[2].removesuffix(".cpp")
