@@ -8,7 +8,16 @@ from haros_ci.changes.interfaces import in_words as change_in_words
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import unmet
 from haros_ci.checking.compatibility import in_words as qos_in_words
-from haros_ci.checking.editing import add_dependency, add_element, drop_lines, insert_line
+from haros_ci.checking.editing import (
+    add_dependency,
+    add_element,
+    add_export,
+    drop_element,
+    drop_lines,
+    insert_line,
+    rename_element,
+    set_text,
+)
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.interface_users import InterfaceUsers, changes_of, defined_in
@@ -16,6 +25,7 @@ from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
+from haros_ci.checking.manifests import applying, build_types, exports, holds, needs, place, word
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import named_at, rule_of, way_to
@@ -115,12 +125,18 @@ __all__ = [
     "Whole",
     "add_dependency",
     "add_element",
+    "add_export",
+    "applying",
+    "build_types",
     "can_meet",
     "change_in_words",
     "changes_of",
     "containing",
     "defined_in",
+    "drop_element",
     "drop_lines",
+    "exports",
+    "holds",
     "included_by",
     "incompatible",
     "insert_line",
@@ -132,12 +148,17 @@ __all__ = [
     "misplaced",
     "named_at",
     "near",
+    "needs",
     "owner",
+    "place",
     "qos_in_words",
     "renamed_keyword",
+    "rename_element",
     "rule_of",
+    "set_text",
     "together",
     "type_mismatches",
     "unmet",
     "way_to",
+    "word",
 ]

@@ -16,10 +16,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
+from haros_ci.model.condition import evaluate
 from haros_ci.model.element import Element
 from haros_ci.model.package import Dependency, Package
 from haros_ci.model.workspace import Problem
-from haros_ci.workspace.condition import evaluate
 from haros_ci.workspace.xml import XmlError, parse_xml
 
 #: Tags that name another package which this one needs. ``conflict``, ``replace`` and groups do not.

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.workspace.condition import evaluate
+from haros_ci.model.condition import evaluate
 
 ENVIRONMENT = {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy", "EMPTY": ""}
 

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a manifest says under the ROS that its package counts for: conditions decided where they can be (REP 149)."""
+
+from __future__ import annotations
+
+from haros_ci.checking.project import ProjectPackage
+from haros_ci.model.condition import evaluate
+from haros_ci.model.element import Element
+from haros_ci.model.location import Location
+from haros_ci.model.package import Dependency
+
+#: The kinds of dependencies that are there when the package is built.
+BUILD = ("buildtool_depend", "build_depend", "depend")
+#: Those that are there when it runs.
+EXEC = ("exec_depend", "run_depend", "depend")
+#: Those that come with a package wherever another one needs it (REP 149: build_export_depend, buildtool_export_depend, exec_depend).
+EXPORTED = ("build_export_depend", "buildtool_export_depend", *EXEC)
+
+
+def holds(package: ProjectPackage, condition: str | None) -> bool | None:
+    """Whether *condition* holds under the package's ROS; None if it depends on anything else."""
+    if condition is None:
+        return True
+    return evaluate(condition, {"ROS_VERSION": str(package.ros)} if package.ros else {})
+
+
+def applying(package: ProjectPackage, parent: Element, *tags: str) -> tuple[Element, ...]:
+    """The children of *parent* with *tags* that no condition rules out."""
+    return tuple(each for each in parent.all(*tags) if holds(package, each.attributes.get("condition")) is not False)
+
+
+def needs(package: ProjectPackage, *kinds: str) -> tuple[Dependency, ...]:
+    """The dependencies of these kinds (all without any) that no condition rules out."""
+    return tuple(
+        each
+        for each in package.raw.dependencies
+        if (not kinds or each.kind in kinds) and holds(package, each.condition) is not False
+    )
+
+
+def exports(package: ProjectPackage, *tags: str) -> tuple[Element, ...]:
+    """The elements of the export section with *tags* (all without any) that no condition rules out."""
+    if package.manifest is None:
+        return ()
+    return tuple(
+        each
+        for export in package.manifest.all("export")
+        for each in (applying(package, export, *tags) if tags else tuple(export.children))
+    )
+
+
+def build_types(package: ProjectPackage) -> tuple[Element, ...]:
+    """Its build_type elements that no condition rules out."""
+    return exports(package, "build_type")
+
+
+def word(element: Element) -> str:
+    """The text of *element*, white space put in order."""
+    return " ".join(element.text.split())
+
+
+def place(package: ProjectPackage, element: Element | Dependency | None) -> Location:
+    """Where *element* stands in the manifest; its root without one."""
+    line = element.line if element is not None else package.manifest.line if package.manifest is not None else 1
+    return Location(package.manifest_path, line or 1)
