@@ -25,7 +25,7 @@ from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
-from haros_ci.checking.manifests import applying, build_types, exports, holds, needs, place, word
+from haros_ci.checking.manifests import BUILD, EXEC, EXPORTED, applying, build_types, exports, holds, needs, place, word
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import named_at, rule_of, way_to
@@ -68,6 +68,9 @@ from haros_ci.results.rule import Level
 __all__ = [
     "ACTION",
     "ALWAYS",
+    "BUILD",
+    "EXEC",
+    "EXPORTED",
     "NO_SYSTEMS",
     "SERVICE",
     "TOPIC",

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages of the workspace that depend on each other in a circle, so that no order to build them in exists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from haros_ci.api import BUILD, EXPORTED, Check, Dependency, Finding, Level, Project, ProjectPackage, holds, needs, place
+
+#: The needed package by name, with the dependency that says so.
+Edges = Mapping[str, Dependency]
+
+
+#: The kinds that catkin orders by; the others count for what is needed to run these (catkin_pkg's topological_order).
+ORDERING = (*BUILD, "test_depend")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    told: set[tuple[str, ...]] = set()
+    for tool, ros in (("colcon", 2), ("catkin", 1)):
+        packages = {package.name: package for package in project.packages if package.ros in (ros, None)}
+        edges = {name: _edges(packages, package) for name, package in packages.items()}
+        for group in _circles({name: tuple(needed) for name, needed in edges.items()}):
+            if tool == "colcon" and not any(packages[name].ros == 2 for name in group):
+                continue
+            cycle = _shortest(group, edges, tool)
+            if cycle and cycle not in told:
+                told.add(cycle)
+                yield _finding(packages, cycle, edges, tool)
+
+
+def _edges(packages: Mapping[str, ProjectPackage], package: ProjectPackage) -> dict[str, Dependency]:
+    """What comes before *package* where a build tool orders: all kinds but doc_depend, one that orders first."""
+    found: dict[str, Dependency] = {}
+    for need in needs(package, *ORDERING, *EXPORTED):
+        if need.name in packages and need.name != package.name and holds(package, need.condition):
+            known = found.get(need.name)
+            if known is None or known.kind not in ORDERING:
+                found[need.name] = need
+    return found
+
+
+def _steps(cycle: tuple[str, ...]) -> Iterable[tuple[str, str]]:
+    return zip(cycle, (*cycle[1:], cycle[0]))
+
+
+def _finding(
+    packages: Mapping[str, ProjectPackage], cycle: tuple[str, ...], edges: Mapping[str, Edges], tool: str
+) -> Finding:
+    way = [
+        (place(packages[one], edges[one][other]), f"{one} needs {other} ({edges[one][other].kind})")
+        for one, other in _steps(cycle)
+    ]
+    return Finding(
+        at=way[0][0],
+        message=f"{' -> '.join((*cycle, cycle[0]))}: the packages depend on each other, so {tool} finds no order to build"
+        " them in and stops; take one of the dependencies out",
+        about=tuple(sorted(cycle)),
+        related=tuple(way[1:]),
+    )
+
+
+def _shortest(group: frozenset[str], edges: Mapping[str, Edges], tool: str) -> tuple[str, ...]:
+    """The shortest cycle in *group* that *tool* refuses; () if there is none.
+
+    colcon refuses any, as dependencies of all kinds come first. To catkin a circle of run dependencies alone is none.
+    """
+    best: tuple[str, ...] = ()
+    for one in sorted(group):
+        for other, need in sorted(edges[one].items()):
+            if other in group and (tool == "colcon" or need.kind in ORDERING):
+                found = (one, *_way(other, one, group, edges))
+                if not best or len(found) < len(best):
+                    best = found
+        if len(best) == 2:
+            break
+    return best
+
+
+def _way(start: str, end: str, group: frozenset[str], edges: Mapping[str, Edges]) -> tuple[str, ...]:
+    """The shortest way from *start* to what needs *end*, both ends of it included."""
+    came: dict[str, str | None] = {start: None}
+    queue = [start]
+    for name in queue:
+        if end in edges[name]:
+            way = [name]
+            while (before := came[way[-1]]) is not None:
+                way.append(before)
+            return tuple(reversed(way))
+        for needed in sorted(edges[name]):
+            if needed in group and needed not in came:
+                came[needed] = name
+                queue.append(needed)
+    return ()
+
+
+def _circles(graph: Mapping[str, tuple[str, ...]]) -> Iterator[frozenset[str]]:
+    """The strongly connected components of more than one package (Tarjan's algorithm, without recursion)."""
+    index: dict[str, int] = {}
+    low: dict[str, int] = {}
+    stack: list[str] = []
+    held: set[str] = set()
+    for root in graph:
+        if root in index:
+            continue
+        work = [(root, iter(graph[root]))]
+        index[root] = low[root] = len(index)
+        stack.append(root)
+        held.add(root)
+        while work:
+            name, rest = work[-1]
+            for other in rest:
+                if other not in index:
+                    index[other] = low[other] = len(index)
+                    stack.append(other)
+                    held.add(other)
+                    work.append((other, iter(graph[other])))
+                    break
+                if other in held:
+                    low[name] = min(low[name], index[other])
+            else:
+                work.pop()
+                if work:
+                    low[work[-1][0]] = min(low[work[-1][0]], low[name])
+                if low[name] == index[name]:
+                    at = stack.index(name)
+                    group = frozenset(stack[at:])
+                    del stack[at:]
+                    held -= group
+                    if len(group) > 1:
+                        yield group
+
+
+CHECK = Check(
+    id="dependency-cycle",
+    summary="The packages of a workspace can be built in some order.",
+    level=Level.ERROR,
+    catalogue="M06",
+    tags=("packages",),
+    project=check,
+)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Dependencies on metapackages, of packages that are none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Dependency, Finding, Level, Location, Project, ProjectPackage, needs, place
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        if package.raw.is_metapackage:
+            continue
+        found: dict[str, list[Dependency]] = {}
+        for need in needs(package):
+            if need.name != package.name and is_metapackage(project, package, need.name):
+                found.setdefault(need.name, []).append(need)
+        for name, needed in found.items():
+            yield _finding(project, package, name, needed)
+
+
+def is_metapackage(project: Project, package: ProjectPackage, name: str) -> bool:
+    """Whether a dependency of *package* is certainly a metapackage."""
+    target = project.package(name)
+    if target is not None:
+        return target.raw.is_metapackage
+    return False
+
+
+def _finding(project: Project, package: ProjectPackage, name: str, needed: list[Dependency]) -> Finding:
+    call = _found_by(package, name) if package.ros == 1 else None
+    effect = (
+        "find_package() fails, as a metapackage brings no CMake configuration"
+        if call is not None
+        else "it brings all of that metapackage along, and is bound to it whatever it really uses"
+    )
+    target = project.package(name)
+    related = [] if call is None else [(call, f"{name} is looked for")]
+    if target is not None:
+        related.append((Location(target.manifest_path, 1), f"{name} is a metapackage"))
+    return Finding(
+        at=place(package, needed[0]),
+        message=f"{package} depends on the metapackage {name}: {effect}; depend on the packages of {name} that are used",
+        about=(package.name, name),
+        related=tuple(related),
+        level=Level.ERROR if call is not None else None,
+    )
+
+
+def _found_by(package: ProjectPackage, name: str) -> Location | None:
+    """Where its CMake looks for *name* and cannot do without it."""
+    for call in package.commands("find_package"):
+        if name in call.arguments and not call.is_conditional and (name != call.arguments[0] or "REQUIRED" in call.arguments):
+            return call.location
+    return None
+
+
+CHECK = Check(
+    id="metapackage-dependency",
+    summary="A package depends on packages, not on metapackages.",
+    level=Level.WARNING,
+    catalogue="M04",
+    tags=("packages",),
+    project=check,
+)
