@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Metapackages that list the packages of their repository, but not all of them, or none that exists."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, exports, is_slip, needs, place
+
+#: Words in names of packages that lists leave out on purpose.
+LEFT_OUT = re.compile(
+    r"(?:^|_)(?:tests?|testing|testsuite|test\w*|demos?|examples?|tutorials?|samples?|benchmarks?|deprecated|legacy|experimental|dev|devel|docs?|documentation|"
+    r"internal|ci|docker|template|playground|sandbox|simulat\w+|sim|gazebo\w*|ignition|gz|webots|tools?|utils?|dummy|mock)(?:_|$)"
+)
+_OF_A_LIST = {"buildtool_depend", "exec_depend", "test_depend"}
+#: A list of fewer packages tells nothing about what it is a list of.
+LEAST = 3
+#: The share of the repository's packages that are on the list if it is a list of them.
+SHARE = 0.75
+
+
+def check(project: Project) -> Iterator[Finding]:
+    lists = [package for package in project.packages if _is_list(package)]
+    for meta in lists:
+        beside = _beside(project, meta, lists)
+        listed = {need.name for need in needs(meta)}
+        known = [package for package in beside if package.name in listed]
+        wanted = [package for package in beside if not _left_out(package)]
+        if len(known) >= LEAST and len(known) >= SHARE * len(wanted):
+            brought = _brought(project, listed)
+            for package in wanted:
+                if package.name not in brought and not any(package.name in {n.name for n in needs(m)} for m in lists):
+                    yield _missing(meta, package)
+        if len(known) >= LEAST:
+            yield from _unknown(project, meta, beside, listed)
+
+
+def _is_list(package: ProjectPackage) -> bool:
+    """Whether *package* is a metapackage: it says so, or, in ROS 2, has nothing but packages that are there when it runs."""
+    if package.raw.is_metapackage:
+        return True
+    build = package.build
+    has_own = bool(build.targets or build.installed or build.entry_points or build.interfaces or build.python_roots)
+    kinds = [need.kind for need in needs(package)]
+    return package.ros == 2 and not has_own and kinds.count("exec_depend") >= LEAST and set(kinds) <= _OF_A_LIST
+
+
+def _beside(project: Project, meta: ProjectPackage, lists: list[ProjectPackage]) -> list[ProjectPackage]:
+    """The packages of its repository: those below the directory that it stands in; metapackages are none."""
+    above = meta.path.rpartition("/")[0] if meta.path != "." else ""
+    prefix = f"{above}/" if above else ""
+    return [p for p in project.packages if p.path.startswith(prefix) and p not in lists]
+
+
+def _left_out(package: ProjectPackage) -> bool:
+    return LEFT_OUT.search(package.name) is not None or bool(exports(package, "deprecated"))
+
+
+def _brought(project: Project, names: set[str]) -> set[str]:
+    """All that is installed with packages of these *names*."""
+    found: set[str] = set()
+    rest = list(names)
+    while rest:
+        name = rest.pop()
+        if name not in found:
+            found.add(name)
+            package = project.package(name)
+            rest += [need.name for need in needs(package)] if package is not None else []
+    return found
+
+
+def _missing(meta: ProjectPackage, package: ProjectPackage) -> Finding:
+    return Finding(
+        at=place(meta, next(iter(needs(meta, "run_depend", "exec_depend")), None)),
+        message=f"the metapackage {meta} lists the packages of its repository, but not {package}: who installs {meta} does not"
+        f" get it; add it to the list, or say with <deprecated/> that it is left out",
+        about=(meta.name, package.name),
+        related=((place(package, None), f"{package} is not on the list"),),
+        apart=(package.name,),
+    )
+
+
+def _unknown(
+    project: Project, meta: ProjectPackage, beside: list[ProjectPackage], listed: set[str]
+) -> Iterator[Finding]:
+    """Entries that are not here, and by one slip the name of a package that is, and is not on the list."""
+    missing = [package.name for package in beside if package.name not in listed]
+    for need in needs(meta):
+        if project.package(need.name) is not None or need.name in ("catkin", "ament_cmake"):
+            continue
+        near = next((name for name in missing if is_slip(need.name, name)), None)
+        if near is not None:
+            yield Finding(
+                at=place(meta, need),
+                message=f"the metapackage {meta} lists {need.name}, which does not exist; {near} does, and is not on the list",
+                about=(meta.name, need.name),
+            )
+
+
+CHECK = Check(
+    id="incomplete-metapackage",
+    summary="A metapackage that lists the packages of its repository lists all of them.",
+    level=Level.WARNING,
+    catalogue="M05",
+    tags=("packages",),
+    project=check,
+)
