@@ -8,7 +8,7 @@ The examples stand under ``## Bad`` and ``## Good``, each a ``### title`` with o
     ```
 
 A comment ``expect: <id>`` marks a line that is reported, in any comment syntax; ``expect-next: <id>`` marks the line after it, where
-a comment cannot end the line. Without a title of its own a section is one example. Files that every
+a comment cannot end the line. ``executable`` after the title sets the file's execute bit. Without a title of its own a section is one example. Files that every
 package has (package.xml, CMakeLists.txt) are filled in where an example has no package.xml: its files are then those of the package
 ``demo``, with an executable for each C++ file and each Python file outside ``launch``, ``config`` and the like.
 
@@ -29,7 +29,7 @@ BASE = "base/"
 KINDS = {"msg": "message", "srv": "service", "action": "action"}
 #: Sections that a page has, in this order.
 SECTIONS = ("What it finds", "Why it matters", "Bad", "Good", "Limits")
-_FENCE = re.compile(r"^```(\w*)[ \t]+title=\"([^\"\n]+)\"[ \t]*\n(.*?)^```[ \t]*$", re.M | re.S)
+_FENCE = re.compile(r"^```(\w*)[ \t]+title=\"([^\"\n]+)\"[ \t]*(executable)?[ \t]*\n(.*?)^```[ \t]*$", re.M | re.S)
 _HEAD = re.compile(r"^(#{1,3}) (.+)$", re.M)
 _EXPECT = re.compile(r"\bexpect(-next)?: ([a-z0-9-]+)")
 
@@ -39,6 +39,7 @@ class Example:
     """A workspace as texts by path, and where the check reports: pairs of a path and a line.
 
     *base* is the workspace before the change that the example shows; None if it shows no change.
+    *executables* are the paths of files with the execute bit: ``executable`` follows their title.
     """
 
     title: str
@@ -46,6 +47,7 @@ class Example:
     files: Mapping[str, str]
     expected: tuple[tuple[str, int], ...] = ()
     base: Mapping[str, str] | None = None
+    executables: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +64,7 @@ class _Open:
     title: str
     is_bad: bool
     files: dict[str, str] = field(default_factory=dict)
+    executables: set[str] = field(default_factory=set)
 
 
 def read_page(text: str) -> Page:
@@ -69,11 +72,13 @@ def read_page(text: str) -> Page:
     title, sections, section = "", [], ""
     examples: list[_Open] = []
     for kind, first, second in _parts(text):
-        if kind == "fence":
+        if kind != "head":
             if section in ("Bad", "Good"):
                 if not examples or examples[-1].is_bad != (section == "Bad"):
                     examples.append(_Open(section, section == "Bad"))
                 examples[-1].files[first] = second
+                if kind == "program":
+                    examples[-1].executables.add(first)
         elif first == "#":
             title = second
         elif first == "##":
@@ -91,7 +96,7 @@ def _parts(text: str) -> Iterator[tuple[str, str, str]]:
         yield from (("head", head[1], head[2].strip()) for head in _HEAD.finditer(text[at : fence.start()]))
         found = _FENCE.fullmatch(fence[0])
         if found is not None:
-            yield "fence", found[2], found[3]
+            yield "program" if found[3] else "fence", found[2], found[4]
         at = fence.end()
     yield from (("head", head[1], head[2].strip()) for head in _HEAD.finditer(text[at:]))
 
@@ -113,6 +118,7 @@ def _example(found: _Open, rule: str) -> Example:
         files=filled(files),
         expected=tuple(sorted(expected)),
         base=None if base is None else filled(base),
+        executables=frozenset(found.executables),
     )
 
 

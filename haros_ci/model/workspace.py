@@ -43,7 +43,8 @@ class Workspace:
     paths to report on when file arguments were given, None for all. ``problems`` become notifications; ``faults``
     are malformed manifests, which become findings. ``links`` are symbolic links, sorted, each with the file or directory
     inside the workspace that it leads to. ``names`` are the paths of all files, those included that are not analysed (meshes,
-    maps); empty where that is not known.
+    maps); empty where that is not known. ``executables`` are those of the paths that can be scripts whose execute bit is set, None
+    where that cannot be told: on a file system without modes.
     """
 
     root: Path
@@ -55,6 +56,7 @@ class Workspace:
     faults: tuple[Problem, ...] = ()
     links: tuple[tuple[str, str], ...] = ()
     names: frozenset[str] = frozenset()
+    executables: frozenset[str] | None = None
 
     def text(self, path: str) -> str:
         """The decoded text of the file at *path*; "" if it is not there or not text."""

@@ -42,12 +42,14 @@ def assemble(
     max_file_size: int,
     name: str | None = None,
     names: Iterable[str] | None = None,
+    executables: Iterable[str] | None = None,
 ) -> Workspace:
     """Hash and examine *contents* one by one (they may be a generator), parse manifests, sort everything.
 
     *listed* are all paths that may be asked for as text, those that are not analysed (tools' settings) included.
     *context* are manifests of packages that the files lie in, but that are not to be analysed themselves. A nameless
-    package at the root takes *name*, by default the root's own. *names* are the paths of all files, by default *listed*.
+    package at the root takes *name*, by default the root's own. *names* are the paths of all files, by default *listed*,
+    *executables* those whose execute bit is set, None if nobody knows.
     """
     from hashlib import sha256
 
@@ -102,6 +104,7 @@ def assemble(
         faults=_sorted(fault for _, fault in packages.values() if fault is not None),
         links=tuple(sorted(links.items())),
         names=frozenset(listed if names is None else names),
+        executables=None if executables is None else frozenset(executables),
     )
 
 

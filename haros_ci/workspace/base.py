@@ -80,6 +80,7 @@ def base_workspace(
                 max_file_size=max_file_size,
                 name=root.name,
                 names=tree,
+                executables=(path for path, blob in tree.items() if blob.executable),
             )
             yield Base(base, commit, renames)
     except GitError as err:

@@ -24,6 +24,9 @@ MAX_FILE_SIZE = 2_000_000
 #: Where the CMakeLists.txt leads to that catkin_init_workspace puts into every ``src``.
 CATKIN_TOP_LEVEL = "/catkin/cmake/toplevel.cmake"
 
+_CAN_BE_SCRIPTS = (None, "python", "setup")
+_EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
+
 
 def discover(
     root: Path, paths: tuple[str, ...], *, exclude: tuple[str, ...] = (), max_file_size: int = MAX_FILE_SIZE
@@ -40,6 +43,7 @@ def discover(
     listing = list_files(root, scope.directories)
     candidates = select([*listing.paths, *scope.files], scope, Excludes(exclude))
     disk = _Disk(root, max_file_size)
+    executables = listing.executables | disk.executables(candidates)
     return assemble(
         root,
         disk.read(candidates),
@@ -48,6 +52,7 @@ def discover(
         targets=targets_of(scope, (candidate.path for candidate in candidates)),
         context=disk.manifests(manifests_above(scope)),
         max_file_size=max_file_size,
+        executables=executables if executables or listing.is_tracked else None,
     )
 
 
@@ -107,6 +112,19 @@ class _Disk:
                     found = self._trouble(candidate, err)
             if found is not None:
                 yield found
+
+    def executables(self, candidates: Iterable[Candidate]) -> set[str]:
+        """Those of the *candidates* that can be scripts and have an execute bit."""
+        found = set()
+        for candidate in candidates:
+            if candidate.language in _CAN_BE_SCRIPTS:
+                try:
+                    mode = os.lstat(f"{self._root}/{candidate.path}").st_mode
+                except OSError:
+                    continue
+                if mode & _EXECUTE:
+                    found.add(candidate.path)
+        return found
 
     def manifests(self, paths: Iterable[str]) -> Iterator[Content]:
         """Those of *paths* that are there."""

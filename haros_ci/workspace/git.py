@@ -120,15 +120,18 @@ def run_git(
     return done.stdout
 
 
-def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]) -> tuple[list[str], list[str]]:
-    """Tracked and untracked, not ignored files below *directories*, and the repositories nested in them.
+def listed_files(
+    repository: Repository, cwd: Path, directories: tuple[str, ...]
+) -> tuple[list[str], list[str], list[str]]:
+    """Tracked and untracked, not ignored files below *directories*, the repositories nested in them, and which are executable.
 
     *directories* and all paths that come back are relative to *cwd*, a directory of the work tree. Files that are
-    tracked but deleted are among them. GitError if git does not work.
+    tracked but deleted are among them. Of executable ones only those are known that git tracks. GitError if git does not work.
     """
     arguments = ("ls-files", "-z", "-t", "-s", "-c", "-o", "--exclude-standard", "--", *directories)
     files: set[str] = set()
     nested: set[str] = set()
+    executables: set[str] = set()
     for record in run_git(repository, *arguments, cwd=cwd).split(b"\0"):
         if record.startswith(b"? "):  # untracked; a repository of its own ends with a slash
             path = os.fsdecode(record[2:])
@@ -136,7 +139,9 @@ def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]
         elif record:
             entry, _, name = record.partition(b"\t")
             (nested if entry[2:].startswith(b"160000") else files).add(os.fsdecode(name))
-    return sorted(files), sorted(nested)
+            if entry[2:].startswith(b"100755"):
+                executables.add(os.fsdecode(name))
+    return sorted(files), sorted(nested), sorted(executables)
 
 
 def resolve_commit(repository: Repository, rev: str) -> str:

@@ -14,9 +14,15 @@ from haros_ci.workspace.selection import MARKERS, is_never_source, is_output
 
 @dataclass(slots=True)
 class Listing:
-    """Paths relative to the root, in no order, with doubles where directories overlap; symbolic links are among them."""
+    """Paths relative to the root, in no order, with doubles where directories overlap; symbolic links are among them.
+
+    *executables* have the execute bit in git's index, which keeps it on file systems without modes. *is_tracked* if git
+    listed anything.
+    """
 
     paths: list[str] = field(default_factory=list)
+    executables: set[str] = field(default_factory=set)
+    is_tracked: bool = False
     problems: list[Problem] = field(default_factory=list)
 
 
@@ -46,7 +52,7 @@ def _list_repository(listing: Listing, root: Path, top: Path, directories: list[
     mount = "" if inside else f"{top.relative_to(root).as_posix()}/"
     below = tuple(os.path.relpath(root / directory, cwd) for directory in directories)
     try:
-        files, nested = listed_files(Repository(top), cwd, below)
+        files, nested, executables = listed_files(Repository(top), cwd, below)
     except GitError as err:
         place = mount.rstrip("/") or "."
         listing.problems.append(Problem(place, f"{err}: all files are listed, .gitignore is not honoured"))
@@ -55,6 +61,8 @@ def _list_repository(listing: Listing, root: Path, top: Path, directories: list[
         return
     paths = [mount + path for path in files]
     listing.paths += paths
+    listing.executables.update(mount + path for path in executables)
+    listing.is_tracked = True
     for path in nested:
         if os.path.lexists(f"{root}/{mount}{path}/.git"):
             _list_repository(listing, root, root / mount / path, [mount + path])

@@ -132,3 +132,10 @@ def test_a_base_with_a_manifest_is_as_it_is() -> None:
     head = '## Bad\n\n```xml title="package.xml"\n<package/>\n```\n'
     (example,) = read_page(f'{head}\n```cpp title="base/a.cpp"\nint a;\n```\n').examples
     assert example.base == {"package.xml": "<package/>\n", "a.cpp": "int a;\n"}
+
+
+def test_a_file_of_an_example_may_be_executable() -> None:
+    text = '# t\n## Bad\n```python title="a.py" executable\npass\n```\n```python title="b.py"\npass\n```\n'
+    (example,) = read_page(text).examples
+    assert set(example.files) >= {"a.py", "b.py"}
+    assert example.executables == {"a.py"}
