@@ -44,7 +44,7 @@ class Installed:
     """What CMake or setup.py installs: root-relative *path*, *kind* program, file or directory.
 
     *destination*, below the install prefix (``lib/pkg``, ``share/pkg/launch``), is the directory that a file is put
-    into under *name*, or that a directory becomes.
+    into under *name*, or that a directory becomes. A program with *keeps_mode* is executable if its source is.
     """
 
     path: str
@@ -53,6 +53,7 @@ class Installed:
     destination: str
     location: Location
     name: str = ""
+    keeps_mode: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -217,7 +217,7 @@ class _Reader:
             paths = [self.inner(word) for word in self.files(pair.elts[1], "a list in data_files")]
             kind = "program" if destination.strip("/") == f"lib/{self.package.name}" else "file"
             destination = tidy(destination.lstrip("/"))
-            found += [self.put(path, kind, destination, pair) for path in paths if path is not None]
+            found += [self.put(path, kind, destination, pair, keeps_mode=True) for path in paths if path is not None]
         return found
 
     def elements(self, node: ast.expr, depth: int = 0) -> list[ast.expr]:
@@ -232,11 +232,15 @@ class _Reader:
             return []
         return [item for part in parts for item in self.elements(part, depth + 1)]
 
-    def put(self, path: str, kind: str, destination: str, node: ast.expr) -> Installed:
-        where = Location(self.path, node.lineno, node.col_offset + 1)
-        base = path.rpartition("/")[2]
+    def put(self, path: str, kind: str, destination: str, node: ast.expr, *, keeps_mode: bool = False) -> Installed:
         return Installed(
-            path=path, kind=kind, package=self.package.name, destination=destination, location=where, name=base
+            path=path,
+            kind=kind,
+            package=self.package.name,
+            destination=destination,
+            location=Location(self.path, node.lineno, node.col_offset + 1),
+            name=path.rpartition("/")[2],
+            keeps_mode=keeps_mode,
         )
 
     def files(self, node: ast.expr, what: str, depth: int = 0) -> list[str]:

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scripts that the system cannot start: without a shebang or with a broken one, without the execute bit where it counts."""
+
+from __future__ import annotations
+
+import ast
+import re
+import warnings
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Check,
+    Edit,
+    Finding,
+    Fix,
+    Installed,
+    Level,
+    Location,
+    ProgramUse,
+    Project,
+    ProjectPackage,
+)
+
+_PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(python)(2[\d.]*)?[ \t]*\r?\Z")
+_LAUNCH = ("launch.py", "__init__.py", "setup.py", "conftest.py")
+_MODES = ("USE_SOURCE_PERMISSIONS", "PERMISSIONS", "FILE_PERMISSIONS")
+_SHELL = (".sh", ".bash")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    launched = _launched(project)
+    for package in project.packages:
+        seen: set[str] = set()
+        for each in package.build.installed:
+            if not _is_for_programs(each, package):
+                continue
+            if each.kind == "directory":
+                yield from _unpacked(each, package)
+            elif each.path not in seen and project.text(each.path):
+                seen.add(each.path)
+                yield from _first_line(each.path, package)
+                yield from _mode(each, package)
+        yield from _started(package, launched.get(package.name, {}), seen)
+
+
+def _is_for_programs(each: Installed, package: ProjectPackage) -> bool:
+    return each.destination in ("bin", f"lib/{package.name}")
+
+
+def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
+    """The shebang: missing, too low, with a carriage return at its end, of an interpreter that is not there."""
+    text = package.project.text(path)
+    lines = text.splitlines(keepends=True)
+    first, at = lines[0], Location(path, 1)
+    if not first.startswith("#!"):
+        if path.endswith(_SHELL) or _is_program(path, package.project):
+            yield _without(path, package, lines)
+    elif first.endswith("\r\n"):
+        yield Finding(
+            at=at,
+            message=(
+                f"the first line of {path} ends with a carriage return: the system looks for the interpreter "
+                f"{_interpreter(first)!r} with it in its name and finds none; end the line with a line feed alone"
+            ),
+            about=(package.name, path),
+            fixes=(Fix("end the first line as POSIX has it", (Edit(path, (1, 1), (2, 1), first[:-2] + "\n"),)),),
+        )
+    elif package.ros == 2 and (found := _PYTHON.match(first.rstrip("\n"))) is not None:
+        fix = Fix("ask for python3", (Edit(path, (1, found.start(1) + 1), (1, found.end(1) + 1), "python3"),))
+        is_sure = found[2] is None and _is_python_3(text)
+        yield Finding(
+            at=at,
+            message=(
+                f"{path} asks for {_interpreter(first)!r}, which the systems that ROS 2 runs on do not have: it does not start "
+                "there; ask for python3"
+            ),
+            about=(package.name, path),
+            level=Level.WARNING,
+            fixes=(fix,) if is_sure else (),
+        )
+
+
+def _without(path: str, package: ProjectPackage, lines: list[str]) -> Finding:
+    """A file that does not begin with a shebang; one further down belongs to the top."""
+    line = next((number for number, line in enumerate(lines[:30], 1) if line.startswith("#!")), 0)
+    fixes: tuple[Fix, ...] = ()
+    if line:
+        what, todo = f"has its shebang in line {line}, not in the first", "move it to the first line"
+        edits = (Edit(path, (1, 1), (1, 1), lines[line - 1]), Edit(path, (line, 1), (line + 1, 1), ""))
+        fixes = (Fix("move the shebang to the first line", edits),) if lines[line - 1].endswith("\n") else ()
+    else:
+        what, todo = "has no shebang", "begin it with one"
+        if not path.endswith(_SHELL) and package.ros == 2:
+            fixes = (Fix("begin with a shebang", (Edit(path, (1, 1), (1, 1), "#!/usr/bin/env python3\n"),)),)
+    return Finding(
+        at=Location(path, 1),
+        message=f"{path} is installed as a program and {what}: starting it fails with 'Exec format error'; {todo}",
+        about=(package.name, path),
+        level=Level.WARNING if path.endswith(_SHELL) else None,
+        fixes=fixes,
+    )
+
+
+def _mode(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
+    """The execute bit: taken away by the installation, or missing where the source's own counts."""
+    text = package.project.text(each.path)
+    if not text.startswith("#!"):
+        return
+    if each.kind == "file":
+        if not each.keeps_mode and _is_program(each.path, package.project) and not _gives_modes(each, package):
+            yield Finding(
+                at=each.location,
+                message=(
+                    f"install(FILES) puts {each.path} where programs are, but without the execute bit: ros{_two(package)} "
+                    "run does not find it; install it with PROGRAMS"
+                ),
+                about=(package.name, each.path),
+            )
+        return
+    bits = package.project.workspace.executables
+    if bits is None or each.path in bits or _is_relayed(each, package) or not _is_program(each.path, package.project):
+        return
+    if each.keeps_mode:
+        why = "setup.py installs it with the mode that it has: ros2 run does not find it"
+    elif package.ros == 1:
+        why = "it does not start from a devel space, where it runs in place"
+    else:
+        why = "colcon build --symlink-install leads to it as it is, and ros2 run does not find it"
+    if each.keeps_mode or package.ros is not None:
+        yield _bit(each.path, package, why)
+
+
+def _bit(path: str, package: ProjectPackage, why: str, level: Level = Level.WARNING) -> Finding:
+    return Finding(
+        at=Location(path, 1),
+        message=f"{path} has no execute bit: {why}; set it (git update-index --chmod=+x)",
+        about=(package.name, path),
+        level=level,
+        fixes=(Fix("make it executable", (Edit.executable(path),)),),
+    )
+
+
+def _unpacked(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
+    """install(DIRECTORY) gives its files no execute bit, unless told to."""
+    if _gives_modes(each, package) or each.keeps_mode:
+        return
+    inside = [file.path for file in package.files if file.path.startswith(f"{each.path}/")]
+    programs = [
+        path for path in inside if package.project.text(path).startswith("#!") and _is_program(path, package.project)
+    ]
+    if programs:
+        yield Finding(
+            at=each.location,
+            message=(
+                f"install(DIRECTORY) puts {', '.join(programs[:3])} where programs are, but without the execute bit: "
+                f"ros{_two(package)} run does not find {'it' if len(programs) == 1 else 'them'}; use install(PROGRAMS), or add "
+                "USE_SOURCE_PERMISSIONS"
+            ),
+            about=(package.name, each.path),
+        )
+
+
+def _started(package: ProjectPackage, launched: dict[str, Location], seen: set[str]) -> Iterator[Finding]:
+    """ROS 1: what launch files start and is not installed runs in place, if it can."""
+    bits = package.project.workspace.executables
+    if package.ros != 1 or bits is None:
+        return
+    targets = {target.output for target in package.build.targets}
+    for path in package.build.scripts:
+        name = path.rpartition("/")[2]
+        if name in launched and name not in targets and path not in seen and path not in bits:
+            alike = [other for other in package.project.workspace.names if other.endswith(f"/{name}")]
+            if not any(other in bits for other in alike):
+                yield _bit(path, package, "roslaunch does not take it for a program", Level.ERROR)
+                yield from _first_line(path, package)
+
+
+def _launched(project: Project) -> dict[str, dict[str, Location]]:
+    """The programs that launch files of ROS 1 start, by package."""
+    found: dict[str, dict[str, Location]] = {}
+    for system in project.systems:
+        if system.ros == 1:
+            for use in system.facts(ProgramUse):
+                if use.kind == "executable":
+                    found.setdefault(use.package, {}).setdefault(use.program, use.location)
+    return found
+
+
+def _is_program(path: str, project: Project) -> bool:
+    """Whether a file does something when it is run: a module that is only imported needs no shebang."""
+    if path.endswith(_LAUNCH):
+        return False
+    program = project.programs.get(path)
+    if program is None:
+        text = project.text(path)
+        return text.startswith("#!") or ("." not in path.rpartition("/")[2] and _imports(text))
+    body = next((function.body for function in program.functions if function.kind == "module"), None) or ()
+    return any(
+        (statement[0] == "do" and statement[1][0] == "call") or (statement[0] == "if" and "__name__" in statement[3])
+        for statement in body
+    )
+
+
+def _imports(text: str) -> bool:
+    """Whether the first line that is no comment is one of Python's imports."""
+    code = (line for line in text.splitlines()[:100] if line.strip() and not line.startswith("#"))
+    return next(code, "").startswith(("import ", "from "))
+
+
+def _is_python_3(text: str) -> bool:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return True
+
+
+def _gives_modes(each: Installed, package: ProjectPackage) -> bool:
+    """Whether the command says which modes the files get, or is not one that is known."""
+    commands = [command for command in package.commands("install") if command.location == each.location]
+    return not commands or any(word in command.arguments for command in commands for word in _MODES)
+
+
+def _is_relayed(each: Installed, package: ProjectPackage) -> bool:
+    """catkin_install_python makes an executable of its own in the devel space."""
+    return any(command.location == each.location for command in package.commands("catkin_install_python"))
+
+
+def _interpreter(line: str) -> str:
+    return line[2:].strip().rpartition("/")[2]
+
+
+def _two(package: ProjectPackage) -> str:
+    return "2" if package.ros == 2 else ""
+
+
+CHECK = Check(
+    id="script-not-runnable",
+    summary="Scripts that are installed or launched as programs can be started by the system.",
+    level=Level.ERROR,
+    catalogue="B12",
+    tags=("build",),
+    project=check,
+)

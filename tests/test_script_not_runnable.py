@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the check's page cannot show: a mark in the first line, or a carriage return, would change the example."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from test_checks import edits_of, said
+
+from haros_ci.checking.page import Example, filled
+from haros_ci.registry import checks
+from haros_ci.results.fix import applied
+
+CHECK = next(check for check in checks() if check.id == "script-not-runnable")
+CODE = "import rclpy\n\nrclpy.init()\nrclpy.spin(rclpy.create_node('talker'))\n"
+SETUP = (
+    "from setuptools import setup\n\nsetup(\n    name='demo',\n    packages=[],\n"
+    "    data_files=[('lib/demo', ['talker.py'])],\n)\n"
+)
+
+
+def findings(tmp_path: Path, files: dict[str, str], executables: tuple[str, ...] = ()) -> list[tuple[str, str, str]]:
+    """Path, level and message of what is found, and that a fix of it mends it."""
+    results = said(CHECK, Example("", True, files), tmp_path / "before", executables)
+    mended = {path: applied(text, edits_of(path, [r for r in results if r.fixes])) for path, text in files.items()}
+    bits = {edit.path for r in results for fix in r.fixes for edit in fix.edits if edit.is_executable}
+    after = said(CHECK, Example("", True, mended), tmp_path / "after", {*executables, *bits})
+    assert [r.message for r in after] == [r.message for r in results if not r.fixes]
+    return [(r.location.path, r.level.value, r.message) for r in results]
+
+
+@pytest.mark.parametrize("shebang", ["/usr/bin/env python", "/usr/bin/python", " /usr/bin/env python"])
+def test_ros_2_has_python3_alone(shebang: str, tmp_path: Path) -> None:
+    ((path, level, message),) = findings(tmp_path, filled({"talker.py": f"#!{shebang}\n{CODE}"}))
+    assert (path, level) == ("talker.py", "warning")
+    assert "ask for python3" in message
+
+
+@pytest.mark.parametrize(
+    "shebang", ["/usr/bin/env python3", "/usr/bin/python3", "/usr/bin/env -S python3 -u", "/opt/python"]
+)
+def test_other_interpreters_are_right(shebang: str, tmp_path: Path) -> None:
+    assert findings(tmp_path, filled({"talker.py": f"#!{shebang}\n{CODE}"})) == []
+
+
+def test_python_2_code_is_not_mended_by_its_shebang(tmp_path: Path) -> None:
+    files = filled({"talker.py": "#!/usr/bin/env python\nimport rclpy\nprint 'hello'\nrclpy.init()\n"})
+    (result,) = said(CHECK, Example("", True, files), tmp_path)
+    assert result.fixes == ()
+
+
+def test_a_carriage_return_belongs_to_the_name(tmp_path: Path) -> None:
+    text = f"#!/usr/bin/env python3\n{CODE}".replace("\n", "\r\n")
+    ((path, level, message),) = findings(tmp_path, filled({"talker.py": text}))
+    assert (path, level) == ("talker.py", "error")
+    assert "carriage return" in message
+
+
+def test_a_carriage_return_elsewhere_does_no_harm(tmp_path: Path) -> None:
+    assert findings(tmp_path, filled({"talker.py": "#!/usr/bin/env python3\n" + CODE.replace("\n", "\r\n")})) == []
+
+
+def test_ros_1_has_python(tmp_path: Path) -> None:
+    code = CODE.replace("rclpy", "rospy")
+    assert findings(tmp_path, filled({"talker.py": f"#!/usr/bin/env python\n{code}"})) == []
+
+
+def test_data_files_keep_their_mode(tmp_path: Path) -> None:
+    files = {
+        "package.xml": filled({"a.py": ""})["package.xml"].replace("ament_cmake", "ament_python"),
+        "setup.py": SETUP,
+        "talker.py": f"#!/usr/bin/env python3\n{CODE}",
+        "other.py": "",
+    }
+    ((path, level, message),) = findings(tmp_path, files, ("other.py",))
+    assert (path, level) == ("talker.py", "warning")
+    assert "setup.py installs it with the mode that it has" in message
