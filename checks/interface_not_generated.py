@@ -1,0 +1,300 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Message, service and action definitions that lie in a package and that its CMake does not generate, or that it names in vain."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator, Mapping
+
+from haros_ci.api import (
+    Check,
+    CMakeCommand,
+    Finding,
+    Fix,
+    Interface,
+    Level,
+    Location,
+    Project,
+    ProjectPackage,
+    insert_line,
+)
+
+_OLD = {"add_message_files": "msg", "add_service_files": "srv", "add_action_files": "action"}
+_NEW = "rosidl_generate_interfaces"
+_KINDS = (*_OLD.values(), "idl")
+#: Commands of which nobody knows which interfaces they generate are told by these words in their names.
+_OTHERS = re.compile(r"rosidl|genmsg|gensrv|msg|message|interface|idl|protobuf")
+_SINGLE = {"DIRECTORY": 1, "BASE_DIR": 1, "LIBRARY_NAME": 1}
+_ENDS = ("DEPENDENCIES", "PACKAGE", "NOINSTALL", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
+_ASIDE = ("deprecated", "unused", "old", "backup", "test", "tests", "examples")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    used: Mapping[str, Location] | None = None
+    for package in project.packages:
+        commands = package.commands(*_OLD, _NEW)
+        left = [
+            each for each in package.build.interfaces if not (commands and each.is_generated) and _is_own(each, package)
+        ]
+        if commands:
+            yield from _in_vain(package, commands)
+            yield from _forgotten(package, commands)
+        if not left or not _are_plain(commands) or not (commands or _generates_nothing(package)):
+            continue
+        used = _uses(project) if used is None else used
+        for each in left:
+            if commands:
+                if not _is_mentioned(each, package, even_in_comments=each.name not in used):
+                    yield _left_out(each, package, commands, used.get(each.name))
+            elif each.name in used:
+                yield _alone(each, package, used[each.name])
+
+
+def _is_own(each: Interface, package: ProjectPackage) -> bool:
+    """Whether it lies where generated ones do: ``msg``, ``srv``, ``action``, or beside one that is generated."""
+    directory = posixpath.dirname(each.path)
+    if any(part in _ASIDE for part in directory.removeprefix(package.path).split("/")):
+        return False
+    beside = {posixpath.dirname(other.path) for other in package.build.interfaces if other.is_generated}
+    return directory in beside or directory in {package.inside(kind) for kind in _KINDS}
+
+
+def _is_mentioned(each: Interface, package: ProjectPackage, *, even_in_comments: bool) -> bool:
+    """Whether CMake names it where it is not followed: under a condition, or commented out, which is meant."""
+    name = posixpath.basename(each.path)
+    for file in package.files:
+        if file.language == "cmake":
+            for line in package.project.text(file.path).splitlines():
+                if name in line and (even_in_comments or name in line.partition("#")[0]):
+                    return True
+    return False
+
+
+def _are_plain(commands: tuple[CMakeCommand, ...]) -> bool:
+    """Whether all that they generate is known."""
+    return not any(command.is_conditional or any("$" in word for word in command.arguments) for command in commands)
+
+
+def _left_out(
+    each: Interface, package: ProjectPackage, commands: tuple[CMakeCommand, ...], use: Location | None
+) -> Finding:
+    of_kind = [command for command in commands if _OLD.get(command.name, each.kind) == each.kind]
+    command = (of_kind or list(commands))[0]
+    file = posixpath.relpath(each.path, package.path)
+    why = "which uses it will not build or start" if use is not None else "so that nobody can use it"
+    fix = _insertion(each, package) if of_kind else None
+    related = [(Location(each.path, 1), f"{each.name} is defined here")]
+    related += [(use, "it is used here")] if use is not None else []
+    return Finding(
+        at=command.location,
+        message=(
+            f"{file} is not in the list of what package {package.name} generates, "
+            + (f"and {use.path}, {why}" if use is not None else why)
+            + (": name it there" if use is not None else ": name it there, or delete it")
+        ),
+        about=(package.name, each.name),
+        related=tuple(related),
+        apart=(each.name, each.kind),
+        level=Level.ERROR if use is not None else None,
+        fixes=(fix,) if fix is not None else (),
+    )
+
+
+def _generates_nothing(package: ProjectPackage) -> bool:
+    """Whether its CMake is there and has no command that might generate interfaces."""
+    names = {command.name for command in package.build.commands} - {"message"}
+    return bool(names) and not any(_OTHERS.search(name) for name in names)
+
+
+def _alone(each: Interface, package: ProjectPackage, use: Location) -> Finding:
+    """A definition in a package that generates none."""
+    how = "add_message_files() and generate_messages()" if package.ros == 1 else f"{_NEW}()"
+    return Finding(
+        at=Location(each.path, 1),
+        message=(
+            f"package {package.name} generates no interfaces, and {use.path} uses {each.name}: it will not build or start; "
+            f"call {how}"
+        ),
+        about=(package.name, each.name),
+        related=((use, "it is used here"),),
+        level=Level.ERROR,
+    )
+
+
+def _insertion(each: Interface, package: ProjectPackage) -> Fix | None:
+    """A line for it among those of the interfaces of its kind, each of which has a line of its own; sorted if they are."""
+    text = package.project.text(package.cmake_path)
+    lines = text.splitlines()
+    siblings = [
+        other
+        for other in package.build.interfaces
+        if other.is_generated
+        and posixpath.dirname(other.path) == posixpath.dirname(each.path)
+        and other.kind == each.kind
+    ]
+    found: list[tuple[int, str]] = []
+    for other in siblings:
+        name = posixpath.basename(other.path)
+        at = [
+            number
+            for number, line in enumerate(lines, 1)
+            if re.fullmatch(rf'\s*"?(?:[\w./]*/)?{re.escape(name)}"?\s*', line)
+        ]
+        if len(at) == 1:
+            found.append((at[0], name))
+    if not found or len(found) != len(siblings):
+        return None
+    found.sort()
+    names = [name for _, name in found]
+    mine = posixpath.basename(each.path)
+    later = [number for number, name in found if name > mine] if names == sorted(names) and len(names) > 1 else []
+    number, model = (later[0], found[0]) if later else (found[-1][0] + 1, found[-1])
+    line = lines[model[0] - 1].rstrip().replace(model[1], mine)
+    return Fix(f"generate {each.name}", (insert_line(package.cmake_path, text, number, line),))
+
+
+def _in_vain(package: ProjectPackage, commands: tuple[CMakeCommand, ...]) -> Iterator[Finding]:
+    """Files that a list names and that are not there: CMake stops."""
+    names = package.project.workspace.names
+    for command in commands:
+        if command.is_conditional or not names:
+            continue
+        for word, place in _listed(command, package):
+            if place is None or place in names or _is_made(word, package):
+                continue
+            alike = _alike(place, package)
+            meant = f"; it is {posixpath.relpath(alike, package.path)} that is there" if alike else ""
+            yield Finding(
+                at=_line_of(word, command, package),
+                message=(
+                    f"{word} is in the list of what package {package.name} generates, but there is no such file: CMake "
+                    f"stops{meant}"
+                ),
+                about=(package.name, posixpath.relpath(place, package.path)),
+                apart=(word,),
+                level=Level.ERROR,
+            )
+
+
+def _listed(command: CMakeCommand, package: ProjectPackage) -> Iterator[tuple[str, str | None]]:
+    """The definitions that *command* names, as written, each with its root-relative path."""
+    directory = ""
+    if command.name in _OLD:
+        directory = next(iter(command.after("DIRECTORY")), _OLD[command.name])
+        if "FILES" not in command.arguments or "BASE_DIR" in command.arguments:
+            return
+        words = command.after("FILES", *_SINGLE, *_ENDS)
+    else:
+        end = next((at for at, word in enumerate(command.arguments) if word in (*_ENDS, *_SINGLE)), None)
+        words = command.arguments[1:end]
+    for word in words:
+        if (
+            word.endswith((".msg", ".srv", ".action", ".idl"))
+            and "$" not in word
+            and ":" not in word
+            and "$" not in directory
+        ):
+            place = command.place(f"{directory}/{word}" if directory else word)
+            inside = place is not None and (package.path == "." or place.startswith(f"{package.path}/"))
+            yield word, place if inside else None
+
+
+def _is_made(word: str, package: ProjectPackage) -> bool:
+    """Whether another command than the lists mentions the file: it may write it."""
+    name = posixpath.basename(word)
+    stem = name.rpartition(".")[0]
+    return any(
+        stem in argument
+        for command in package.build.commands
+        if command.name not in (*_OLD, _NEW, "set", "list")
+        for argument in command.arguments
+    )
+
+
+def _alike(place: str, package: ProjectPackage) -> str | None:
+    """A definition of this name in other letters or in another directory."""
+    wanted = posixpath.basename(place).lower()
+    found = (each.path for each in package.build.interfaces if posixpath.basename(each.path).lower() == wanted)
+    return next(found, None)
+
+
+def _line_of(word: str, command: CMakeCommand, package: ProjectPackage) -> Location:
+    """The line in which a command's argument is written, if it is: else that of the command."""
+    lines = package.project.text(command.location.path).splitlines()
+    start = command.location.line or 1
+    for number in range(start, min(start + 500, len(lines) + 1)):
+        if re.search(rf"(?<![\w./-]){re.escape(word)}(?![\w.-])", lines[number - 1].partition("#")[0]):
+            return Location(command.location.path, number)
+        if lines[number - 1].strip() == ")":
+            break
+    return command.location
+
+
+def _forgotten(package: ProjectPackage, commands: tuple[CMakeCommand, ...]) -> Iterator[Finding]:
+    """ROS 1: lists without generate_messages()."""
+    listing = [command for command in commands if command.name in _OLD]
+    known = {*_OLD, "generate_dynamic_reconfigure_options"}
+    others = [command.name for command in package.build.commands if command.name not in known]
+    if not listing or package.ros != 1 or any(_OTHERS.search(name) for name in others if name != "message"):
+        return
+    if not any(command.is_conditional for command in listing):
+        yield Finding(
+            at=listing[0].location,
+            message=(
+                f"package {package.name} lists interfaces and never calls generate_messages(): none of them is generated; call it "
+                "after the lists and before catkin_package()"
+            ),
+            about=(package.name, "generate_messages"),
+            level=Level.ERROR,
+        )
+
+
+def _uses(project: Project) -> dict[str, Location]:
+    """A place where each interface is used by name: another definition, an include, an import."""
+    found: dict[str, Location] = {}
+    generated = {each.path for package in project.packages for each in package.build.interfaces if each.is_generated}
+    for each in project.interfaces.values():
+        for section in each.sections if each.path in generated else ():
+            for field in section:
+                found.setdefault(field.type.partition("[")[0], Location(each.path, field.line))
+    by_header = {
+        header: each.name
+        for package in project.packages
+        for each in package.build.interfaces
+        for header in _headers(each)
+    }
+    modules = {
+        name.replace("/", f".{each.kind}."): name for each in project.interfaces.values() for name in (each.name,)
+    }
+    written = {name.partition("include/")[2] for name in project.workspace.names if "include/" in name}
+    for path, program in sorted(project.programs.items()):
+        for header in program.includes:
+            header = header.strip('<>"')
+            if header not in written and (name := by_header.get(header)) is not None:
+                found.setdefault(name, Location(path, _line_with(project.text(path), header)))
+        for alias in program.aliases if program.language == "python" else ():
+            if (name := modules.get(str(alias.type[0]))) is not None:
+                found.setdefault(name, Location(path, _line_with(project.text(path), name.rpartition("/")[2])))
+    return found
+
+
+def _headers(each: Interface) -> tuple[str, ...]:
+    """The headers that are generated of it, by ROS 1 and ROS 2."""
+    package, _, name = each.name.partition("/")
+    snake = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)).lower()
+    return (f"{package}/{name}.h", f"{package}/{each.kind}/{snake}.hpp", f"{package}/{each.kind}/{snake}.h")
+
+
+def _line_with(text: str, word: str) -> int:
+    return next((number for number, line in enumerate(text.splitlines(), 1) if word in line), 1)
+
+
+CHECK = Check(
+    id="interface-not-generated",
+    summary="The message, service and action definitions of a package are those that its CMake generates.",
+    level=Level.WARNING,
+    catalogue="B13",
+    tags=("build", "interfaces"),
+    project=check,
+)
