@@ -7,6 +7,7 @@ from haros_ci.changes.interfaces import InterfaceChange, containing
 from haros_ci.changes.interfaces import in_words as change_in_words
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import unmet
+from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.editing import (
     add_dependency,
@@ -72,11 +73,13 @@ __all__ = [
     "EXEC",
     "EXPORTED",
     "NO_SYSTEMS",
+    "OF_TARGETS",
     "SERVICE",
     "TOPIC",
     "ArgumentDeclaration",
     "ArgumentRead",
     "Build",
+    "CMake",
     "CMakeCommand",
     "Channel",
     "Check",
@@ -96,6 +99,7 @@ __all__ = [
     "Fix",
     "Given",
     "IncludeUse",
+    "Install",
     "Installed",
     "Interface",
     "InterfaceChange",
@@ -103,6 +107,7 @@ __all__ = [
     "InterfaceUsers",
     "LaunchFact",
     "Level",
+    "Link",
     "Location",
     "Names",
     "NodePattern",

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 
+from haros_ci.checking.cmake import CMake
 from haros_ci.checking.system import System
 from haros_ci.model.build import Build, CMakeCommand, Interface
 from haros_ci.model.element import Element
@@ -51,6 +52,11 @@ class ProjectPackage:
     def manifest(self) -> Element | None:
         """The root of its package.xml; None if it is malformed (then malformed-manifest is reported)."""
         return self.project.element(self.manifest_path)
+
+    @cached_property
+    def cmake(self) -> CMake:
+        """What its CMake makes, links, installs and exports."""
+        return CMake(self)
 
     @cached_property
     def declared(self) -> frozenset[str]:
@@ -118,6 +124,19 @@ class Project:
 
     def package(self, name: str) -> ProjectPackage | None:
         return self._packages.get(name)
+
+    @cached_property
+    def directories(self) -> frozenset[str]:
+        """The directories that have a file in them, at whatever depth."""
+        found = {"."}
+        for path in self.workspace.names:
+            while (path := path.rpartition("/")[0]) and path not in found:
+                found.add(path)
+        return frozenset(found)
+
+    def exists(self, path: str) -> bool:
+        """Whether there is a file or a directory of this root-relative path."""
+        return path in self.workspace.names or path in self.directories
 
     @cached_property
     def interfaces(self) -> Mapping[tuple[str, str], Interface]:

@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from haros_ci.workspace.cmake_keywords import under
 from haros_ci.workspace.cmake_state import Call, State
-from haros_ci.workspace.cmake_words import bare, inside, is_certain, place, readable
+from haros_ci.workspace.cmake_words import bare, inside, is_certain, join_list, place, readable, split_list
 
 _ARTEFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PUBLIC_HEADER", "PRIVATE_HEADER")
 _TARGET_FLAGS = (*_ARTEFACTS, "RESOURCE", "OPTIONAL", "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP")
@@ -118,6 +118,7 @@ _MESSAGE_KINDS = {
 def _interface_files(state: State, call: Call) -> None:
     """add_message_files and its like: FILES in DIRECTORY, by default all in ``msg``, ``srv``, ``action``."""
     suffix = _MESSAGE_KINDS[call.name]
+    _generates(state, "generate_messages_cpp")
     given = under(call.words, ("NOINSTALL",), ("DIRECTORY", "BASE_DIR"), ("FILES",))
     directory = next(iter(given.get("DIRECTORY", [])), suffix)
     state.declares_interfaces = True
@@ -151,8 +152,24 @@ def _generate_interfaces(state: State, call: Call) -> None:
         _declare(state, call, bare(word).replace(":", "/"))
 
 
+def _generates(state: State, what: str) -> None:
+    """Add a target to those that catkin's macros name in ``<project>_EXPORTED_TARGETS`` (genmsg, dynamic_reconfigure)."""
+    project = state.get("PROJECT_NAME") or state.package.name
+    name = f"{project}_EXPORTED_TARGETS"
+    made = split_list(state.get(name) or "")
+    if f"{project}_{what}" not in made:
+        state.put(name, join_list([*made, f"{project}_{what}"]))
+
+
+def _typesupport(state: State, call: Call) -> None:
+    """rosidl_get_typesupport_target(variable target typesupport): the name of the target that generated code is linked by."""
+    if len(call.words) > 2:
+        state.put(call.words[0], f"{call.words[1]}__{call.words[2]}")
+
+
 def _configs(state: State, call: Call) -> None:
     """generate_dynamic_reconfigure_options(cfg...)."""
+    _generates(state, "gencfg")
     for word in call.words:
         element = bare(word)
         path = inside(place(element, state.source_directory())) if is_certain(element) else None
@@ -188,6 +205,7 @@ INSTALL_COMMANDS: Mapping[str, Callable[[State, Call], None]] = MappingProxyType
         "cs_install_scripts": _simple_scripts,
         **dict.fromkeys(_MESSAGE_KINDS, _interface_files),
         "rosidl_generate_interfaces": _generate_interfaces,
+        "rosidl_get_typesupport_target": _typesupport,
         "generate_dynamic_reconfigure_options": _configs,
         "ament_python_install_package": _python_package,
         "pluginlib_export_plugin_description_file": _plugin_file,

@@ -61,6 +61,7 @@ def start_values(package: Package) -> dict[str, str]:
     """Those that are known, and those that are known to be unknown; each package is built by itself."""
     values = {key: value.format(name=package.name) for key, value in _KNOWN.items()}
     values |= {name: unknown(name) for name in _UNKNOWN}
+    values["CATKIN_DEVEL_PREFIX"] = f"{BINARY_ROOT}/devel"
     for owner in ("CMAKE", "PROJECT", "CMAKE_CURRENT"):
         values[f"{owner}_SOURCE_DIR"] = absolute(package.path)
         values[f"{owner}_BINARY_DIR"] = BINARY_ROOT

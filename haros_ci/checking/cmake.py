@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a package's CMake makes, links, installs and exports, read off the commands that were followed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from haros_ci.model.build import CMakeCommand, Target
+
+if TYPE_CHECKING:
+    from haros_ci.checking.project import ProjectPackage
+
+#: Commands that take the name of a target that has to be there, at first place.
+OF_TARGETS = frozenset(
+    (
+        "target_link_libraries",
+        "target_include_directories",
+        "target_compile_definitions",
+        "target_compile_options",
+        "target_compile_features",
+        "target_sources",
+        "target_link_options",
+        "target_precompile_headers",
+        "ament_target_dependencies",
+        "rosidl_target_interfaces",
+        "add_dependencies",
+        "set_target_properties",
+        "rclcpp_components_register_node",
+        "rclcpp_components_register_nodes",
+    )
+)
+#: Commands that neither make, run nor install the targets that they name.
+_QUIET = OF_TARGETS | {
+    "add_executable",
+    "add_library",
+    "ament_auto_add_executable",
+    "ament_auto_add_library",
+    "install",
+    "set_property",
+    "get_property",
+    "get_target_property",
+    "catkin_package",
+    "find_package",
+    "project",
+    "ament_export_libraries",
+    "ament_export_targets",
+    "ament_export_interfaces",
+    "ament_export_dependencies",
+    "ament_export_include_directories",
+    "include_directories",
+    "rosidl_get_typesupport_target",
+    "ament_package",
+    "message",
+}
+#: Beginnings of what the evaluator says where a part of the build is not seen.
+_UNSEEN = re.compile(
+    r"add_subdirectory\(|include\(|\w+\(\) is not known; what it builds|the name of this |its CMake "
+)
+_ARTEFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PUBLIC_HEADER", "PRIVATE_HEADER")
+_SCOPES = ("PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES")
+_WORDS = ("debug", "optimized", "general", "SYSTEM", "BEFORE", "AFTER")
+_ENDS = (
+    *("DESTINATION", "EXPORT", "COMPONENT", "NAMELINK_COMPONENT", "RENAME", "TYPE", "PATTERN", "REGEX", "FILE_SET"),
+    *("PERMISSIONS", "CONFIGURATIONS", "INCLUDES", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS", "FILES_MATCHING"),
+    *("OPTIONAL", "USE_SOURCE_PERMISSIONS", "MESSAGE_NEVER", "EXCLUDE", "EXCLUDE_FROM_ALL", "NAMELINK_SKIP"),
+    *("NAMELINK_ONLY", "RESOURCE", *_ARTEFACTS),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """What a target is linked with, or depends on by ament_target_dependencies (then *is_package*)."""
+
+    word: str
+    is_public: bool
+    is_package: bool
+    is_conditional: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Install:
+    """One install(): *kind* as written, *things*, the destination by kind of artefact ("" for all), *export*."""
+
+    kind: str
+    things: tuple[str, ...]
+    destinations: Mapping[str, str]
+    export: str
+    command: CMakeCommand
+
+    @property
+    def is_certain(self) -> bool:
+        """Whether all that it installs is known."""
+        return not any("${" in thing or "$<" in thing for thing in self.things)
+
+    def place_of(self, target: Target) -> str | None:
+        """The directory that *target* is put into; None where it is not told."""
+        artefact = "RUNTIME" if target.kind == "executable" else "LIBRARY"
+        return self.destinations.get(artefact, self.destinations.get(""))
+
+
+class CMake:
+    """Targets are those of the model, by name; what a command or package outside the workspace may do is not known."""
+
+    def __init__(self, package: ProjectPackage) -> None:
+        self.package = package
+        self.commands = package.build.commands
+        self.targets: Mapping[str, Target] = {target.name: target for target in package.build.targets}
+
+    @cached_property
+    def is_whole(self) -> bool:
+        """Whether all files and commands that may make something were followed."""
+        return bool(self.commands) and not any(_UNSEEN.match(problem.message) for problem in self.package.build.problems)
+
+    @cached_property
+    def mentioned(self) -> frozenset[str]:
+        """The words among the arguments of commands that may make, run or install a thing of that name."""
+        found: set[str] = set()
+        for command in self.commands:
+            if command.name not in _QUIET:
+                for word in command.arguments:
+                    found.add(word)
+                    if "$<" in word or "/" in word or " " in word or ";" in word or "=" in word:
+                        found.update(re.findall(r"[\w.+-]+", word))
+        return frozenset(found)
+
+    @cached_property
+    def installs(self) -> tuple[Install, ...]:
+        return tuple(_install(each) for each in self.commands if each.name == "install" and each.arguments)
+
+    @cached_property
+    def installs_unknown(self) -> bool:
+        """Whether an install() may install more than is known."""
+        return any(not each.is_certain for each in self.installs if each.kind in ("TARGETS", "IMPORTED_RUNTIME_ARTIFACTS"))
+
+    @cached_property
+    def links(self) -> Mapping[str, tuple[Link, ...]]:
+        """By target: what target_link_libraries and ament_target_dependencies say."""
+        found: dict[str, list[Link]] = {}
+        for command in self.commands:
+            if command.name in ("target_link_libraries", "ament_target_dependencies") and command.arguments:
+                is_package = command.name == "ament_target_dependencies"
+                scope = "PUBLIC"
+                for word in command.arguments[1:]:
+                    if word in _SCOPES:
+                        scope = word
+                    elif word not in _WORDS:
+                        link = Link(word, "PRIVATE" not in scope, is_package, command.is_conditional)
+                        found.setdefault(self.real(command.arguments[0]), []).append(link)
+        return {name: tuple(links) for name, links in found.items()}
+
+    def real(self, name: str) -> str:
+        """The name of the target that *name*, perhaps an alias, stands for."""
+        target = self.targets.get(name)
+        return target.links[0] if target is not None and target.kind == "alias" and target.links else name
+
+    def linked(self, name: str) -> Iterator[Target]:
+        """The package's own targets that *name* is linked with, directly or through others, each once."""
+        seen, todo = {name}, [name]
+        while todo:
+            target = self.targets.get(todo.pop())
+            words = [link.word for link in self.links.get(target.name, ())] if target is not None else []
+            for word in (*words, *(target.links if target is not None else ())):
+                other = self.real(word.removeprefix(f"{self.package.name}::"))
+                if other in self.targets and other not in seen:
+                    seen.add(other)
+                    todo.append(other)
+                    yield self.targets[other]
+
+    def destinations(self, name: str) -> tuple[str, ...]:
+        """The directories that install(TARGETS) puts a target into."""
+        target = self.targets.get(name)
+        found = (each.place_of(target) for each in self.installs if target is not None and name in each.things)
+        return tuple(place for place in found if place is not None)
+
+    def is_shared(self, target: Target) -> bool | None:
+        """Whether a library is one that is loaded when a program starts; None where only a build knows (add_library(7))."""
+        if target.kind != "library":
+            return False
+        for command in self.commands:
+            if command.name.endswith("add_library") and command.arguments[:1] == (target.name,):
+                kinds = set(command.arguments[1:]) & {"SHARED", "MODULE", "STATIC"}
+                if kinds:
+                    return "STATIC" not in kinds
+        if self.package.ros == 1:  # catkin's all.cmake
+            return None if self._sets_shared else True
+        return True if self._finds("ament_cmake_ros") and not self._sets_shared else None
+
+    @cached_property
+    def _sets_shared(self) -> bool:
+        texts = {command.location.path for command in self.commands}
+        return any("BUILD_SHARED_LIBS" in self.package.project.text(path) for path in texts)
+
+    def _finds(self, name: str) -> bool:
+        return any(command.arguments[:1] == (name,) for command in self.package.commands("find_package"))
+
+
+def _install(command: CMakeCommand) -> Install:
+    kind, rest = command.arguments[0], command.arguments[1:]
+    stop = next((at for at, word in enumerate(rest) if word in _ENDS), len(rest))
+    destinations: dict[str, str] = {}
+    artefact, export = "", ""
+    for word, following in zip(rest[stop:], (*rest[stop + 1 :], "")):
+        if word in _ARTEFACTS:
+            artefact = word
+        elif word == "DESTINATION":
+            destinations.setdefault(artefact, re.sub("/{2,}", "/", following).rstrip("/"))
+        elif word == "EXPORT":
+            export = following
+    return Install(kind, rest[:stop], destinations, export, command)
