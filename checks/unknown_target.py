@@ -46,7 +46,12 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
         for name in words:
             if name == "NAMESPACE":
                 break
-            if name != "HAS_LIBRARY_TARGET" and name not in sets and "$" not in name and not any("$" in s for s in sets):
+            if (
+                name != "HAS_LIBRARY_TARGET"
+                and name not in sets
+                and "$" not in name
+                and not any("$" in s for s in sets)
+            ):
                 if not _is_mentioned_otherwise(package, command, name):
                     yield name, "no install(TARGETS ... EXPORT) puts a target into it, and CMake stops"
     elif command.name == "catkin_package":
@@ -96,7 +101,11 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
 def _is_named(package: ProjectPackage, command: CMakeCommand, word: str) -> bool:
     """Whether a command that may make the directory names it."""
     base = word.rstrip("/").rpartition("/")[2]
-    makers = (c for c in package.build.commands if c.name in ("file", "execute_process", "add_custom_command", "configure_file"))
+    makers = (
+        c
+        for c in package.build.commands
+        if c.name in ("file", "execute_process", "add_custom_command", "configure_file")
+    )
     return any(base in argument for maker in makers for argument in maker.arguments)
 
 

@@ -21,6 +21,7 @@ from haros_ci.checking.editing import (
 )
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
+from haros_ci.checking.installing import install_directory, install_line, install_place, landings
 from haros_ci.checking.interface_users import InterfaceUsers, changes_of, defined_in
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launch_edits import renamed_keyword
@@ -148,9 +149,13 @@ __all__ = [
     "included_by",
     "incompatible",
     "insert_line",
+    "install_directory",
+    "install_line",
+    "install_place",
     "is_mentioned",
     "is_moved",
     "is_slip",
+    "landings",
     "may_be",
     "meant",
     "misplaced",
@@ -160,8 +165,8 @@ __all__ = [
     "owner",
     "place",
     "qos_in_words",
-    "renamed_keyword",
     "rename_element",
+    "renamed_keyword",
     "rule_of",
     "set_text",
     "together",

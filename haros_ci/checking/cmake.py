@@ -57,9 +57,7 @@ _QUIET = OF_TARGETS | {
     "message",
 }
 #: Beginnings of what the evaluator says where a part of the build is not seen.
-_UNSEEN = re.compile(
-    r"add_subdirectory\(|include\(|\w+\(\) is not known; what it builds|the name of this |its CMake "
-)
+_UNSEEN = re.compile(r"add_subdirectory\(|include\(|\w+\(\) is not known; what it builds|the name of this |its CMake ")
 _ARTEFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PUBLIC_HEADER", "PRIVATE_HEADER")
 _SCOPES = ("PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES")
 _WORDS = ("debug", "optimized", "general", "SYSTEM", "BEFORE", "AFTER")
@@ -113,7 +111,9 @@ class CMake:
     @cached_property
     def is_whole(self) -> bool:
         """Whether all files and commands that may make something were followed."""
-        return bool(self.commands) and not any(_UNSEEN.match(problem.message) for problem in self.package.build.problems)
+        return bool(self.commands) and not any(
+            _UNSEEN.match(problem.message) for problem in self.package.build.problems
+        )
 
     @cached_property
     def mentioned(self) -> frozenset[str]:
@@ -134,7 +134,9 @@ class CMake:
     @cached_property
     def installs_unknown(self) -> bool:
         """Whether an install() may install more than is known."""
-        return any(not each.is_certain for each in self.installs if each.kind in ("TARGETS", "IMPORTED_RUNTIME_ARTIFACTS"))
+        return any(
+            not each.is_certain for each in self.installs if each.kind in ("TARGETS", "IMPORTED_RUNTIME_ARTIFACTS")
+        )
 
     @cached_property
     def links(self) -> Mapping[str, tuple[Link, ...]]:

@@ -92,11 +92,14 @@ def _simple_scripts(state: State, call: Call) -> None:
 
 
 def _auto_package(state: State, call: Call) -> None:
-    """ament_auto_package: installs what ament_auto_add_* made, and INSTALL_TO_SHARE directories."""
+    """ament_auto_package: installs what ament_auto_add_* made, ``include``, and INSTALL_TO_SHARE directories."""
     given = under(call.words, ("INSTALL_TO_PATH", "NO_INSTALL"), (), ("INSTALL_TO_SHARE", "CONFIG_EXTRAS"))
     for made in state.targets.values():
         if "AUTO" in made.properties:
             made.is_installed = True
+    headers = inside(place("include", state.source_directory()))
+    if headers is not None and headers in state.tree.directories:
+        state.installed.setdefault((headers, "directory", "include", ""), call.location)
     share = f"share/{state.package.name}"
     for word in given.get("INSTALL_TO_SHARE", []):
         path = inside(place(bare(word), state.source_directory())) if is_certain(bare(word)) else None

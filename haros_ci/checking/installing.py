@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the files of a package are once it is installed, and install() commands that are added to its CMake."""
+
+from __future__ import annotations
+
+import re
+
+from haros_ci.checking.project import ProjectPackage
+from haros_ci.model.location import Location
+from haros_ci.results.fix import Edit, Fix
+
+_PACKAGE_CALL = re.compile(r"(?m)^(?:ament_package|ament_auto_package|autoware_ament_auto_package)[ \t]*\(")
+
+
+def landings(package: ProjectPackage, path: str) -> tuple[str, ...]:
+    """The paths below the install prefix that the file or directory at the root-relative *path* is installed to."""
+    found = []
+    for row in package.build.installed:
+        if row.path == path:
+            found.append(row.destination if row.kind == "directory" else f"{row.destination}/{row.name}")
+        elif row.kind == "directory" and (row.path == "." or path.startswith(f"{row.path}/")):
+            rest = path if row.path == "." else path[len(row.path) + 1 :]
+            found.append(f"{row.destination}/{rest}")
+    return tuple(found)
+
+
+def install_place(package: ProjectPackage) -> Location:
+    """Where another install() goes: the last one that there is, else the end of CMakeLists.txt or data_files of setup.py."""
+    last = [
+        each.command.location for each in package.cmake.installs if each.command.location.path == package.cmake_path
+    ]
+    if last:
+        return Location(package.cmake_path, last[-1].line)
+    text = package.project.text(package.cmake_path)
+    if text:
+        call = _PACKAGE_CALL.search(text)
+        return Location(package.cmake_path, text.count("\n", 0, call.start()) + 1 if call else 1)
+    setup = package.inside("setup.py")
+    text = package.project.text(setup)
+    at = text.find("data_files")
+    return Location(setup, text.count("\n", 0, at) + 1 if at >= 0 else 1)
+
+
+def install_line(package: ProjectPackage, line: str, description: str) -> Fix | None:
+    """*line* as a command of its own before ament_package(), which has to be the last, or at the end of CMakeLists.txt."""
+    text = package.project.text(package.cmake_path)
+    if not text:
+        return None
+    end = "\r\n" if "\r\n" in text else "\n"
+    calls = list(_PACKAGE_CALL.finditer(text))
+    if len(calls) > 1:
+        return None
+    if calls:
+        number = text.count("\n", 0, calls[0].start()) + 1
+        return Fix(description, (Edit(package.cmake_path, (number, 1), (number, 1), f"{line}{end}{end}"),))
+    if package.ros == 2:
+        return None
+    lines = text.splitlines(keepends=True)
+    if not lines[-1].endswith(("\n", "\r")):
+        point = (len(lines), len(lines[-1]) + 1)
+        return Fix(description, (Edit(package.cmake_path, point, point, f"{end}{end}{line}{end}"),))
+    point = (len(lines) + 1, 1)
+    return Fix(description, (Edit(package.cmake_path, point, point, f"{end}{line}{end}"),))
+
+
+def install_directory(package: ProjectPackage, directory: str) -> Fix | None:
+    """*directory* of the package installed to its share: beside its like, else by a command of its own."""
+    text = package.project.text(package.cmake_path)
+    place = r"share/\$\{PROJECT_NAME\}" if package.ros == 2 else r"\$\{CATKIN_PACKAGE_SHARE_DESTINATION\}"
+    for command in package.cmake.installs:
+        at, kind = command.command.location, command.kind
+        if kind != "DIRECTORY" or at.path != package.cmake_path or at.line is None or command.command.is_conditional:
+            continue
+        start = sum(map(len, text.splitlines(keepends=True)[: at.line - 1])) + (at.column or 1) - 1
+        found = re.compile(
+            rf"install\s*\(\s*DIRECTORY\s+([\w./-]+(?:(\s+)[\w./-]+)*)\s+DESTINATION\s+{place}/?\s*\)"
+        ).match(text, start)
+        if found is not None and not any(word.endswith("/") for word in found[1].split()):
+            between = found[2] if found[2] is not None else " "
+            before = text[: found.end(1)]
+            number = before.count("\n") + 1
+            point = (number, len(before) - (before.rfind("\n") + 1) + 1)
+            return Fix(f"install {directory}", (Edit(package.cmake_path, point, point, between + directory),))
+    share = "share/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_SHARE_DESTINATION}"
+    return install_line(package, f"install(DIRECTORY {directory} DESTINATION {share})", f"install {directory}")
