@@ -216,6 +216,10 @@ def _scripts(package: ProjectPackage, uses: _Uses, told: _Uses) -> Iterator[Find
         if use is None and not is_aside:
             use = told.get((package.name, name))
             how = "is run here"
+        if use is None and not is_aside and re.search(r"__name__\s*==\s*['\"]__main__['\"]", text):
+            beside = (each for each in listed.values() if posixpath.dirname(each.path) == posixpath.dirname(path))
+            other = next((each for each in beside if each.kind == "program"), None)
+            use, how = (other.location, "installs the other scripts there") if other is not None else (None, how)
         if use is None or (is_aside and _ASIDE.search(use.path.lower())):
             continue
         runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
