@@ -16,6 +16,7 @@ class Element:
     line: int
     text: str = ""
     children: list[Element] = field(default_factory=list)
+    column: int = 1
 
     def all(self, *tags: str) -> Iterator[Element]:
         """The children with one of *tags*, in document order."""

@@ -35,7 +35,7 @@ def parse_xml(data: bytes) -> Element:
             raise XmlError(f"nested deeper than {MAX_DEPTH} elements", parser.CurrentLineNumber)
         if count > MAX_ELEMENTS:
             raise XmlError(f"more than {MAX_ELEMENTS} elements", parser.CurrentLineNumber)
-        element = Element(tag, attributes, parser.CurrentLineNumber)
+        element = Element(tag, attributes, parser.CurrentLineNumber, column=parser.CurrentColumnNumber + 1)
         open_elements[-1].children.append(element)
         open_elements.append(element)
 

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Texts and attributes of a xacro file evaluated at a place: expressions, substitutions, and faults where they cannot be."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+from typing import Any
+
+from haros_ci.robot.expressions import Invalid, Undefined, evaluate, is_open, parsed
+from haros_ci.robot.functions import Function, Module, NotKnown, TooMuch, tokenize
+from haros_ci.robot.nodes import Node
+from haros_ci.robot.scopes import Scope, World
+from haros_ci.robot.sources import FIND, HERE, Sources
+from haros_ci.robot.texts import parts_of
+from haros_ci.robot.values import UNKNOWN, Fault, Unknown, Way
+from haros_ci.robot.yaml_values import YamlDict, yaml_value
+
+MAX_STEPS = 3_000_000
+MAX_TEXT = 20_000
+MAX_FAULTS = 300
+
+
+class Evaluating:
+    """What an expansion has for evaluation: the file and the way that led there, arguments, and steps that are left."""
+
+    def __init__(self, sources: Sources, path: str, arguments: dict[str, str | Unknown]) -> None:
+        self.sources = sources
+        self.path = path
+        self.file = path
+        self.way: Way = ()
+        self.arguments = arguments
+        self.faults: dict[tuple[object, ...], Fault] = {}
+        self.steps = MAX_STEPS
+        self.world = World(self.text, self._offers())
+        self._loaded: dict[str, Any] = {}
+
+    def spend(self, steps: int) -> None:
+        """TooMuch once the steps are used up."""
+        self.steps -= steps
+        if self.steps < 0:
+            raise TooMuch
+
+    def fault(self, kind: str, name: str, node: Node, *, of: str = "", similar: tuple[str, ...] = ()) -> None:
+        """Note what is wrong at *node*; certain only where nothing unknown leads there."""
+        at = node.location
+        certain = self.world.maybe == 0 and node.certain
+        key = (kind, name, at, of)
+        known = self.faults.get(key)
+        if (known is None or (certain and not known.certain)) and len(self.faults) < MAX_FAULTS:
+            self.faults[key] = Fault(
+                kind=kind, name=name, location=at, certain=certain, of=of, similar=similar, way=self.way
+            )
+
+    def words(self, text: str | Unknown, scope: Scope, node: Node) -> str | Unknown:
+        """*text* evaluated, as a text."""
+        if isinstance(text, str) and "$" not in text:
+            return text
+        value = self.value(text, scope, node)
+        if is_open(value) or isinstance(value, (Scope, Function, Module)):
+            return UNKNOWN
+        return str(value)
+
+    def value(self, text: str | Unknown, scope: Scope, node: Node) -> Any:
+        """*text* evaluated at *node*; UNKNOWN where it is not known, with a fault where that is why."""
+        if isinstance(text, Unknown):
+            return UNKNOWN
+        try:
+            return self.text(text, scope)
+        except Undefined as err:
+            if not self.world.is_open:
+                place = next((each for each in err.places if each is not None), None)
+                from dataclasses import replace
+
+                self.fault(err.kind, err.name, node if place is None else replace(node, location=place))
+        except Invalid as err:
+            self.fault("expression", str(err), node)
+        return UNKNOWN
+
+    def text(self, text: str, scope: Scope) -> Any:
+        """xacro's eval_text: one part alone keeps its type, several are joined."""
+        self.spend(1)
+        if "$" not in text:
+            return text
+        parts = parts_of(text)
+        if parts is None:
+            raise Invalid(f"a brace is not closed in {text[:80]!r}")
+        found = []
+        for kind, content in parts:
+            if kind == "expression":
+                found.append(self._expression(content, scope))
+            elif kind == "substitution":
+                found.append(self._substitution(content, scope))
+            else:
+                found.append(content)
+        if len(found) == 1:
+            return found[0]
+        if is_open(found) or any(isinstance(each, (Scope, Function, Module)) for each in found):
+            return UNKNOWN
+        joined = "".join(map(str, found))
+        if len(joined) > MAX_TEXT:
+            raise TooMuch
+        return joined
+
+    def _expression(self, content: str, scope: Scope) -> Any:
+        written = self.text(content, scope)
+        if isinstance(written, Unknown):
+            return UNKNOWN
+        return evaluate(str(written), scope, self.spend)
+
+    def _substitution(self, content: str, scope: Scope) -> Any:
+        """``$(…)``: find, arg, env, optenv, eval, cwd and dirname of xacro's substitution_args."""
+        written = self.text(content, scope)
+        if not isinstance(written, str):
+            return UNKNOWN
+        kind, *given = written.split()
+        if kind == "find" and len(given) == 1:
+            return f"{FIND}{given[0]}"
+        if kind == "arg" and len(given) == 1:
+            return self.argument_value(given[0])
+        if kind == "optenv" and given:
+            return " ".join(given[1:])
+        if kind == "dirname":
+            return HERE + posixpath.dirname(self.file)
+        if kind == "eval":
+            return self._eval(written[len("eval ") :])
+        return UNKNOWN
+
+    def argument_value(self, name: str) -> str | Unknown:
+        if name in self.arguments:
+            return self.arguments[name]
+        if self.world.is_open:
+            return UNKNOWN
+        raise Undefined("argument", name)
+
+    def _eval(self, text: str) -> Any:
+        """``$(eval …)``: names are arguments, whose numbers and truth values are such."""
+        tree = parsed(text)
+        if tree is None:
+            return UNKNOWN
+        names = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name)}
+        if any(isinstance(each, ast.Call) for each in ast.walk(tree)):
+            return UNKNOWN
+        scope = Scope(self.world)
+        for name in names & self.arguments.keys():
+            value = self.arguments[name]
+            scope.put(name, value, lazy=False, location=None)
+        for name in names - self.arguments.keys():
+            scope.put(name, UNKNOWN, lazy=False, location=None)
+        try:
+            value = evaluate(text, scope, self.spend)
+        except (Undefined, Invalid):
+            return UNKNOWN
+        return UNKNOWN if is_open(value) else str(value)
+
+    def _offers(self) -> Module:
+        """The namespace ``xacro`` of expressions."""
+        quiet = Function("message", lambda *_, **__: "")
+        return Module(
+            load_yaml=Function("load_yaml", self._load_yaml),
+            arg=Function("arg", self.argument_value),
+            abs_filename=Function("abs_filename", self._abs_filename),
+            dotify=Function("dotify", YamlDict),
+            tokenize=Function("tokenize", tokenize),
+            message=quiet,
+            warning=quiet,
+            error=quiet,
+            print_location=quiet,
+        )
+
+    def _abs_filename(self, name: str) -> str:
+        return name if name.startswith("/") else HERE + posixpath.join(posixpath.dirname(self.file), name)
+
+    def _load_yaml(self, name: str) -> Any:
+        located = self.sources.locate(name, self.file)
+        if located.path is None:
+            raise NotKnown
+        if located.path not in self._loaded:
+            text = self.sources.text(located.path)
+            self.spend(len(text) // 4)
+            self._loaded[located.path] = yaml_value(text, self._number) if text else UNKNOWN
+        return self._loaded[located.path]
+
+    def _number(self, text: str) -> object:
+        try:
+            return evaluate(text, Scope(self.world), self.spend)
+        except (Undefined, Invalid):
+            return UNKNOWN

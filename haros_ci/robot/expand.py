@@ -1,0 +1,368 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A xacro file expanded, as xacro does it (eval_all of xacro 2), in document order.
+
+What is not known goes both ways: both branches of an unknown condition are expanded and may be there. Nothing of it is run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from typing import Any
+
+from haros_ci.model.location import Location
+from haros_ci.robot.evaluating import Evaluating
+from haros_ci.robot.expressions import Invalid, Undefined
+from haros_ci.robot.functions import TooMuch
+from haros_ci.robot.legacy import LEGACY, is_call
+from haros_ci.robot.nodes import Node
+from haros_ci.robot.scopes import Macro, Macros, Scope
+from haros_ci.robot.sources import Sources
+from haros_ci.robot.texts import parameters_of, truth
+from haros_ci.robot.values import UNKNOWN, Fault, Unknown
+
+MAX_DEPTH = 180
+MAX_FAULTS = 500
+
+
+@dataclass(frozen=True, slots=True)
+class Expanded:
+    """The document that came out, and what was found on the way."""
+
+    root: Node | None
+    faults: tuple[Fault, ...]
+    files: tuple[str, ...]
+    macros: tuple[str, ...]
+    is_whole: bool
+
+
+def expand(
+    sources: Sources, path: str, arguments: Mapping[str, str | Unknown] | None = None, *, legacy: bool = False
+) -> Expanded:
+    """Expand the file at *path* with *arguments*. *legacy* takes tags without ``xacro:``, too, as xacro did before ROS Noetic."""
+    return Expansion(sources, path, dict(arguments or {}), legacy).run()
+
+
+class Expansion(Evaluating):
+    """One run over one file."""
+
+    def __init__(self, sources: Sources, path: str, arguments: dict[str, str | Unknown], legacy: bool) -> None:
+        super().__init__(sources, path, arguments)
+        self.legacy = legacy
+        self.depth = 0
+        self.defined: dict[str, None] = {}
+        self.files: dict[str, None] = {path: None}
+        self.is_whole = True
+
+    def run(self) -> Expanded:
+        source = self.sources.read(self.path)
+        if source is None:
+            return Expanded(None, (), (self.path,), (), False)
+        root: Node | None = replace(source, children=[], attributes={})
+        assert root is not None
+        try:
+            self.content(source, Macros(self.world), Scope(self.world), root)
+        except (TooMuch, RecursionError):
+            self.give_up()
+        whole = self.is_whole and not self.world.is_open
+        return Expanded(root, self._told(), tuple(self.files), tuple(self.defined), whole)
+
+    def give_up(self) -> None:
+        """What was found stands, but nothing is certain any more."""
+        self.world.is_open = True
+        self.faults = {key: replace(fault, certain=False) for key, fault in self.faults.items()}
+
+    def _told(self) -> tuple[Fault, ...]:
+        ever = self.world.ever | set(self.defined)
+        return tuple(
+            replace(each, defined_later=True) if each.name in ever else each for each in self.faults.values()
+        )
+
+    def content(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise TooMuch
+        for name, value in node.attributes.items():
+            if not name.startswith("xacro:"):
+                into.attributes[name] = self.words(value, scope, node)
+        if isinstance(node.text, Unknown) or "$" in node.text:
+            into.text = self.words(node.text, scope, node)
+        else:
+            into.text = node.text
+        for child in node.children:
+            self.spend(10)
+            self.child(child, macros, scope, into)
+        self.depth -= 1
+
+    def child(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        tag = node.tag
+        if self.legacy and tag in LEGACY:
+            tag = f"xacro:{tag}"
+        handle = _HANDLERS.get(tag)
+        if handle is not None:
+            handle(self, node, macros, scope, into)
+        elif tag.startswith("xacro:"):
+            self.call(node, tag.removeprefix("xacro:"), macros, scope, into)
+        else:
+            macro = macros.get(tag)
+            if macro is not None and is_call(node, macro, into):
+                self.fault("unprefixed", tag, node, of=macro.name)
+                if self.legacy:
+                    self.call(node, tag, macros, scope, into)
+                    return
+            self.element(node, node.tag, macros, scope, into)
+
+    def element(self, node: Node, tag: str, macros: Macros, scope: Scope, into: Node) -> None:
+        """A tag that is none of xacro's."""
+        certain = self.world.maybe == 0
+        made = Node(tag, {}, node.location, certain=certain and node.certain, way=node.way or self.way)
+        self.content(node, macros, scope, made)
+        into.children.append(made)
+
+    def named_element(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """``xacro:element``: a tag whose name is evaluated."""
+        name = self.words(node.attributes.get("xacro:name", ""), scope, node)
+        if isinstance(name, Unknown) or not name:
+            self.is_whole = False
+            return
+        self.child(replace(node, tag=name), macros, scope, into)
+
+    def attribute(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        name = self.words(node.attributes.get("name", ""), scope, node)
+        value = self.words(node.attributes.get("value", ""), scope, node)
+        if isinstance(name, str) and name:
+            into.attributes[name] = value if self.world.maybe == 0 else UNKNOWN
+
+    def insert_block(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        name = str(node.attributes.get("name", ""))
+        for key, whole in (("**" + name, False), ("*" + name, True)):
+            if not any(key == each for each in scope.visible()):
+                continue
+            block = scope.find(key)
+            if not isinstance(block, Node):
+                self.is_whole = False
+            elif whole:
+                self.element(block, block.tag, macros, scope, into)
+            else:
+                self.inside(block, macros, scope, into)
+            return
+        if self.world.is_open:
+            self.is_whole = False
+        else:
+            self.fault("block", name, node)
+
+    def inside(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """What is in *node*, without *node*; attributes that it sets are lost with it."""
+        holder = Node(node.tag, {}, node.location)
+        self.content(node, macros, scope, holder)
+        into.children += holder.children
+
+    def condition(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        value = self.value(node.attributes.get("value", ""), scope, node)
+        known = None if isinstance(value, Unknown) else truth(value)
+        if known is None:
+            self.world.maybe += 1
+            self.is_whole = False
+            self.inside(node, macros, scope, into)
+            self.world.maybe -= 1
+        elif known is not node.tag.endswith("unless"):
+            self.inside(replace(node, attributes={}), macros, scope, into)
+
+    def argument(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        name = str(node.attributes.get("name", ""))
+        if "default" not in node.attributes and name not in self.arguments:
+            self.fault("default", name, node)
+            self.arguments[name] = UNKNOWN
+        elif name not in self.arguments:
+            value = self.words(node.attributes["default"], scope, node)
+            self.arguments[name] = value if self.world.maybe == 0 else UNKNOWN
+
+    def property(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """xacro's grab_property."""
+        given = node.attributes
+        name = self.words(given.get("name", ""), scope, node)
+        if isinstance(name, Unknown):
+            self.world.is_open = True
+            return
+        if "remove" in given and truth(self.value(given["remove"], scope, node)):
+            scope.remove(name)
+            return
+        value: Any = given.get("value")
+        if "default" in given:
+            if scope.has(name):
+                return
+            value = given["default"]
+        if value is None:
+            name, value = f"**{name}", node
+        where = {"global": scope.top(), "parent": scope.around()}.get(str(given.get("scope", "")), scope)
+        if where is None:
+            return
+        lazy = truth(self.value(given.get("lazy_eval", "true"), scope, node)) is not False and where is scope
+        if not lazy and isinstance(value, str):
+            value = self.value(value, scope, node)
+        where.put(name, value, lazy=lazy, location=node.location)
+
+    def macro(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """xacro's grab_macro."""
+        name = str(node.attributes.get("name", "")).removeprefix("xacro:")
+        found = list(parameters_of(str(node.attributes.get("params", ""))))
+        defaults = {key: (forward, default) for key, forward, default in found if forward or default is not None}
+        certain = self.world.maybe <= macros.maybe or macros.get(name) is None
+        macros.found[name] = Macro(name, node, tuple(key for key, _, _ in found), defaults, certain)
+        self.defined[name] = None
+
+    def include(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """xacro's process_include."""
+        if "ns" in node.attributes:
+            space = self.words(node.attributes["ns"], scope, node)
+            if isinstance(space, Unknown):
+                self.world.is_open = True
+                return
+            around = scope
+            macros.namespaces[space] = macros = Macros(self.world)
+            scope.namespaces[space] = scope = Scope(self.world, around, is_namespace=True)
+        name = self.words(node.attributes.get("filename", ""), scope, node)
+        if isinstance(name, Unknown):
+            self.world.is_open = True
+            return
+        several = self.sources.matching(name, self.file)
+        if several is not None:
+            self.world.is_open = self.world.is_open or not several
+            for path in several:
+                self.included(path, node, macros, scope, into)
+            return
+        located = self.sources.locate(name, self.file)
+        if located.path is not None:
+            self.included(located.path, node, macros, scope, into)
+            return
+        if located.is_missing and truth(str(node.attributes.get("optional", "false"))) is not True:
+            self.fault("include", _said(name), node, similar=located.similar)
+        elif not located.is_missing:
+            self.world.is_open = True
+
+    def included(self, path: str, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        source = self.sources.read(path)
+        if source is None:
+            self.world.is_open = True
+            return
+        self.files[path] = None
+        before = self.file, self.way
+        self.file, self.way = path, (*self.way, (node.location, f"includes {path}"))
+        self.inside(source, macros, scope, into)
+        self.file, self.way = before
+
+    def dynamic_call(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """``xacro:call``: the macro's name is evaluated."""
+        name = self.words(node.attributes.get("macro", ""), scope, node)
+        if isinstance(name, Unknown):
+            self.world.is_open = True
+            return
+        left = {key: value for key, value in node.attributes.items() if key != "macro"}
+        self.call(replace(node, attributes=left), name, macros, scope, into)
+
+    def call(self, node: Node, name: str, macros: Macros, scope: Scope, into: Node) -> None:
+        """xacro's handle_macro_call."""
+        found = _resolved(name, macros, scope)
+        if found is None or not found[2].certain:
+            if found is None and not self.world.is_open:
+                self.fault("macro", name, node, similar=tuple(get_close_matches(name, list(macros.every()), 3, 0.7)))
+            self.is_whole = False
+            self.world.is_open = self.world.is_open or found is not None
+            return
+        around, outer, macro = found
+        inner = Scope(self.world, outer)
+        left = list(macro.parameters)
+        for key, value in node.attributes.items():
+            if key not in left:
+                self.fault("extra", key, node, of=macro.name, similar=tuple(get_close_matches(key, left, 3, 0.6)))
+                continue
+            left.remove(key)
+            inner.put(key, self.value(value, scope, node), lazy=False, location=node.location)
+        holder = Node(node.tag, {}, node.location)
+        self.content(replace(node, attributes={}), macros, scope, holder)
+        left = self._blocks(node, holder.children, left, macro, inner)
+        missing = []
+        for key in left:
+            if key not in macro.defaults:
+                missing.append(key)
+            inner.put(key, self._default(key, macro, scope, node), lazy=False, location=node.location)
+        if missing:
+            self.fault("parameter", " ".join(missing), node, of=macro.name)
+        before = self.way
+        self.way = (*self.way, (node.location, f"calls the macro {macro.name}"))
+        self.inside(macro.body, Macros(self.world, around), inner, into)
+        self.way = before
+
+    def _blocks(self, node: Node, blocks: list[Node], left: list[str], macro: Macro, inner: Scope) -> list[str]:
+        """Give the elements in a call to the block parameters, in order; the parameters that are left."""
+        certain = [block for block in blocks if block.certain]
+        for key in [each for each in left if each.startswith("*")]:
+            left = [each for each in left if each != key]
+            if len(certain) != len(blocks):
+                inner.entries.clear() if False else inner.put(key, UNKNOWN, lazy=False, location=node.location)
+                continue
+            if not blocks:
+                self.fault("parameter", key, node, of=macro.name)
+                inner.put(key, UNKNOWN, lazy=False, location=node.location)
+                continue
+            inner.put(key, blocks[0], lazy=False, location=node.location)
+            blocks = certain = blocks[1:]
+        return left
+
+    def _default(self, key: str, macro: Macro, scope: Scope, node: Node) -> Any:
+        if key not in macro.defaults:
+            return UNKNOWN
+        forward, default = macro.defaults[key]
+        if forward:
+            try:
+                return scope.find(key)
+            except Undefined as err:
+                if default is None:
+                    if not self.world.is_open:
+                        self.fault(err.kind, err.name, node, of=macro.name)
+                    return UNKNOWN
+            except Invalid:
+                return UNKNOWN
+        return UNKNOWN if default is None else self.value(default, scope, node)
+
+
+def _said(name: str) -> str:
+    """A file name without what stands for directories in it."""
+    from haros_ci.robot.sources import FIND, HERE
+
+    if name.startswith(FIND):
+        package, _, inner = name[len(FIND) :].partition("/")
+        return f"$(find {package})/{inner}"
+    return name.removeprefix(HERE)
+
+
+def _resolved(name: str, macros: Macros, scope: Scope) -> tuple[Macros, Scope, Macro] | None:
+    """The macro *name*, with the macros and properties that it sees; ``ns.name`` is looked up in the namespace."""
+    found = macros.get(name)
+    if found is not None:
+        return macros, scope, found
+    *spaces, last = name.split(".")
+    for space in spaces:
+        next_macros, next_scope = macros.namespace(space), scope.namespace(space)
+        if next_macros is None or next_scope is None:
+            return None
+        macros, scope = next_macros, next_scope
+    found = macros.get(last)
+    return None if found is None else (macros, scope, found)
+
+
+_HANDLERS = {
+    "xacro:insert_block": Expansion.insert_block,
+    "xacro:include": Expansion.include,
+    "xacro:property": Expansion.property,
+    "xacro:macro": Expansion.macro,
+    "xacro:arg": Expansion.argument,
+    "xacro:element": Expansion.named_element,
+    "xacro:attribute": Expansion.attribute,
+    "xacro:if": Expansion.condition,
+    "xacro:unless": Expansion.condition,
+    "xacro:call": Expansion.dynamic_call,
+}
+__all__ = ["Expanded", "Location", "expand"]

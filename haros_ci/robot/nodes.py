@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elements of a robot description that know their file, before and after they are expanded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from haros_ci.model.location import Location
+from haros_ci.robot.values import Unknown, Way
+from haros_ci.model.element import Element
+
+
+@dataclass(slots=True)
+class Node:
+    """An element. Attributes and text of an expanded one may be UNKNOWN; it is not *certain* under an unknown condition."""
+
+    tag: str
+    attributes: dict[str, str | Unknown]
+    location: Location
+    text: str | Unknown = ""
+    children: list[Node] = field(default_factory=list)
+    certain: bool = True
+    way: Way = ()
+
+    def given(self, name: str) -> str | None:
+        """A known attribute; "" if it is not there, None if it is not known."""
+        value = self.attributes.get(name, "")
+        return value if isinstance(value, str) else None
+
+    def all(self, *tags: str) -> Iterator[Node]:
+        return (child for child in self.children if child.tag in tags)
+
+    def walk(self) -> Iterator[Node]:
+        """All elements below, in document order."""
+        pending = list(reversed(self.children))
+        while pending:
+            node = pending.pop()
+            yield node
+            pending.extend(reversed(node.children))
+
+
+def nodes_of(element: Element, path: str) -> Node:
+    """*element* and all below it, as parsed from *path*."""
+    return Node(
+        element.tag,
+        dict(element.attributes),
+        Location(path, element.line, element.column),
+        element.text,
+        [nodes_of(child, path) for child in element.children],
+    )

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The files that descriptions are made of: where a file name leads, and what stands there, each file read once."""
+
+from __future__ import annotations
+
+import fnmatch
+import posixpath
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from haros_ci.model.workspace import Workspace
+from haros_ci.robot.nodes import Node, nodes_of
+from haros_ci.workspace.xml import XmlError, parse_xml
+
+#: What ``$(find pkg)`` and the directory of a file become inside texts, so that they can be told again.
+FIND = "/find:/"
+HERE = "/here:/"
+_PATTERN = re.compile(r"[*[?]")
+
+
+@dataclass(frozen=True, slots=True)
+class Located:
+    """Where a file name leads: *path* in the workspace, None if it is not there or not known; *is_missing* if it certainly is not."""
+
+    path: str | None = None
+    is_missing: bool = False
+    similar: tuple[str, ...] = ()
+
+
+#: Looks up ``package``, path inside its share directory.
+Look = Callable[[str, str], Located]
+
+
+@dataclass(slots=True)
+class Sources:
+    """Reads for expansions. *packages* are the directories of the workspace's packages by name."""
+
+    workspace: Workspace
+    look: Look
+    packages: Mapping[str, str] = field(init=False)
+    names: frozenset[str] = field(init=False)
+    _nodes: dict[str, Node | None] = field(default_factory=dict, init=False)
+
+    def __post_init__(self) -> None:
+        self.packages = {package.name: package.path for package in self.workspace.packages}
+        self.names = self.workspace.names | {file.path for file in self.workspace.files}
+
+    def read(self, path: str) -> Node | None:
+        """The root element of an XML file; None if it cannot be read, or is not for us."""
+        if path not in self._nodes:
+            text = self.workspace.text(path)
+            node = None
+            if text:
+                try:
+                    node = nodes_of(parse_xml(text.encode("utf-8")), path)
+                except (XmlError, RecursionError):
+                    node = None
+            self._nodes[path] = node
+        return self._nodes[path]
+
+    def text(self, path: str) -> str:
+        return self.workspace.text(path)
+
+    def locate(self, name: str, base: str) -> Located:
+        """Where the file name *name*, as evaluated in the file *base*, leads."""
+        if name.startswith("file://"):
+            name = name.removeprefix("file://")
+        if name.startswith(FIND):
+            package, _, inner = name[len(FIND) :].partition("/")
+            if package not in self.packages or not inner:
+                return Located()
+            return self.look(package, posixpath.normpath(inner))
+        if name.startswith(HERE):
+            name = name[len(HERE) :]
+        elif name.startswith("/"):
+            return Located()
+        else:
+            name = posixpath.join(posixpath.dirname(base), name)
+        path = posixpath.normpath(name)
+        if path.startswith(".."):
+            return Located()
+        if path in self.names:
+            return Located(path)
+        owner = max(
+            (p for p in self.packages.items() if p[1] == "." or path.startswith(p[1] + "/")),
+            key=lambda p: len(p[1]),
+            default=None,
+        )
+        if owner is None:
+            return Located()
+        inner = path if owner[1] == "." else path[len(owner[1]) + 1 :]
+        return self.look(owner[0], inner)
+
+    def matching(self, name: str, base: str) -> tuple[str, ...] | None:
+        """The files that the pattern *name* stands for, sorted; None if that is not known, or *name* is no pattern."""
+        if not _PATTERN.search(name):
+            return None
+        folder, _, pattern = name.rpartition("/")
+        if _PATTERN.search(folder):
+            return ()
+        start = self._directory(folder, base)
+        if start is None:
+            return ()
+        inside = (path for path in self.names if path.rpartition("/")[0] == start)
+        return tuple(sorted(path for path in inside if fnmatch.fnmatchcase(posixpath.basename(path), pattern)))
+
+    def _directory(self, folder: str, base: str) -> str | None:
+        if folder.startswith(FIND):
+            package, _, inner = folder[len(FIND) :].partition("/")
+            start = self.packages.get(package)
+            return None if start is None else posixpath.normpath(posixpath.join(start, inner))
+        if folder.startswith("/"):
+            return None
+        return posixpath.normpath(posixpath.join(posixpath.dirname(base), folder))
+
+
+def by_names(workspace: Workspace) -> Look:
+    """Looks for files in the source directories of packages alone; what is not there may be made by a build."""
+    packages = {package.name: package.path for package in workspace.packages}
+    names = workspace.names | {file.path for file in workspace.files}
+
+    def look(package: str, inner: str) -> Located:
+        path = posixpath.normpath(posixpath.join(packages[package], inner))
+        return Located(path) if path in names else Located()
+
+    return look

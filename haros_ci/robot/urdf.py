@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The robot that an expanded description declares, as urdfdom reads it: only what stands directly in the document's root counts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from haros_ci.robot.expand import expand
+from haros_ci.robot.nodes import Node
+from haros_ci.robot.sources import Sources
+from haros_ci.robot.values import UNKNOWN, Joint, Limit, Link, Mesh, Robot, Unknown
+
+
+def read_robot(
+    sources: Sources, path: str, arguments: Mapping[str, str | Unknown] | None = None, *, legacy: bool = False
+) -> Robot | None:
+    """The description at *path* with xacro's *arguments* (UNKNOWN for a value that is not known); None if it is no XML."""
+    expanded = expand(sources, path, arguments, legacy=legacy)
+    root = expanded.root
+    if root is None:
+        return None
+    links, meshes = [], []
+    for node in root.all("link"):
+        link = Link(name=node.given("name"), location=node.location, way=node.way, certain=node.certain)
+        links.append(link)
+        meshes += [
+            Mesh(
+                filename=each.given("filename"),
+                link=link.name,
+                location=each.location,
+                way=each.way,
+                certain=each.certain and node.certain,
+            )
+            for each in node.walk()
+            if each.tag == "mesh"
+        ]
+    return Robot(
+        path=path,
+        arguments=tuple(sorted((k, v if isinstance(v, str) else None) for k, v in (arguments or {}).items())),
+        root=root.tag,
+        name=root.given("name") if "name" in root.attributes else "",
+        links=tuple(links),
+        joints=tuple(_joint(node) for node in root.all("joint")),
+        meshes=tuple(meshes),
+        faults=expanded.faults,
+        files=expanded.files,
+        macros=expanded.macros,
+        size=len(root.children),
+        is_whole=expanded.is_whole and all(node.certain for node in root.children),
+    )
+
+
+def _joint(node: Node) -> Joint:
+    limit = next(node.all("limit"), None)
+    mimic = next(node.all("mimic"), None)
+    return Joint(
+        name=node.given("name"),
+        type=node.given("type"),
+        parent=_end(node, "parent"),
+        child=_end(node, "child"),
+        limit=None if limit is None else _limit(limit),
+        mimic=None if mimic is None else mimic.given("joint"),
+        location=node.location,
+        way=node.way,
+        certain=node.certain,
+    )
+
+
+def _end(node: Node, tag: str) -> str | None:
+    found = next(node.all(tag), None)
+    return "" if found is None else found.given("link")
+
+
+def _limit(node: Node) -> Limit:
+    values = {}
+    for name in ("lower", "upper", "effort", "velocity"):
+        value = node.attributes.get(name)
+        values[name] = "?" if value is UNKNOWN or not node.certain else value
+    return Limit(location=node.location, **{k: v if isinstance(v, str) else None for k, v in values.items()})

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""YAML files that a description loads (xacro.load_yaml), as plain values: safe tags and xacro's units only, aliases bounded."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import yaml
+
+from haros_ci.robot.values import UNKNOWN
+
+MAX_NODES = 50_000
+MAX_DEPTH = 60
+#: The tags that xacro adds for units, with what they are multiplied by.
+UNITS = {
+    "!radians": 1.0,
+    "!degrees": math.pi / 180.0,
+    "!meters": 1.0,
+    "!millimeters": 0.001,
+    "!foot": 0.3048,
+    "!inches": 0.0254,
+}
+_SAFE = yaml.SafeLoader("")
+
+
+class YamlDict(dict[Any, Any]):
+    """A mapping whose keys can be had with a dot, as xacro wraps them."""
+
+
+class _TooMuch(Exception):
+    pass
+
+
+def yaml_value(text: str, number: Callable[[str], object]) -> object:
+    """The value of the first document of *text*; UNKNOWN if it cannot be read. *number* evaluates what stands after a unit."""
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+        return None if node is None else _Reader(number).value(node, 0)
+    except (yaml.YAMLError, _TooMuch, RecursionError, ValueError, OverflowError):
+        return UNKNOWN
+
+
+class _Reader:
+    def __init__(self, number: Callable[[str], object]) -> None:
+        self.number = number
+        self.left = MAX_NODES
+
+    def value(self, node: yaml.Node, depth: int) -> object:
+        self.left -= 1
+        if self.left < 0 or depth > MAX_DEPTH:
+            raise _TooMuch
+        if isinstance(node, yaml.ScalarNode):
+            return self._scalar(node)
+        if isinstance(node, yaml.SequenceNode):
+            return [self.value(child, depth + 1) for child in node.value]
+        return self._mapping(node, depth) if isinstance(node, yaml.MappingNode) else UNKNOWN
+
+    def _mapping(self, node: yaml.MappingNode, depth: int) -> object:
+        found = YamlDict()
+        merged = YamlDict()
+        for key, child in node.value:
+            if key.tag == "tag:yaml.org,2002:merge":
+                for each in child.value if isinstance(child, yaml.SequenceNode) else (child,):
+                    values = self.value(each, depth + 1)
+                    if isinstance(values, YamlDict):
+                        merged = YamlDict({**values, **merged})
+                continue
+            name = self.value(key, depth + 1)
+            if not isinstance(name, (str, int, float, bool, type(None))):
+                return UNKNOWN
+            found[name] = self.value(child, depth + 1)
+        return YamlDict({**merged, **found})
+
+    def _scalar(self, node: yaml.ScalarNode) -> object:
+        if node.tag in UNITS:
+            value = self.number(node.value)
+            if isinstance(value, (int, float)):
+                return float(value) * UNITS[node.tag]
+            return UNKNOWN
+        if node.tag not in _KNOWN:
+            return UNKNOWN
+        return _SAFE.construct_object(node, deep=True)
+
+
+_KNOWN = {f"tag:yaml.org,2002:{name}" for name in ("str", "int", "float", "bool", "null")}
