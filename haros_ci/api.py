@@ -47,6 +47,7 @@ from haros_ci.model.element import Element
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
+    CommandUse,
     Comparison,
     ConditionUse,
     ConstructUse,
@@ -84,6 +85,7 @@ __all__ = [
     "CMakeCommand",
     "Channel",
     "Check",
+    "CommandUse",
     "Comparison",
     "Condition",
     "ConditionUse",

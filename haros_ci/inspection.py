@@ -72,6 +72,7 @@ def inspected(
 def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...], base: Project | None = None) -> Project:
     """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision."""
     from haros_ci.checking.project import Project
+    from haros_ci.robot.descriptions import Descriptions
     from haros_ci.workspace.xml import XmlError, parse_xml
 
     def element(path: str) -> Element | None:
@@ -81,7 +82,8 @@ def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...], 
             return None
 
     programs = {source.path: source.program for source in made.sources}
-    return Project(workspace, made.builds, programs, systems, element, base)
+    robots = Descriptions(workspace, made.builds)
+    return Project(workspace, made.builds, programs, systems, element, base, robots)
 
 
 def malformed(workspace: Workspace) -> Iterator[Problem]:

@@ -29,7 +29,8 @@ DOORS: dict[str, set[str]] = {
     "registry": {"model", "results", "errors", "linters", "checking"},
     "api": {"model", "results", "checking", "interfaces", "changes"},
     "baselines": {"model", "results", "errors", "config", "workspace"},
-    "inspection": {"architecture", "checking", "config", "link", "model", "query", "registry", "results", "workspace"},
+    "inspection": {"architecture", "checking", "config", "link", "model", "query", "registry", "results", "robot", "workspace"},
+    "robot": {"model", "link", "workspace"},
     "pipeline": {
         "baselines",
         "config",

@@ -3,17 +3,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
+from typing import Protocol
 
 from haros_ci.checking.cmake import CMake
 from haros_ci.checking.system import System
 from haros_ci.model.build import Build, CMakeCommand, Interface
 from haros_ci.model.element import Element
+from haros_ci.model.launch_facts import CommandUse
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.program import Program
+from haros_ci.model.robot import Description
 from haros_ci.model.workspace import Workspace
+
+
+class Robots(Protocol):
+    """What reads robot descriptions; the implementation lives in the robot room."""
+
+    def of_files(self) -> Iterable[Description]: ...
+
+    def of_command(self, command: str, location: Location | None = None) -> Description | None: ...
 
 
 class ProjectPackage:
@@ -99,12 +110,14 @@ class Project:
         systems: Sequence[System] = (),
         read_xml: Callable[[str], Element | None] = lambda path: None,
         base: Project | None = None,
+        robots: Robots | None = None,
     ) -> None:
         self.workspace = workspace
         self.programs = programs
         self.systems = tuple(systems)
         self.base = base
         self._read_xml = read_xml
+        self._robots = robots
         self._elements: dict[str, Element | None] = {}
         files: dict[str, list[SourceFile]] = {}
         for file in workspace.files:
@@ -142,6 +155,23 @@ class Project:
     def interfaces(self) -> Mapping[tuple[str, str], Interface]:
         """The msg, srv and action definitions by name (``pkg/T``) and kind (``msg``)."""
         return {(each.name, each.kind): each for package in self.packages for each in package.build.interfaces}
+
+    @cached_property
+    def descriptions(self) -> tuple[Description, ...]:
+        """The robots that the workspace describes: each whole file as it is, and what launch files have xacro make of it."""
+        if self._robots is None:
+            return ()
+        found = list(self._robots.of_files())
+        uses = {use.text: use for system in self.systems for use in reversed(system.facts(CommandUse))}
+        for text, use in sorted(uses.items()):
+            made = self._robots.of_command(text, use.location)
+            if made is not None:
+                found.append(made)
+        return tuple(found)
+
+    def described(self, command: str) -> Description | None:
+        """The robot that a launch file's *command* makes."""
+        return None if self._robots is None else self._robots.of_command(command)
 
     def text(self, path: str) -> str:
         """The text of a file of the workspace; "" if it is not there or not text."""

@@ -7,6 +7,7 @@ import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from haros_ci.link.launch_facts import ros1
 from haros_ci.link.roslaunch_names import MARK, Text, is_private, join_in, literal, quoted
 from haros_ci.link.roslaunch_rosparam import key_shown, key_text, leaf_parameter
 from haros_ci.link.roslaunch_state import Private, Scope, State, location, unset
@@ -72,6 +73,7 @@ def params(state: State, scope: Scope, tag: LaunchElement, conditions: tuple[Con
             unknowns = unset("value", reason, place) + unset("type", reason, place)
             yield Named(name, replace(blank, type=None, unknowns=unknowns))
         else:
+            ros1.command(state, scope, tag, text)
             yield Named(name, _of_command(text, kind, blank))
 
 

@@ -204,3 +204,10 @@ class PathUse(LaunchFact):
     kind: str
     text: str
     name: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CommandUse(LaunchFact):
+    """A command whose output is taken: *text* is its line, substitutions performed, ``?`` for what is not known in it."""
+
+    text: str

@@ -5,15 +5,17 @@ from __future__ import annotations
 
 import ast
 import posixpath
+from dataclasses import replace
 from typing import Any
 
+from haros_ci.model.robot import Fault, Way
 from haros_ci.robot.expressions import Invalid, Undefined, evaluate, is_open, parsed
 from haros_ci.robot.functions import Function, Module, NotKnown, TooMuch, tokenize
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.scopes import Scope, World
 from haros_ci.robot.sources import FIND, HERE, Sources
 from haros_ci.robot.texts import parts_of
-from haros_ci.robot.values import UNKNOWN, Fault, Unknown, Way
+from haros_ci.robot.unknown import UNKNOWN, Unknown
 from haros_ci.robot.yaml_values import YamlDict, yaml_value
 
 MAX_STEPS = 3_000_000
@@ -32,6 +34,7 @@ class Evaluating:
         self.arguments = arguments
         self.faults: dict[tuple[object, ...], Fault] = {}
         self.steps = MAX_STEPS
+        self.takes_any = False
         self.world = World(self.text, self._offers())
         self._loaded: dict[str, Any] = {}
 
@@ -70,8 +73,6 @@ class Evaluating:
         except Undefined as err:
             if not self.world.is_open:
                 place = next((each for each in err.places if each is not None), None)
-                from dataclasses import replace
-
                 self.fault(err.kind, err.name, node if place is None else replace(node, location=place))
         except Invalid as err:
             self.fault("expression", str(err), node)
@@ -121,7 +122,7 @@ class Evaluating:
         if kind == "optenv" and given:
             return " ".join(given[1:])
         if kind == "dirname":
-            return HERE + posixpath.dirname(self.file)
+            return (HERE + posixpath.dirname(self.file)).rstrip("/")
         if kind == "eval":
             return self._eval(written[len("eval ") :])
         return UNKNOWN
@@ -129,7 +130,7 @@ class Evaluating:
     def argument_value(self, name: str) -> str | Unknown:
         if name in self.arguments:
             return self.arguments[name]
-        if self.world.is_open:
+        if self.world.is_open or self.takes_any:
             return UNKNOWN
         raise Undefined("argument", name)
 

@@ -11,19 +11,18 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import Any
 
-from haros_ci.model.location import Location
+from haros_ci.model.robot import Fault
 from haros_ci.robot.evaluating import Evaluating
 from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.functions import TooMuch
 from haros_ci.robot.legacy import LEGACY, is_call
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.scopes import Macro, Macros, Scope
-from haros_ci.robot.sources import Sources
+from haros_ci.robot.sources import FIND, HERE, Sources
 from haros_ci.robot.texts import parameters_of, truth
-from haros_ci.robot.values import UNKNOWN, Fault, Unknown
+from haros_ci.robot.unknown import UNKNOWN, Unknown
 
 MAX_DEPTH = 180
-MAX_FAULTS = 500
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,10 +37,20 @@ class Expanded:
 
 
 def expand(
-    sources: Sources, path: str, arguments: Mapping[str, str | Unknown] | None = None, *, legacy: bool = False
+    sources: Sources,
+    path: str,
+    arguments: Mapping[str, str | Unknown] | None = None,
+    *,
+    legacy: bool = False,
+    is_open: bool = False,
 ) -> Expanded:
-    """Expand the file at *path* with *arguments*. *legacy* takes tags without ``xacro:``, too, as xacro did before ROS Noetic."""
-    return Expansion(sources, path, dict(arguments or {}), legacy).run()
+    """Expand the file at *path* with *arguments*.
+
+    *legacy* takes tags without ``xacro:``, too, as xacro did before ROS Noetic. With *is_open* any argument may be given besides.
+    """
+    made = Expansion(sources, path, dict(arguments or {}), legacy)
+    made.takes_any = is_open
+    return made.run()
 
 
 class Expansion(Evaluating):
@@ -59,8 +68,9 @@ class Expansion(Evaluating):
         source = self.sources.read(self.path)
         if source is None:
             return Expanded(None, (), (self.path,), (), False)
-        root: Node | None = replace(source, children=[], attributes={})
-        assert root is not None
+        if self.path.endswith(".urdf") and "xmlns:xacro" not in source.attributes:
+            return Expanded(source, (), (self.path,), (), True)  # none that xacro is run on
+        root = replace(source, children=[], attributes={})
         try:
             self.content(source, Macros(self.world), Scope(self.world), root)
         except (TooMuch, RecursionError):
@@ -75,9 +85,7 @@ class Expansion(Evaluating):
 
     def _told(self) -> tuple[Fault, ...]:
         ever = self.world.ever | set(self.defined)
-        return tuple(
-            replace(each, defined_later=True) if each.name in ever else each for each in self.faults.values()
-        )
+        return tuple(replace(each, defined_later=True) if each.name in ever else each for each in self.faults.values())
 
     def content(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
         """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""
@@ -172,6 +180,8 @@ class Expansion(Evaluating):
 
     def argument(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
         name = str(node.attributes.get("name", ""))
+        if self.takes_any:
+            return
         if "default" not in node.attributes and name not in self.arguments:
             self.fault("default", name, node)
             self.arguments[name] = UNKNOWN
@@ -301,7 +311,7 @@ class Expansion(Evaluating):
         for key in [each for each in left if each.startswith("*")]:
             left = [each for each in left if each != key]
             if len(certain) != len(blocks):
-                inner.entries.clear() if False else inner.put(key, UNKNOWN, lazy=False, location=node.location)
+                inner.put(key, UNKNOWN, lazy=False, location=node.location)
                 continue
             if not blocks:
                 self.fault("parameter", key, node, of=macro.name)
@@ -330,8 +340,6 @@ class Expansion(Evaluating):
 
 def _said(name: str) -> str:
     """A file name without what stands for directories in it."""
-    from haros_ci.robot.sources import FIND, HERE
-
     if name.startswith(FIND):
         package, _, inner = name[len(FIND) :].partition("/")
         return f"$(find {package})/{inner}"
@@ -365,4 +373,3 @@ _HANDLERS = {
     "xacro:unless": Expansion.condition,
     "xacro:call": Expansion.dynamic_call,
 }
-__all__ = ["Expanded", "Location", "expand"]

@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import Any, Protocol
 
 from haros_ci.robot.functions import MAX_SIZE, Function, Module, NotKnown, TooMuch, bounded, method
-from haros_ci.robot.values import UNKNOWN, Unknown
+from haros_ci.robot.unknown import UNKNOWN, Unknown
 from haros_ci.robot.yaml_values import YamlDict
 
 MAX_LENGTH = 4_000
@@ -280,9 +280,7 @@ class _Evaluation:
         self.local = kept
         return found if known else UNKNOWN
 
-    def _turn(
-        self, generators: list[ast.comprehension], item: Callable[[], Any], found: list[Any], depth: int
-    ) -> bool:
+    def _turn(self, generators: list[ast.comprehension], item: Callable[[], Any], found: list[Any], depth: int) -> bool:
         """All turns of the first of *generators*; False if it is not known what they are."""
         if not generators:
             found.append(item())

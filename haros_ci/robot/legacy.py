@@ -40,4 +40,8 @@ def is_call(node: Node, macro: Macro, into: Node) -> bool:
         return False
     wanted = {name for name in macro.parameters if not name.startswith("*")}
     given = set(node.attributes)
-    return given <= wanted and all(name in given or name in macro.defaults for name in wanted) and bool(given or node.children)
+    return (
+        given <= wanted
+        and all(name in given or name in macro.defaults for name in wanted)
+        and bool(given or node.children)
+    )

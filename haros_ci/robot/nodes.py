@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from haros_ci.model.location import Location
-from haros_ci.robot.values import Unknown, Way
 from haros_ci.model.element import Element
+from haros_ci.model.location import Location
+from haros_ci.model.robot import Way
+from haros_ci.robot.unknown import Unknown
 
 
 @dataclass(slots=True)

@@ -12,7 +12,7 @@ from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.functions import BUILTINS, MATH, PYTHON_MODULE, Module
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.texts import literal
-from haros_ci.robot.values import UNKNOWN
+from haros_ci.robot.unknown import UNKNOWN
 
 MAX_CHAIN = 60
 

@@ -71,8 +71,8 @@ class Sources:
             if package not in self.packages or not inner:
                 return Located()
             return self.look(package, posixpath.normpath(inner))
-        if name.startswith(HERE):
-            name = name[len(HERE) :]
+        if name.startswith(HERE.rstrip("/")):
+            name = name[len(HERE) :].lstrip("/")
         elif name.startswith("/"):
             return Located()
         else:

@@ -5,17 +5,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from haros_ci.model.robot import Joint, Limit, Link, Mesh, Robot
 from haros_ci.robot.expand import expand
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.sources import Sources
-from haros_ci.robot.values import UNKNOWN, Joint, Limit, Link, Mesh, Robot, Unknown
+from haros_ci.robot.unknown import UNKNOWN, Unknown
 
 
 def read_robot(
-    sources: Sources, path: str, arguments: Mapping[str, str | Unknown] | None = None, *, legacy: bool = False
+    sources: Sources,
+    path: str,
+    arguments: Mapping[str, str | Unknown] | None = None,
+    *,
+    legacy: bool = False,
+    is_open: bool = False,
 ) -> Robot | None:
-    """The description at *path* with xacro's *arguments* (UNKNOWN for a value that is not known); None if it is no XML."""
-    expanded = expand(sources, path, arguments, legacy=legacy)
+    """The description at *path* with xacro's *arguments* (UNKNOWN for a value that is not known); None if it is no XML.
+
+    *legacy* and *is_open* are those of ``expand``.
+    """
+    expanded = expand(sources, path, arguments, legacy=legacy, is_open=is_open)
     root = expanded.root
     if root is None:
         return None

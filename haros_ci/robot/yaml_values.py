@@ -9,7 +9,7 @@ from typing import Any
 
 import yaml
 
-from haros_ci.robot.values import UNKNOWN
+from haros_ci.robot.unknown import UNKNOWN
 
 MAX_NODES = 50_000
 MAX_DEPTH = 60

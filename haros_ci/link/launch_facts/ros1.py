@@ -15,6 +15,7 @@ from haros_ci.link.words import split
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
+    CommandUse,
     Comparison,
     ConditionUse,
     ConstructUse,
@@ -82,6 +83,11 @@ def attribute(state: State, scope: Scope, tag: LaunchElement, name: str, text: T
             note(state, scope, FileUse, at, kind=kind, text=path, name=called)
     for how, path in absolute_paths(text.raw, kind in ("include", "parameters", "text")):
         note(state, scope, PathUse, at, kind=how, text=path, name=called)
+
+
+def command(state: State, scope: Scope, tag: LaunchElement, text: Text) -> None:
+    """A command whose output becomes a parameter."""
+    note(state, scope, CommandUse, place(scope, tag), text=text.shown)
 
 
 def undeclared(state: State, scope: Scope, tag: LaunchElement, raw: str) -> None:

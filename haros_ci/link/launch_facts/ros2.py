@@ -14,6 +14,7 @@ from haros_ci.link.roslaunch_names import Text
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
+    CommandUse,
     ConditionUse,
     ConstructUse,
     FileUse,
@@ -153,6 +154,7 @@ def started(context: Context, made: LaunchedNode) -> LaunchedNode:
 def command(context: Context, text: Text, place: Location) -> None:
     """What a command names that is run, or whose output is taken."""
     named(context, text, place, "value", "command")
+    note(context, CommandUse, place, text=text.shown)
 
 
 def parameter_file(

@@ -1,25 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a robot description says once it is expanded. A value that is not known is None, and *is_whole* says if any is missing."""
+"""What a robot description (xacro, URDF) says once it is expanded. A value that is not known is None."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from haros_ci.model.location import Location
-
-#: What the reader calls unknown inside expressions; never a value of a Robot.
-
-
-class Unknown:
-    """The one value that stands for all that are not known."""
-
-    __slots__ = ()
-
-    def __repr__(self) -> str:
-        return "UNKNOWN"
-
-
-UNKNOWN = Unknown()
 
 #: A place and what happens there, outermost first: the calls and includes that lead to something.
 Way = tuple[tuple[Location, str], ...]
@@ -113,3 +99,17 @@ class Robot:
     macros: tuple[str, ...] = ()
     size: int = 0
     is_whole: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Description:
+    """A robot as some run of xacro makes it: *command* is the one of a launch file, at *location*; "" for the file as it is.
+
+    Then arguments that launch files pass to it are taken for unknown, all of them if none names it.
+    """
+
+    robot: Robot
+    package: str
+    ros: int | None
+    command: str = ""
+    location: Location | None = None

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The robot descriptions of a workspace: which files are whole ones, and with which arguments xacro makes them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from haros_ci.link.launch_facts.files import Finder
+from haros_ci.model.build import Build
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package
+from haros_ci.model.robot import Description, Robot
+from haros_ci.model.workspace import Workspace
+from haros_ci.robot.commands import xacro_command
+from haros_ci.robot.nodes import Node
+from haros_ci.robot.places import by_builds, found
+from haros_ci.robot.sources import Sources
+from haros_ci.robot.unknown import UNKNOWN, Unknown
+from haros_ci.robot.urdf import read_robot
+
+#: Files that may say with which arguments xacro is run.
+_CALLERS = ("launch", "python", "cmake", "yaml")
+_PASSED = re.compile(r"(?<![\w.])([A-Za-z_]\w*)\s*:=|[\"']([A-Za-z_]\w*)[\"']\s*:")
+_HOLE = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)|\*|\?|\[[^]]*\]")
+#: Descriptions that are expanded on their own, at most.
+MAX_FILES = 2_000
+
+
+@dataclass(slots=True)
+class Descriptions:
+    """Reads the descriptions of *workspace*, each file once; *builds* say where installed files come from."""
+
+    workspace: Workspace
+    builds: Mapping[str, Build]
+    finder: Finder = field(init=False)
+    sources: Sources = field(init=False)
+    _owners: dict[str, Package | None] = field(default_factory=dict, init=False)
+    _read: dict[tuple[object, ...], Robot | None] = field(default_factory=dict, init=False)
+
+    def __post_init__(self) -> None:
+        self.finder = Finder(self.workspace, self.builds)
+        self.sources = Sources(self.workspace, by_builds(self.finder))
+
+    def of_files(self) -> Iterator[Description]:
+        """Each file that is a description by itself: no other includes it, and it names its robot or a launch file names it."""
+        included = self._included()
+        callers = "\n".join(self._callers())
+        passed = {name for pair in _PASSED.findall(callers) for name in pair if name}
+        left = MAX_FILES
+        for file in self.workspace.files:
+            base = file.path.rpartition("/")[2]
+            if file.language != "xml" or base.endswith((".srdf", ".sdf")) or included.search(f"\n{base}\n"):
+                continue
+            root = self._root(file.path)
+            if root is None or root.tag != "robot" or left <= 0:
+                continue
+            left -= 1
+            is_called = re.search(rf"(?<![\w.-]){re.escape(base)}", callers) is not None
+            arguments = dict.fromkeys(passed, UNKNOWN) if is_called else {}
+            robot = self._robot(file.path, arguments, is_open=not is_called)
+            if robot is not None and (is_called or ("name" in root.attributes and robot.links)):
+                yield self._description(robot)
+
+    def of_command(self, command: str, location: Location | None = None) -> Description | None:
+        """What xacro makes for a launch file's *command*; None if it is another command, or its file is not here."""
+        call = xacro_command(command)
+        if call is None:
+            return None
+        path = found(self.finder, call.file).path
+        robot = None if path is None else self._robot(path, call.arguments)
+        return None if robot is None else self._description(robot, command, location)
+
+    def _description(self, robot: Robot, command: str = "", location: Location | None = None) -> Description:
+        owner = self._owner(robot.path)
+        return Description(
+            robot=robot,
+            package=owner.name if owner is not None else "",
+            ros=owner.ros if owner is not None else None,
+            command=command,
+            location=location,
+        )
+
+    def _robot(self, path: str, arguments: Mapping[str, str | Unknown], *, is_open: bool = False) -> Robot | None:
+        key = (path, is_open, tuple(sorted((name, str(value)) for name, value in arguments.items())))
+        if key not in self._read:
+            owner = self._owner(path)
+            is_old = owner is not None and owner.ros == 1
+            self._read[key] = read_robot(self.sources, path, arguments, legacy=is_old, is_open=is_open)
+        return self._read[key]
+
+    def _owner(self, path: str) -> Package | None:
+        folder = path.rpartition("/")[0]
+        if folder not in self._owners:
+            around = (p for p in self.workspace.packages if p.path == "." or f"{folder}/".startswith(f"{p.path}/"))
+            self._owners[folder] = max(around, key=lambda package: len(package.path), default=None)
+        return self._owners[folder]
+
+    def _root(self, path: str) -> Node | None:
+        """The root of an XML file that mentions a robot."""
+        return self.sources.read(path) if "<robot" in self.workspace.text(path) else None
+
+    def _callers(self) -> Iterator[str]:
+        for file in self.workspace.files:
+            if file.language in _CALLERS:
+                text = self.workspace.text(file.path)
+                if "xacro" in text or "urdf" in text or "robot_description" in text:
+                    yield text
+
+    def _included(self) -> re.Pattern[str]:
+        """Matches the names of files that some xacro may include, each between line feeds."""
+        names: dict[str, None] = {}
+        for file in self.workspace.files:
+            if file.language != "xml" or "include" not in self.workspace.text(file.path):
+                continue
+            root = self.sources.read(file.path)
+            for node in () if root is None else root.walk():
+                name = node.attributes.get("filename")
+                if node.tag.endswith("include") and isinstance(name, str):
+                    base = _HOLE.sub("\x00", name).rpartition("/")[2]
+                    if base.strip("\x00"):
+                        names["[^\n]*".join(map(re.escape, base.split("\x00")))] = None
+        return re.compile("|".join(f"(?<=\n){name}(?=\n)" for name in names) or r"(?!)")

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the files of packages are that descriptions name: in their sources, or where the build installs them from."""
+
+from __future__ import annotations
+
+from haros_ci.link.launch_facts.files import Finder
+from haros_ci.model.launch_facts import FileUse
+from haros_ci.model.location import Location
+from haros_ci.robot.sources import FIND, Located, Look
+
+_NOWHERE = Location(".")
+
+
+def by_builds(finder: Finder) -> Look:
+    """Looks for files with what the builds install and may make."""
+
+    def look(package: str, inner: str) -> Located:
+        return found(finder, f"$(find {package})/{inner}")
+
+    return look
+
+
+def found(finder: Finder, text: str) -> Located:
+    """Where the path *text* of a launch file leads: below ``$(find pkg)``, ``$(find-pkg-share pkg)`` or ``$(workspace dir)``."""
+    use = finder.completed(FileUse(location=_NOWHERE, kind="value", text=text))
+    if use.is_found:
+        return Located(use.path)
+    return Located(None, use.is_found is False, use.similar)
+
+
+def as_xacro(text: str) -> str:
+    """*text* of a launch file as the reader writes the directories of packages."""
+    for word in ("$(find-pkg-share ", "$(find "):
+        while word in text:
+            before, _, rest = text.partition(word)
+            name, _, after = rest.partition(")")
+            text = f"{before}{FIND}{name}{after}"
+    return text
