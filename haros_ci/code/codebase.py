@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All code of a workspace, by language: its functions as routines, its classes, and which files mention a word.
+
+Built once; everything that costs time is made when it is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+
+from haros_ci.code.body import Body, body_of
+from haros_ci.link.index import Index, Source, build_index
+from haros_ci.model.location import Location
+from haros_ci.model.program import Class, Function
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Routine:
+    """A function with a body: *outer* is the routine that a lambda or nested function stands in."""
+
+    source: Source
+    function: Function
+    outer: Routine | None = None
+
+    @property
+    def path(self) -> str:
+        return self.source.path
+
+    @property
+    def is_python(self) -> bool:
+        return self.source.program.language == "python"
+
+    @property
+    def location(self) -> Location:
+        return Location(self.source.path, self.function.line, self.function.column)
+
+    @property
+    def method(self) -> Routine:
+        """The routine that is no lambda around it, or it itself."""
+        found = self
+        while found.outer is not None:
+            found = found.outer
+        return found
+
+    @property
+    def owner(self) -> str:
+        """The class whose ``this`` it sees; "" for a plain function."""
+        return self.method.function.owner
+
+    @property
+    def title(self) -> str:
+        """Its name for messages: ``Class::method``, ``the lambda in Class::method``."""
+        name = self.function.name
+        if self.function.kind == "lambda":
+            return f"the lambda in {self.outer.title}" if self.outer is not None else "a lambda"
+        parts = name.split(self.source.separator)
+        return self.source.separator.join(parts[-2:] if self.function.owner else parts[-1:]) or "the module"
+
+
+@dataclass(slots=True)
+class Codebase:
+    """*text* gives a file's text, for looking up words quickly."""
+
+    sources: tuple[Source, ...]
+    text: Callable[[str], str]
+    cpp: Index
+    python: Index
+    #: ROS version by package, where the manifest tells.
+    ros: dict[str, int] = field(default_factory=dict)
+    by_path: dict[str, Source] = field(default_factory=dict)
+    _routines: dict[str, tuple[Routine, ...]] = field(default_factory=dict)
+    _by_function: dict[int, Routine] = field(default_factory=dict)
+    _bodies: dict[int, Body] = field(default_factory=dict)
+    _mentions: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict)
+    #: What other modules of this room remember about this code, by their own keys.
+    kept: dict[object, object] = field(default_factory=dict)
+
+    def index(self, source: Source) -> Index:
+        return self.python if source.program.language == "python" else self.cpp
+
+    def body(self, routine: Routine) -> Body:
+        """What a routine does."""
+        found = self._bodies.get(id(routine.function))
+        if found is None:
+            found = self._bodies[id(routine.function)] = body_of(routine.function)
+        return found
+
+    def routines(self, path: str) -> tuple[Routine, ...]:
+        """All functions of a file that have a body, lambdas after what they stand in."""
+        found = self._routines.get(path)
+        if found is None:
+            source = self.by_path.get(path)
+            found = self._routines[path] = tuple(self._made(source)) if source is not None else ()
+        return found
+
+    def _made(self, source: Source) -> Iterator[Routine]:
+        functions = source.program.functions
+        inner: set[int] = set()
+        bodies: list[tuple[int, Function]] = []
+        for number, function in enumerate(functions):
+            if function.body is not None or function.inits:
+                bodies.append((number, function))
+                found = self._bodies[id(function)] = body_of(function)
+                inner.update(each for each, _ in found.inner)
+        waiting = [(function, None) for number, function in reversed(bodies) if number not in inner]
+        pending: list[tuple[Function, Routine | None]] = list(waiting)
+        while pending:
+            function, outer = pending.pop()
+            if id(function) in self._by_function:
+                continue
+            routine = self._by_function[id(function)] = Routine(source, function, outer)
+            yield routine
+            for index, _ in reversed(self.body(routine).inner):
+                if 0 <= index < len(functions) and functions[index].body is not None:
+                    pending.append((functions[index], routine))
+
+    def routine(self, source: Source, function: Function) -> Routine | None:
+        """The routine of a function; None for a declaration."""
+        self.routines(source.path)
+        found = self._by_function.get(id(function))
+        if found is None and function.body is not None:  # a method that is defined through an alias of its class
+            found = self._by_function[id(function)] = Routine(source, function)
+        return found
+
+    def inner(self, routine: Routine, index: int) -> Routine | None:
+        """The lambda or nested function at *index* of the routine's file."""
+        functions = routine.source.program.functions
+        return self.routine(routine.source, functions[index]) if 0 <= index < len(functions) else None
+
+    def mentioning(self, *words: str) -> frozenset[str]:
+        """The files of programs whose text contains one of *words*."""
+        if words not in self._mentions:
+            texts = ((source.path, self.text(source.path)) for source in self.sources)
+            self._mentions[words] = frozenset(path for path, text in texts if any(word in text for word in words))
+        return self._mentions[words]
+
+    def ros_of(self, source: Source) -> int | None:
+        """1 or 2: what the manifest of its package says, else what it includes or imports."""
+        found = self.ros.get(source.package or "")
+        if found is not None:
+            return found
+        program = source.program
+        heads = {each.strip('<>"').partition("/")[0] for each in program.includes}
+        heads |= {alias.type[0].partition(".")[0] for alias in program.aliases if program.language == "python"}
+        either = {1: heads & {"ros", "rospy"}, 2: heads & {"rclcpp", "rclpy", "rclcpp_components"}}
+        versions = [version for version, names in either.items() if names]
+        return versions[0] if len(versions) == 1 else None
+
+    def classes(self, source: Source) -> tuple[tuple[Source, Class], ...]:
+        """The classes of a file."""
+        return tuple((source, each) for each in source.program.classes)
+
+
+def codebase(sources: Iterable[Source], text: Callable[[str], str], ros: dict[str, int] | None = None) -> Codebase:
+    """The code of *sources*, the programs of a workspace sorted by path."""
+    every = tuple(sources)
+    cpp = build_index(each for each in every if each.program.language != "python")
+    python = build_index(each for each in every if each.program.language == "python")
+    return Codebase(every, text, cpp, python, dict(ros or {}), {each.path: each for each in every})
