@@ -19,6 +19,7 @@ from haros_ci.results.rule import Level, Rule
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.checking.project import Project
+    from haros_ci.code.codebase import Codebase
     from haros_ci.checking.system import System
     from haros_ci.link.link import Linked
 
@@ -81,9 +82,15 @@ def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...], 
         except (XmlError, UnicodeEncodeError):
             return None
 
+    def code() -> Codebase:
+        from haros_ci.code.codebase import codebase
+
+        ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
+        return codebase(made.sources, workspace.text, ros)
+
     programs = {source.path: source.program for source in made.sources}
     robots = Descriptions(workspace, made.builds)
-    return Project(workspace, made.builds, programs, systems, element, base, robots)
+    return Project(workspace, made.builds, programs, systems, element, base, robots, code)
 
 
 def malformed(workspace: Workspace) -> Iterator[Problem]:

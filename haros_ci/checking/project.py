@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from haros_ci.checking.cmake import CMake
 from haros_ci.checking.system import System
@@ -17,6 +17,9 @@ from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.program import Program
 from haros_ci.model.robot import Description
 from haros_ci.model.workspace import Workspace
+
+if TYPE_CHECKING:
+    from haros_ci.code.codebase import Codebase
 
 
 class Robots(Protocol):
@@ -111,6 +114,7 @@ class Project:
         read_xml: Callable[[str], Element | None] = lambda path: None,
         base: Project | None = None,
         robots: Robots | None = None,
+        code: Callable[[], Codebase] | None = None,
     ) -> None:
         self.workspace = workspace
         self.programs = programs
@@ -118,6 +122,7 @@ class Project:
         self.base = base
         self._read_xml = read_xml
         self._robots = robots
+        self._code = code
         self._elements: dict[str, Element | None] = {}
         files: dict[str, list[SourceFile]] = {}
         for file in workspace.files:
@@ -172,6 +177,13 @@ class Project:
     def described(self, command: str) -> Description | None:
         """The robot that a launch file's *command* makes."""
         return None if self._robots is None else self._robots.of_command(command)
+
+    @cached_property
+    def code(self) -> Codebase:
+        """The call graph over the programs; without any where none was given."""
+        from haros_ci.code.codebase import codebase
+
+        return self._code() if self._code is not None else codebase((), self.text)
 
     def text(self, path: str) -> str:
         """The text of a file of the workspace; "" if it is not there or not text."""

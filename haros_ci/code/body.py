@@ -7,7 +7,7 @@ Lambdas and nested functions are not part of the body that they stand in: they r
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from haros_ci.model.program import Block, Expression, Function, Statement, Type
@@ -82,6 +82,7 @@ class Variable:
     line: int
     column: int
     around: Around
+    is_static: bool = False
 
 
 @dataclass(slots=True)
@@ -94,6 +95,8 @@ class Body:
     sets: list[tuple[Expression, str, Expression, Around]] = field(default_factory=list)
     returns: list[tuple[Expression | None, Around]] = field(default_factory=list)
     loops: list[tuple[Statement, Around]] = field(default_factory=list)
+    #: ``new T(...)``: the type, the arguments, the place.
+    news: list[tuple[Type, tuple[Expression, ...], int, int]] = field(default_factory=list)
     #: Lambdas and nested functions by index in the program, and what stands around them.
     inner: list[tuple[int, Around]] = field(default_factory=list)
     #: Nested functions of Python and local imports, by name.
@@ -170,6 +173,8 @@ def _statement(statement: Statement, body: Body, around: Around) -> None:
         _block(statement[1], body, around)
     elif kind == "static":
         _statement(statement[1], body, around)
+        if statement[1][0] == "var" and (made := body.variables.get(statement[1][1])):
+            made[-1] = replace(made[-1], is_static=True)
     elif kind in ("return", "throw"):
         if statement[1] is not None:
             _expression(statement[1], body, around)
@@ -196,6 +201,8 @@ def _expression(expression: Expression, body: Body, around: Around, is_bare: boo
             continue
         elif kind == "set":
             body.sets.append((node[2], node[1], node[3], around))
+        elif kind == "new":
+            body.news.append((node[1], tuple(node[2]), node[3], node[4]))
         elif kind == "?":
             body.is_partial = True
             continue

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 
 from haros_ci.code.body import Body, body_of
-from haros_ci.link.index import Index, Source, build_index
+from haros_ci.link.index import Index, Source, build_index, is_test
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function
 
@@ -42,6 +42,11 @@ class Routine:
         while found.outer is not None:
             found = found.outer
         return found
+
+    @property
+    def is_test(self) -> bool:
+        """Whether it stands in a folder for tests."""
+        return is_test(self.source.path)
 
     @property
     def owner(self) -> str:
@@ -146,6 +151,16 @@ class Codebase:
         either = {1: heads & {"ros", "rospy"}, 2: heads & {"rclcpp", "rclpy", "rclcpp_components"}}
         versions = [version for version, names in either.items() if names]
         return versions[0] if len(versions) == 1 else None
+
+    def end_line(self, routine: Routine) -> int:
+        """A line that the text of a routine surely ends before: the next one's first, or the file's end."""
+        starts = (each.function.line for each in self.routines(routine.path) if each.outer is None)
+        later = [line for line in starts if line > routine.method.function.line]
+        return min(later) if later else self.text(routine.path).count("\n") + 2
+
+    def lines(self, routine: Routine, first: int) -> str:
+        """The text of a routine's file from line *first* to where the routine ends at the latest."""
+        return "\n".join(self.text(routine.path).split("\n")[first - 1 : self.end_line(routine) - 1])
 
     def classes(self, source: Source) -> tuple[tuple[Source, Class], ...]:
         """The classes of a file."""

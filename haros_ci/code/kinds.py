@@ -52,6 +52,11 @@ def class_of(code: Codebase, routine: Routine, expression: Expression, steps: in
     return classes.class_named(code, name, routine.source) if name else None
 
 
+def type_name(code: Codebase, routine: Routine, expression: Expression) -> str:
+    """The name of the class that an expression is of or points to, of whatever library; "" if it is not known."""
+    return classes.pointed(type_of(code, routine, expression))
+
+
 def variable(code: Codebase, routine: Routine, name: str) -> tuple[Routine, Variable] | Type | None:
     """The local variable of that name, with the routine that has it; a parameter's type; None if there is no one such."""
     around: Routine | None = routine

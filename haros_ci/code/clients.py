@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which node and callback group a client, subscription or timer belongs to, by the call that makes it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from haros_ci.code import classes, kinds
+from haros_ci.code.body import Call, last_part
+from haros_ci.code.callbacks import group_of
+from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.model.program import Expression
+
+#: What gives the node itself, or an interface of it.
+SELVES = frozenset(("shared_from_this", "get_node_base_interface", "weak_from_this"))
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A client: the *node* that it is of and its callback *group*, as in ``Callback``."""
+
+    node: str
+    group: str | None
+
+
+def node_name(code: Codebase, routine: Routine, expression: Expression | None) -> str | None:
+    """A name for the node that an expression is: ``Class.this``, ``Class.member``; None if it is not known to be one of these."""
+    while expression is not None and expression[0] in ("*", "&"):
+        expression = expression[1]
+    if expression is None or expression[0] == "this":
+        return f"{routine.owner}.this" if routine.owner else None
+    if expression[0] == "call" and not expression[2]:
+        callee = expression[1]
+        if callee[0] == "name" and callee[1] in SELVES:
+            return node_name(code, routine, None)
+        return node_name(code, routine, callee[1]) if callee[0] == "field" and callee[2] in SELVES else None
+    if expression[0] == "field" and expression[1][0] == "this":
+        return f"{routine.owner}.{expression[2]}"
+    if expression[0] == "name" and not routine.is_python and routine.owner:
+        if "::" not in expression[1] and not kinds.is_local(code, routine, expression[1]):
+            return f"{routine.owner}.{expression[1]}"
+    return None
+
+
+def client_made(code: Codebase, routine: Routine, expression: Expression) -> Made | None:
+    """How the service client that an expression is was made: a member that has one origin; None if that is not known."""
+    if expression[0] == "field" and expression[1][0] == "this":
+        member = expression[2]
+    elif expression[0] == "name" and not routine.is_python and not kinds.is_local(code, routine, expression[1]):
+        member = expression[1]
+    else:
+        return None
+    owner = classes.owner_of(code, routine)
+    values = kinds.attribute_values(code, owner, member) if owner is not None else ()
+    made: set[Made | None] = set()
+    for where, value in values:
+        if value[0] != "call" or last_part(value[1]) != "create_client" or where.owner != routine.owner:
+            return None
+        call = Call("create_client", value, ())
+        node = node_name(code, where, call.receiver)
+        made.add(Made(node, group_of(code, where, call)) if node is not None else None)
+    return made.pop() if len(made) == 1 else None
+
+
+#: The node classes of rclcpp, and roscpp's handles.
+NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode", "rclcpp::node_interfaces::NodeBaseInterface"))
+HANDLES = frozenset(("ros::NodeHandle", "image_transport::ImageTransport"))
+
+
+def is_node(code: Codebase, routine: Routine, expression: Expression | None) -> bool:
+    """Whether an expression (None: ``this``) is a node or node handle for sure, with the methods of the library's."""
+    if expression is None or expression[0] == "this":
+        owner = classes.owner_of(code, routine)
+    else:
+        name = kinds.type_name(code, routine, expression)
+        if name in NODES or name in HANDLES:
+            return True
+        owner = classes.class_named(code, name, routine.source) if name else None
+    return owner is not None and bool(NODES & classes.base_names(code, owner))
+
+
+def own_method(code: Codebase, routine: Routine, call: Call) -> bool:
+    """Whether the class of the receiver, or one of its bases in the workspace, has a method of that name itself."""
+    if call.receiver is None or call.receiver[0] == "this":
+        owner = classes.owner_of(code, routine)
+    else:
+        owner = kinds.class_of(code, routine, call.receiver)
+    if owner is None:
+        return False
+    every = [owner, *(above for above, _ in classes.bases(code, owner) if above is not None)]
+    index = code.index(routine.source)
+    return any(f"{each[1].name}{each[0].separator}{call.name}" in index.functions for each in every)
