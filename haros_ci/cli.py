@@ -241,6 +241,26 @@ def query(**flags: Any) -> int:
 
 
 @haros_ci.command()
+@click.argument("base")
+@click.argument("head", required=False)
+@click.option("--format", type=click.Choice(["text", "markdown", "json"]), default="text", show_default=True)
+@click.option("--output", type=click.Path(), help="File to write; default: stdout.")
+@click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's.")
+@click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed.")
+@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
+@click.option("--isolated", is_flag=True, help="Read no project file.")
+@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
+@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
+@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+@click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
+def diff(**flags: Any) -> int:
+    """Say what the change from BASE to HEAD (default: the work tree) does to interfaces, graph, parameters and QoS."""
+    from haros_ci import diff_command
+
+    return diff_command.diff(flags)
+
+
+@haros_ci.command()
 @click.option("--json", "as_json", is_flag=True, help="As JSON.")
 @click.option(
     "--checks", "as_checks", is_flag=True, help="Only our own checks, as the Markdown table of docs/checks.md."

@@ -76,6 +76,10 @@ DOORS: dict[str, set[str]] = {
     },
     "interface_files": {"model", "errors", "output", "report"},
     "readme_check": {"model", "report"},
+    "comparison": {"changes", "link", "model"},
+    "diff_command": {
+        "architecture", "commands", "comparison", "config", "errors", "model", "output", "report", "workspace",
+    },
     "output": {"results", "errors", "report"},
     "fixing": {"results", "workspace"},
     "commands": {
@@ -92,7 +96,7 @@ DOORS: dict[str, set[str]] = {
         "cli",
     },
     "new_check": {"errors"},
-    "cli": {"errors", "commands", "model_command", "query_command", "new_check", "report"},
+    "cli": {"errors", "commands", "model_command", "query_command", "diff_command", "new_check", "report"},
     "__main__": {"cli"},
     "__init__": set(),
 }

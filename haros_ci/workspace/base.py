@@ -64,7 +64,7 @@ def base_workspace(
         tree = read_tree(repository, commit, workspace)
         scope = _scope(workspace, paths, tree)
         wanted = select(tree, scope, Excludes(exclude))
-        with _scratch(sum(tree[candidate.path].size for candidate in wanted)) as scratch:
+        with scratch_directory(sum(tree[candidate.path].size for candidate in wanted)) as scratch:
             directory = scratch / "base"
             directory.mkdir()
             renames = find_renames(scratch, root, *_moved(tree, wanted, workspace))
@@ -72,7 +72,7 @@ def base_workspace(
             manifests = [Candidate(path, "package") for path in manifests_above(scope) if path in tree]
             base = assemble(
                 directory,
-                _write(directory, read_blobs(tree, wanted, max_file_size)),
+                write_contents(directory, read_blobs(tree, wanted, max_file_size)),
                 listed=[*(candidate.path for candidate in wanted), *settings],
                 problems=(),
                 targets=_targets(workspace, tree, renames),
@@ -88,7 +88,7 @@ def base_workspace(
 
 
 @contextmanager
-def _scratch(size: int) -> Iterator[Path]:
+def scratch_directory(size: int) -> Iterator[Path]:
     """A temporary directory for *size* bytes: in memory if there is ample room, as making files is slow on some disks."""
     place = None
     if not os.environ.get("TMPDIR") and os.access(IN_MEMORY, os.W_OK):
@@ -147,7 +147,7 @@ def _targets(workspace: Workspace, tree: dict[str, Blob], renames: dict[str, str
     return None if targets is None else frozenset(path for path in tree if renames.get(path, path) in targets)
 
 
-def _write(directory: Path, contents: Iterable[Content | Problem]) -> Iterator[Content | Problem]:
+def write_contents(directory: Path, contents: Iterable[Content | Problem]) -> Iterator[Content | Problem]:
     """Write contents below *directory* as they pass."""
     made = {""}
     for content in contents:

@@ -78,6 +78,21 @@ def parameter_file(places: Places, path: str, location: Location) -> tuple[Param
         return (missing(f"parameter file {quoted(path)}: it is too large", location),)
 
 
+def values_in(text: str, path: str) -> tuple[ParameterRule, ...]:
+    """What the parameter file with *text* gives as it stands, no substitution performed; () if it is not YAML."""
+    try:
+        trees = read_trees(literal(text))
+    except YamlError:
+        return ()
+    place = Location(path)
+    return tuple(
+        _rule(pattern, name, value, place, path, False)
+        for tree in trees
+        for pattern, leaves in _for_nodes(tree)[0]
+        for name, value in _leaves(leaves, "")
+    )
+
+
 def _for_nodes(tree: Tree) -> tuple[list[tuple[str, Tree]], str]:
     """The sections under their keys as rcl joins them; ``n`` and ``/n`` are two, though both are for one node."""
     found: list[tuple[str, Tree]] = []

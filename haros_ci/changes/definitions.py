@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Changes of interfaces as they are told beside those of the graph."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from haros_ci.changes.interfaces import InterfaceChange, in_words
+from haros_ci.model.build import Interface
+from haros_ci.model.changes import ADDED, CHANGED, REMOVED, RENAMED, Change
+
+
+def told(found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Interface, ...]]) -> Iterator[Change]:
+    """Each change of an interface; *containing* gives the interfaces that have a message in them."""
+    for each in found:
+        action = each.what if each.what in (ADDED, REMOVED, RENAMED) else CHANGED
+        users = [f"{other.name} ({other.kind})" for other in containing(each.name)] if each.kind == "msg" else []
+        name = each.after if action == RENAMED else each.name
+        yield Change(
+            what="interface",
+            action=action,
+            names=(f"{name.replace('/', f'/{each.kind}/', 1) if each.ros == 2 else name}",),
+            aspect=in_words(each) if action == CHANGED else each.kind,
+            before=each.before or None,
+            after=each.after or None,
+            base=None if each.is_in_head else each.location,
+            head=each.location if each.is_in_head else None,
+            users=tuple(users),
+            details=_details(each),
+            old_names=(each.before,) if action == RENAMED else (),
+        )
+
+
+def _details(change: InterfaceChange) -> tuple[str, ...]:
+    """The wire hashes, and whether nodes of before and after no longer understand each other."""
+    said = []
+    if change.hash_before != change.hash_after:
+        said.append(f"wire hash {change.hash_before or 'not known'} → {change.hash_after or 'not known'}")
+    if change.is_breaking:
+        said.append("breaks what was built before")
+    return tuple(said)

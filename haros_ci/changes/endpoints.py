@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The ends of a node on both sides: topics, services, actions and declared parameters, and their quality of service."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, fields, replace
+
+from haros_ci.changes.change import ADDED, CHANGED, REMOVED, RENAMED, Difference, shown
+from haros_ci.changes.names import is_known, likeness, may_be_same, relative
+from haros_ci.changes.nodes import program, said_ends
+from haros_ci.model.architecture import Endpoint, Node, Qos
+
+#: The kinds of ends that are told, in words.
+WORDS = {
+    "publishers": "publisher",
+    "subscribers": "subscriber",
+    "servers": "service server",
+    "clients": "service client",
+    "action_servers": "action server",
+    "action_clients": "action client",
+    "getters": "parameter",
+    "parameters": "parameter",
+}
+#: From this likeness on, one name is taken for the other's new one.
+RENAMED_FROM = 0.6
+
+#: Where a file of the base is now.
+Moved = Callable[[str], str]
+
+
+@dataclass(slots=True)
+class Compared:
+    """What is found: *differences*, and how many more there would be if all were known."""
+
+    differences: list[Difference] = field(default_factory=list)
+    not_known: int = 0
+    #: Ends of both sides that are the same one.
+    pairs: list[tuple[Endpoint, Endpoint]] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class Sides:
+    """A node at the base and at head, with what each knows of itself."""
+
+    base: Node
+    head: Node
+    configuration: str
+    moved: Moved
+
+    def difference(self, what: str, action: str, name: str, **more: object) -> Difference:
+        node = self.base if action == REMOVED else self.head
+        return Difference(
+            what=what,
+            action=action,
+            name=name,
+            node=node.name,
+            program=program(node),
+            configuration=self.configuration,
+            **more,  # type: ignore[arg-type]
+        )
+
+
+def compare_ends(sides: Sides, told: Compared) -> None:
+    """All ends of the two nodes; what is not known on a side is not told."""
+    base, head = _by_kind(sides.base), _by_kind(sides.head)
+    for kind in WORDS:
+        _compare_kind(sides, kind, base.get(kind, []), head.get(kind, []), told)
+
+
+def _by_kind(node: Node) -> dict[str, list[Endpoint]]:
+    found: dict[str, list[Endpoint]] = {}
+    for end in said_ends(node):
+        found.setdefault(end.kind, []).append(end)
+    return found
+
+
+def _compare_kind(sides: Sides, kind: str, base: list[Endpoint], head: list[Endpoint], told: Compared) -> None:
+    if not base and not head:
+        return
+    left, right = _named(base, sides.base), _named(head, sides.head)
+    gone: list[tuple[str, Endpoint]] = []
+    new: list[tuple[str, Endpoint]] = []
+    for name, ends in left.items():
+        others = right.get(name, [])
+        for end, other in _matched(ends, others):
+            if end is not None and other is not None:
+                told.pairs.append((end, other))
+                told.differences += _changed(sides, end, other)
+            elif end is not None:
+                gone.append((name, end))
+            elif other is not None:
+                new.append((name, other))
+    new += [(name, end) for name, ends in right.items() if name not in left for end in ends]
+    gone, new = _only_known(sides, gone, new, told)
+    for end, other in _renamed(sides, gone, new):
+        gone = [each for each in gone if each[1] is not end]
+        new = [each for each in new if each[1] is not other]
+        told.pairs.append((end, other))
+        told.differences.append(
+            sides.difference(
+                WORDS[kind], RENAMED, other.name, aspect="name", before=end.name, after=other.name, base=end.location,
+                head=other.location, old_name=end.name,
+            )
+        )  # fmt: skip
+        told.differences += _changed(sides, end, other)
+    told.differences += (_one_sided(sides, REMOVED, end) for _, end in gone)
+    told.differences += (_one_sided(sides, ADDED, end) for _, end in new)
+
+
+def _named(ends: Iterable[Endpoint], node: Node) -> dict[str, list[Endpoint]]:
+    """The ends by their names before remapping, as seen from the node; of those that say the same, one."""
+    found: dict[str, dict[tuple[object, ...], Endpoint]] = {}
+    for end in ends:
+        same = (end.type, end.qos, end.queue_size, shown(end.value))
+        found.setdefault(relative(end.original_name, node.name), {}).setdefault(same, end)
+    return {name: list(each.values()) for name, each in found.items()}
+
+
+def _matched(base: list[Endpoint], head: list[Endpoint]) -> Iterator[tuple[Endpoint | None, Endpoint | None]]:
+    """Ends of one name on both sides, the likest together. A further one of a type that is there anyway is no difference."""
+    left, right = list(base), list(head)
+    for is_same in (_is_equal, _has_type):
+        for end in list(left):
+            other = next((each for each in right if is_same(end, each)), None)
+            if other is not None:
+                left.remove(end)
+                right.remove(other)
+                yield end, other
+    while left and right:
+        yield left.pop(0), right.pop(0)
+    yield from ((end, None) for end in left if all(end.type not in (None, each.type) for each in head))
+    yield from ((None, end) for end in right if all(end.type not in (None, each.type) for each in base))
+
+
+def _is_equal(end: Endpoint, other: Endpoint) -> bool:
+    return _has_type(end, other) and end.qos == other.qos and shown(end.value) == shown(other.value)
+
+
+def _has_type(end: Endpoint, other: Endpoint) -> bool:
+    return end.type == other.type
+
+
+Found = list[tuple[str, Endpoint]]
+
+
+def _only_known(sides: Sides, gone: Found, new: Found, told: Compared) -> tuple[Found, Found]:
+    """Those of which the other side cannot have one under a name that is not known there."""
+    lost = {id(end) for name, end in gone if any(_may_be(name, end, *other) for other in new)}
+    found = {id(end) for name, end in new if any(_may_be(*other, name, end) for other in gone)}
+    told.not_known += len(lost)
+    gone = [each for each in gone if id(each[1]) not in lost]
+    new = [each for each in new if id(each[1]) not in found]
+    if gone and _doubts(sides.head) - _doubts(sides.base):
+        told.not_known += len(gone)
+        gone = []
+    if new and _doubts(sides.base) - _doubts(sides.head):
+        told.not_known += len(new)
+        new = []
+    return gone, new
+
+
+def _may_be(name: str, end: Endpoint, other_name: str, other: Endpoint) -> bool:
+    if None not in (end.type, other.type) and end.type != other.type:
+        return False
+    return name != other_name and may_be_same(name, other_name)
+
+
+def _doubts(node: Node) -> frozenset[str]:
+    """Why not all ends of *node* are known."""
+    return frozenset(unknown.reason for unknown in node.unknowns if unknown.field == "endpoints")
+
+
+def _renamed(sides: Sides, gone: Found, new: Found) -> Iterator[tuple[Endpoint, Endpoint]]:
+    """An end under a new name: in the same file, of the same type and default, the name alike or no other in question."""
+    ranked = []
+    for place, (name, end) in enumerate(gone):
+        fitting = [(number, each) for number, each in enumerate(new) if _fits(sides, end, each[1])]
+        alone = len(fitting) == 1 and sum(_fits(sides, each, fitting[0][1][1]) for _, each in gone) == 1
+        for number, (other_name, _) in fitting:
+            like = likeness(name, other_name)
+            if like >= RENAMED_FROM or (alone and end.kind not in ("parameters", "getters")):
+                ranked.append((-like, place, number))
+    taken: set[int] = set()
+    for _, place, number in sorted(ranked):
+        end, other = gone[place][1], new[number][1]
+        if not {id(end), id(other)} & taken:
+            taken |= {id(end), id(other)}
+            yield end, other
+
+
+def _fits(sides: Sides, end: Endpoint, other: Endpoint) -> bool:
+    if end.location is None or other.location is None or end.type is None or end.type != other.type:
+        return False
+    if not (is_known(end.name) or is_known(other.name)) and end.kind in ("publishers", "subscribers"):
+        return False
+    same_file = sides.moved(end.location.path) == other.location.path
+    return same_file and (end.kind not in ("parameters", "getters") or shown(end.value) == shown(other.value))
+
+
+def _one_sided(sides: Sides, action: str, end: Endpoint) -> Difference:
+    what = WORDS[end.kind]
+    text = _described(end)
+    place = {"base": end.location} if action == REMOVED else {"head": end.location}
+    text_of = {"before": text} if action == REMOVED else {"after": text}
+    return sides.difference(what, action, end.name, **place, **text_of)
+
+
+def _described(end: Endpoint) -> str:
+    """The type, and of a parameter its default."""
+    if end.kind not in ("parameters", "getters"):
+        return end.type or "?"
+    if "value" in {unknown.field for unknown in end.unknowns} or (end.value is None and end.type is None):
+        return end.type or "?"
+    return f"{end.type or '?'}" if end.value is None else f"{end.type or '?'} = {shown(end.value)}"
+
+
+def _changed(sides: Sides, end: Endpoint, other: Endpoint) -> Iterator[Difference]:
+    """What is otherwise at an end that is there on both sides."""
+    what = WORDS[end.kind]
+    for aspect, before, after in _aspects(end, other):
+        yield sides.difference(
+            "QoS" if aspect == "QoS" else what,
+            CHANGED,
+            other.name,
+            aspect=aspect if aspect != "QoS" else what,
+            before=before,
+            after=after,
+            base=end.location,
+            head=other.location,
+        )
+
+
+def _aspects(end: Endpoint, other: Endpoint) -> Iterator[tuple[str, str | None, str | None]]:
+    unknown = {each.field for side in (end, other) for each in side.unknowns}
+    if end.type != other.type and None not in (end.type, other.type) and is_known(f"{end.type}{other.type}"):
+        yield "type", end.type, other.type
+    if end.kind in ("parameters", "getters"):
+        if "value" not in unknown and shown(end.value) != shown(other.value):
+            yield "default", _default(end), _default(other)
+        if (
+            "read_only" not in unknown
+            and end.read_only != other.read_only
+            and None not in (end.read_only, other.read_only)
+        ):
+            yield "read-only", shown(end.read_only), shown(other.read_only)
+        if "range" not in unknown and end.range != other.range:
+            yield "range", in_words(end.range), in_words(other.range)
+    yield from _quality(end, other)
+
+
+def _default(end: Endpoint) -> str | None:
+    return None if end.value is None else shown(end.value)
+
+
+def in_words(limits: tuple[float | None, float | None, float | None] | None) -> str | None:
+    """``0.0 … 1.0, step 0.1``."""
+    if limits is None:
+        return None
+    low, high, step = limits
+    said = f"{'' if low is None else low} … {'' if high is None else high}".strip()
+    return said if not step else f"{said}, step {step}"
+
+
+def _quality(end: Endpoint, other: Endpoint) -> Iterator[tuple[str, str | None, str | None]]:
+    if end.qos is not None and other.qos is not None:
+        before, after = qos_words(end.qos, other.qos), qos_words(other.qos, end.qos)
+        if before != after:
+            yield "QoS", before, after
+    elif end.qos is other.qos is None:
+        old = _queue(end, other)
+        if old != _queue(other, end):
+            yield "QoS", old, _queue(other, end)
+
+
+def qos_words(qos: Qos, other: Qos) -> str:
+    """In words the policies in which *qos* differs from *other*, those left out that are not known on one side."""
+    said = []
+    for each in fields(qos):
+        mine, theirs = getattr(qos, each.name), getattr(other, each.name)
+        if mine == theirs or "?" in (mine, theirs):
+            continue
+        if each.name == "depth" and "keep_all" in (qos.history, other.history):
+            continue
+        said.append(f"{each.name} {'default' if mine is None else mine}")
+    return ", ".join(said)
+
+
+def _queue(end: Endpoint, other: Endpoint) -> str:
+    said = []
+    if end.queue_size != other.queue_size and None not in (end.queue_size, other.queue_size):
+        said.append(f"queue {end.queue_size}")
+    if end.latched != other.latched and None not in (end.latched, other.latched):
+        said.append("latched" if end.latched else "not latched")
+    return ", ".join(said)
+
+
+def with_users(difference: Difference, users: Iterable[str]) -> Difference:
+    return replace(difference, users=tuple(sorted({*difference.users, *users} - {difference.node})))
