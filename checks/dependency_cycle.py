@@ -5,7 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from haros_ci.api import BUILD, EXPORTED, Check, Dependency, Finding, Level, Project, ProjectPackage, holds, needs, place
+from haros_ci.api import (
+    BUILD,
+    EXPORTED,
+    Check,
+    Dependency,
+    Finding,
+    Level,
+    Project,
+    ProjectPackage,
+    holds,
+    needs,
+    place,
+)
 
 #: The needed package by name, with the dependency that says so.
 Edges = Mapping[str, Dependency]

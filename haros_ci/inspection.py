@@ -19,8 +19,8 @@ from haros_ci.results.rule import Level, Rule
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.checking.project import Project
-    from haros_ci.code.codebase import Codebase
     from haros_ci.checking.system import System
+    from haros_ci.code.codebase import Codebase
     from haros_ci.link.link import Linked
 
 Progress = Callable[[str], None]
