@@ -22,7 +22,7 @@ from haros_ci.checking.editing import (
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.installing import install_directory, install_line, install_place, landings
-from haros_ci.checking.interface_users import InterfaceUsers, changes_of, defined_in
+from haros_ci.checking.interface_users import InterfaceUsers, always_at, changes_of, defined_in
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
@@ -43,6 +43,8 @@ from haros_ci.code.transforms import ASKED, is_caught, is_lookup
 from haros_ci.code.uses import Use, uses
 from haros_ci.code.ways import Reached, in_callbacks
 from haros_ci.code.ways import place as call_place
+from haros_ci.interfaces.references import Reference as InterfaceReference
+from haros_ci.interfaces.references import references_to
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
 from haros_ci.model.build import (
     Build,
@@ -124,6 +126,7 @@ __all__ = [
     "Interface",
     "InterfaceChange",
     "InterfaceField",
+    "InterfaceReference",
     "InterfaceUsers",
     "LaunchFact",
     "Level",
@@ -160,6 +163,7 @@ __all__ = [
     "add_export",
     "applying",
     "build_types",
+    "always_at",
     "can_meet",
     "change_in_words",
     "changes_of",
@@ -224,6 +228,7 @@ __all__ = [
     "owner_of",
     "qos_in_words",
     "reached",
+    "references_to",
     "renamed_keyword",
     "resolved",
     "rule_of",

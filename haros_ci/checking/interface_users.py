@@ -16,6 +16,8 @@ from haros_ci.interfaces.references import Reference, of_import, of_include, ref
 from haros_ci.model.location import Location
 
 _KINDS = {kind: made for kinds, made in ((TOPIC, "msg"), (SERVICE, "srv"), (ACTION, "action")) for kind in kinds}
+_DIRECTIVE = re.compile(r"\s*#\s*(if(?:n?def)?|el\w+|endif|include|import)\b\s*(\w*)")
+_DEFINE = re.compile(r"\s*#\s*define\s+(\w+)")
 #: In this many lines of a file an import is looked for.
 MAX_LINES = 100_000
 
@@ -92,26 +94,52 @@ def short_name(type: str) -> str:
 
 def location_of(project: Project, path: str, written: str) -> Location:
     """Where the file *path* has the include or import *written*; the whole file if it is not found."""
+    found = next(_places(project, path, written), None)
+    return Location(path) if found is None else found[0]
+
+
+def always_at(project: Project, path: str, written: str) -> Location | None:
+    """Where the file *path* has the include or import *written* under no condition; None if it has one, or it is not found."""
+    return next((location for location, is_conditional in _places(project, path, written) if not is_conditional), None)
+
+
+def _places(project: Project, path: str, written: str) -> Iterator[tuple[Location, bool]]:
+    """Each place, and whether a condition stands around it."""
     lines = project.text(path).split("\n")[:MAX_LINES]
-    if "/" in written:
-        wanted = re.compile(rf"\s*#\s*(?:include|import)\s*{re.escape(written)}")
-        for number, line in enumerate(lines, 1):
-            if wanted.match(line):
-                column = len(line) - len(line.lstrip()) + 1
-                return Location(path, number, column)
-        return Location(path)
+    return _includes(path, lines, written) if written[:1] in ('"', "<") else _imports(path, lines, written)
+
+
+def _includes(path: str, lines: list[str], written: str) -> Iterator[tuple[Location, bool]]:
+    wanted = re.compile(rf"\s*#\s*(?:include|import)\s*{re.escape(written)}")
+    open_ifs: list[bool] = []  # whether each is a condition, and no guard against a second inclusion
+    for number, line in enumerate(lines, 1):
+        directive = _DIRECTIVE.match(line)
+        if directive is None:
+            continue
+        if directive[1].startswith("if"):
+            guard = _DEFINE.match(lines[number]) if directive[1] == "ifndef" and number < len(lines) else None
+            open_ifs.append(guard is None or guard[1] != directive[2])
+        elif directive[1] == "endif":
+            del open_ifs[-1:]
+        elif directive[1].startswith("el"):
+            open_ifs[-1:] = [True]
+        elif wanted.match(line):
+            yield Location(path, number, len(line) - len(line.lstrip()) + 1), any(open_ifs)
+
+
+def _imports(path: str, lines: list[str], written: str) -> Iterator[tuple[Location, bool]]:
     module, _, name = written.rpartition(".")
-    begin = re.compile(rf"\s*from\s+{re.escape(module)}\s+import\b")
+    begin = re.compile(rf"(\s*)from\s+{re.escape(module)}\s+import\b")
     here = re.compile(rf"\b{re.escape(name)}\b")
-    is_open = in_parentheses = False
+    is_open = in_parentheses = is_inner = False
     for number, line in enumerate(lines, 1):
         start = begin.match(line)
         if not (start or is_open):
             continue
         code = line.partition("#")[0]
-        in_parentheses = "(" in code if start else in_parentheses
+        if start is not None:
+            is_inner, in_parentheses = bool(start[1]), "(" in code
         found = here.search(code, start.end() if start else 0)
         if found is not None:
-            return Location(path, number, found.start() + 1)
+            yield Location(path, number, found.start() + 1), is_inner
         is_open = (in_parentheses and ")" not in code) or code.rstrip().endswith("\\")
-    return Location(path)

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Code and interfaces that name a message, service or action that its package does not define."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
+
+from haros_ci.api import (
+    Check,
+    Finding,
+    InterfaceReference,
+    InterfaceUsers,
+    Level,
+    Location,
+    Project,
+    ProjectPackage,
+    always_at,
+    references_to,
+)
+
+GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
+#: Made by dynamic_reconfigure of a .cfg.
+OF_A_CONFIG = "config"
+
+
+class Defining:
+    """A package of the workspace that defines interfaces, all of them known."""
+
+    def __init__(self, package: ProjectPackage) -> None:
+        self.package = package
+        self.interfaces = package.build.interfaces
+        self.messages = {each.name for each in self.interfaces if each.kind == "msg"}
+        if package.ros != 2:
+            made = ("Action", "Goal", "Result", "Feedback", "ActionGoal", "ActionResult", "ActionFeedback")
+            self.messages |= {f"{e.name}{ending}" for e in self.interfaces if e.kind == "action" for ending in made}
+        self.references = {
+            reference
+            for each in self.interfaces
+            for reference in references_to(package.name, each.kind, each.name.partition("/")[2], package.ros)
+        }
+
+    def like(self, kind: str, stem: str) -> str:
+        """The interface whose name is most like *stem*, in words; "" if none is."""
+        names = {e.name.partition("/")[2].lower(): e.name for e in self.interfaces if kind in (e.kind, "")}
+        found = get_close_matches(stem, sorted(names), 1)
+        return f"; {names[found[0]]} is there" if found else ""
+
+
+def check(project: Project) -> Iterator[Finding]:
+    names = Counter(raw.name for raw in project.workspace.packages)
+    defining = {
+        package.name: Defining(package)
+        for package in project.packages
+        if names[package.name] == 1 and package.build.interfaces and _is_known(package)
+    }
+    yield from _in_interfaces(project, defining)
+    if defining:
+        yield from _in_code(project, defining)
+
+
+def _is_known(package: ProjectPackage) -> bool:
+    """Whether CMake tells all that the package generates."""
+    commands = package.commands(*GENERATE)
+    is_told = not any(each.is_conditional or "$" in argument for each in commands for argument in each.arguments)
+    return bool(commands) and is_told
+
+
+def _in_interfaces(project: Project, defining: Mapping[str, Defining]) -> Iterator[Finding]:
+    """Fields of a type that is not there."""
+    for package in project.packages:
+        for interface in package.build.interfaces if package.name in defining else ():
+            for field in (each for section in interface.sections for each in section if interface.is_generated):
+                base = re.split(r"[\[<]", field.type)[0]
+                if package.ros == 2 and field.written.partition("[")[0] == "Header":
+                    continue  # foreign-interface-type
+                of = defining.get(base.partition("/")[0])
+                if of is None or base in of.messages or "/" not in base:
+                    continue
+                yield Finding(
+                    at=Location(interface.path, field.line),
+                    message=f"{interface.name} has a field {field.name} of {base}, but {of.package.name} defines no such message"
+                    f": {package.name} does not build{of.like('msg', base.partition('/')[2].lower())}",
+                    about=(interface.name, base),
+                )
+
+
+def _in_code(project: Project, defining: Mapping[str, Defining]) -> Iterator[Finding]:
+    users = InterfaceUsers(project)
+    built = {path for package in project.packages for target in package.build.targets for path in target.sources}
+    ends = {name.rpartition("/")[2] for name in project.workspace.names}
+    for reference, places in users.named.items():
+        of = defining.get(reference.package)
+        if of is None or reference in of.references:
+            continue
+        for path, written in places:
+            finding = _unless_handmade(project, of, reference, path, written, built, ends)
+            if finding is not None:
+                yield finding
+
+
+def _unless_handmade(
+    project: Project,
+    of: Defining,
+    reference: InterfaceReference,
+    path: str,
+    written: str,
+    built: set[str],
+    ends: set[str],
+) -> Finding | None:
+    """The finding for one name in one file; None where people may have written what it means, or only some builds read it."""
+    at = always_at(project, path, written)
+    if at is None:
+        return None
+    name = written.strip('"<>')
+    if "/" in name:
+        file = name.rpartition("/")[2]
+        if not reference.kind and reference.stem.endswith(OF_A_CONFIG):
+            return None
+        if file in ends and any(each.endswith(f"/{name}") or each == name for each in project.workspace.names):
+            return None
+        stem = file.partition(".")[0]
+        if any(stem in argument for each in of.package.build.commands for argument in each.arguments):
+            return None
+        said = f"{name} is included, but {of.package.name} defines no such interface"
+        is_sure = path in built
+        effect = "this file does not build"
+    else:
+        module = name.rpartition(".")[0].replace(".", "/")
+        if any(each.endswith((f"{module}.py", f"{module}/__init__.py")) for each in project.workspace.names):
+            return None
+        said, effect, is_sure = f"{name} is imported, but {of.package.name} defines none", "the import fails", True
+    return Finding(
+        at=at,
+        message=f"{said}: {effect}{of.like(reference.kind, reference.stem)}",
+        about=(name,),
+        level=None if is_sure else Level.WARNING,
+        apart=(path, name),
+    )
+
+
+CHECK = Check(
+    id="undefined-interface",
+    summary="Every message, service and action that code or another interface names is defined.",
+    level=Level.ERROR,
+    catalogue="I02",
+    tags=("interfaces",),
+    project=check,
+)
