@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python code that asks a message for a field that its definition does not have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from difflib import get_close_matches
+
+from haros_ci.api import Check, Finding, Level, MissingField, Project, missing_fields
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for each in missing_fields(project):
+        yield Finding(
+            at=each.location,
+            message=f"{each.written}: {each.struct.name} has no field {each.field}, and raises AttributeError{_like(each)}",
+            about=(each.struct.name, each.field),
+            apart=(each.routine.title, each.struct.name, each.field),
+        )
+
+
+def _like(each: MissingField) -> str:
+    names = sorted(each.struct.fields)
+    found = get_close_matches(each.field, names, 1)
+    if found:
+        return f"; it has {found[0]}"
+    return f"; it has {', '.join(names)}" if 0 < len(names) < 6 else ""
+
+
+CHECK = Check(
+    id="undefined-field",
+    summary="Python code asks messages for fields that they have.",
+    level=Level.ERROR,
+    catalogue="I03",
+    tags=("interfaces", "python"),
+    project=check,
+)

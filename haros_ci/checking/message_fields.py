@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python code that asks a message for a field: which message it is for certain, and whether it has the field.
+
+An object is known where it is the parameter of a callback that is registered for one type, or a local variable that is assigned once,
+from a constructor. Generated classes have ``__slots__``: reading or writing any other attribute raises AttributeError.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from haros_ci.checking.interface_users import defined_in
+from haros_ci.checking.project import Project
+from haros_ci.code.body import nodes
+from haros_ci.code.callbacks import Callback, callbacks
+from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.code.kinds import dotted
+from haros_ci.interfaces.definitions import Definitions
+from haros_ci.interfaces.structs import Struct, Structs
+from haros_ci.model.location import Location
+from haros_ci.model.program import Block, Expression
+
+_INTERFACE = re.compile(r"\.(?:msg|srv|action)(?:\.|\Z)")
+#: Comments, and texts in one line.
+_NO_CODE = re.compile(r"#[^\n]*|\"[^\"\n]*\"|'[^'\n]*'")
+#: Functions by which code finds out what an object has, or gives it more.
+ASKING = frozenset(("hasattr", "getattr", "setattr", "isinstance", "type", "vars", "dir", "cast", "delattr"))
+#: Where the type and the callback are among the arguments of a registration, and which parts its parameters get.
+_REGISTERED = {
+    ("create_subscription", 2): ((0, "msg_type"), ("2", "callback"), ("",)),
+    ("create_service", 2): ((0, "srv_type"), ("2", "callback"), (".Request", ".Response")),
+    ("Subscriber", 1): ((1, "data_class"), ("2", "callback"), ("",)),
+    ("Service", 1): ((1, "service_class"), ("2", "handler"), ("Request",)),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """*field* of *struct* is asked for in *routine*, as *written*; ``T(field=…)`` if it is given to the constructor."""
+
+    struct: Struct
+    field: str
+    written: str
+    routine: Routine
+    location: Location
+
+
+def missing_fields(project: Project) -> Iterator[Missing]:
+    """Every field that is asked for and not there, once for each function."""
+    code = project.code
+    found = defined_in(project)
+    hidden = _handmade(project)
+    structs = {ros: Structs(Definitions((i for i, of in found if of in (ros, None)), ros), hidden) for ros in (1, 2)}
+    parameters = _parameters(code, structs)
+    for source in code.sources:
+        if source.program.language != "python" or source.path.endswith(".pyi"):
+            continue
+        if not any(_INTERFACE.search(str(alias.type[0])) for alias in source.program.aliases):
+            continue
+        ros = code.ros_of(source)
+        if ros not in structs:
+            continue
+        for routine in code.routines(source.path):
+            yield from _in_routine(code, routine, structs[ros], parameters.get(id(routine), {}))
+
+
+def _handmade(project: Project) -> frozenset[str]:
+    """Packages whose Python modules of interfaces, or a part of them, people wrote."""
+    found = (
+        re.search(r"(?:^|/)(\w+)/(?:msg|srv|action)(?:\.py|/__init__\.py)\Z", name) for name in project.workspace.names
+    )
+    return frozenset(each[1] for each in found if each is not None)
+
+
+def _in_routine(code: Codebase, routine: Routine, structs: Structs, parameters: dict[str, Struct]) -> Iterator[Missing]:
+    seen = set()
+    for call in code.body(routine).calls:
+        struct = structs.named(dotted(code, routine, call.callee))
+        if struct is None or any(place.kind == "try" for place in call.around):
+            continue
+        for argument in call.args:
+            if argument[0] == "kw" and not struct.has(argument[1]) and (struct.name, argument[1]) not in seen:
+                seen.add((struct.name, argument[1]))
+                at = Location(routine.path, call.line, call.column)
+                yield Missing(struct, argument[1], f"{struct.name}({argument[1]}=…)", routine, at)
+    typed = {**parameters, **_locals(code, routine, structs)}
+    typed = {name: struct for name, struct in typed.items() if not _is_asked(code, routine, name)}
+    if not typed:
+        return
+    for expression in _expressions(routine.function.body or ()):
+        for node in nodes(expression):
+            lacking = _lacking(node, typed, structs)
+            if lacking is not None and (lacking[0].name, lacking[1]) not in seen:
+                seen.add((lacking[0].name, lacking[1]))
+                yield Missing(*lacking, routine, _location(code, routine, lacking[2]))
+
+
+def _lacking(node: Expression, typed: dict[str, Struct], structs: Structs) -> tuple[Struct, str, str] | None:
+    """For ``msg.a.b``: the first part that is not there, with the class that lacks it and the text up to it."""
+    chain: list[str] = []
+    while node[0] == "field":
+        chain.append(str(node[2]))
+        node = node[1]
+    if not chain or node[0] != "name":
+        return None
+    struct, written = typed.get(str(node[1])), str(node[1])
+    for name in reversed(chain):
+        if struct is None:
+            return None
+        written += f".{name}"
+        if not struct.has(name):
+            return struct, name, written
+        struct = structs.of_field(struct, name)
+    return None
+
+
+def _locals(code: Codebase, routine: Routine, structs: Structs) -> dict[str, Struct]:
+    """Local variables that are assigned once, from a constructor."""
+    body = code.body(routine)
+    values: dict[str, list[Expression | None]] = {each.name.lstrip("*"): [None] for each in routine.function.parameters}
+    for target, operator, value, _ in body.sets:
+        for node in nodes(target):
+            if node[0] == "name":
+                values.setdefault(str(node[1]), []).append(value if node is target and operator == "=" else None)
+            elif node[0] in ("field", "index") and node is target:
+                break  # what is set is a part of an object
+    for name, variables in body.variables.items():
+        for each in variables:
+            values.setdefault(name, []).append(each.init[1] if each.init is not None and each.init[0] == "=" else None)
+    made = {}
+    for name, given in values.items():
+        value = given[0]
+        if len(given) == 1 and value is not None and value[0] == "call":
+            struct = structs.named(dotted(code, routine, value[1]))
+            if struct is not None:
+                made[name] = struct
+    return made
+
+
+def _is_asked(code: Codebase, routine: Routine, name: str) -> bool:
+    """Whether code looks what the object has, or another function may set the variable."""
+    for call in code.body(routine).calls:
+        if call.name in ASKING and any(each[0] == "name" and each[1] == name for each in call.args):
+            return True
+    shared = re.compile(rf"^\s*(?:global|nonlocal)\s[^\n]*\b{re.escape(name)}\b", re.M)
+    return shared.search(code.text(routine.path)) is not None
+
+
+def _parameters(code: Codebase, structs: dict[int, Structs]) -> dict[int, dict[str, Struct]]:
+    """The parameters of callbacks that are registered for one type, by the identity of their routines."""
+    by_routine: dict[int, list[Callback]] = {}
+    for callback in callbacks(code):
+        if callback.routine.is_python:
+            by_routine.setdefault(id(callback.routine), []).append(callback)
+    made = {}
+    for key, registered in by_routine.items():
+        routine = registered[0].routine
+        names = [_types(code, each) for each in registered]
+        if any(each != names[0] for each in names) or not names[0] or _is_used_besides(code, routine, len(registered)):
+            continue
+        ros = registered[0].ros
+        typed = {}
+        for parameter, name in zip(routine.function.parameters, names[0]):
+            struct = structs[ros].named(name) if ros in structs else None
+            if struct is not None and not _is_set(code, routine, parameter.name):
+                typed[parameter.name] = struct
+        if typed:
+            made[key] = typed
+    return made
+
+
+def _types(code: Codebase, callback: Callback) -> tuple[str, ...]:
+    """The dotted names of the types that the callback's parameters have, in order; () if they are not known."""
+    row = _REGISTERED.get((callback.call.name, callback.ros or 0))
+    if row is None or any(each[0] == "kw" and each[1] == "raw" for each in callback.call.args):
+        return ()
+    (position, keyword), roles, parts = row
+    given = [each for each in callback.call.args if each[0] != "starstar"]
+    taken = next((each for each in given if each[0] == "kw" and each[1] == callback.role), None)
+    value = taken[2] if taken is not None else given[int(callback.role)] if callback.role.isdigit() else None
+    written = callback.call.argument(position, keyword)
+    if callback.role not in roles or written is None or value is None or value[0] == "call":
+        return ()
+    name = dotted(code, callback.maker, written)
+    return tuple(f"{name}{part}" for part in parts) if name else ()
+
+
+def _is_used_besides(code: Codebase, routine: Routine, times: int) -> bool:
+    """Whether the function's name stands elsewhere than in its definition and its registrations: it may be called with anything."""
+    if routine.function.kind == "lambda":
+        return False
+    name = re.escape(routine.function.name.rpartition(".")[2])
+    return len(re.findall(rf"\b{name}\b", _NO_CODE.sub("", code.text(routine.path)))) > times + 1
+
+
+def _is_set(code: Codebase, routine: Routine, name: str) -> bool:
+    body = code.body(routine)
+    targets = (node for target, *_ in body.sets for node in nodes(target) if target[0] not in ("field", "index"))
+    return name in body.variables or any(node[0] == "name" and node[1] == name for node in targets)
+
+
+def _location(code: Codebase, routine: Routine, written: str) -> Location:
+    """Where *written* first stands in the routine; its head if it is not found."""
+    line = routine.function.line
+    wanted = re.compile(r"(?<![\w.])" + r"\s*\.\s*".join(map(re.escape, written.split("."))) + r"\b")
+    is_module = routine.function.kind == "module"
+    text = code.text(routine.path) if is_module else code.lines(routine, line)
+    places = []
+    for number, each in enumerate(text.split("\n"), line):
+        found = wanted.search(each.partition("#")[0])
+        if found is not None:
+            places.append((is_module and each[:1].isspace(), number, found.start() + 1, found.end() + 1))
+    if places:
+        _, number, start, end = min(places)
+        return Location(routine.path, number, start, number, end)
+    return Location(routine.path, line or 1)
+
+
+def _expressions(block: Block) -> Iterator[Expression]:
+    """All expressions of a function's own body but those that a try stands around."""
+    for statement in block:
+        kind = statement[0]
+        if kind in ("do", "step") or (kind in ("return", "throw") and statement[1] is not None):
+            yield statement[1]
+        elif kind == "var" and statement[3] is not None:
+            yield from (statement[3][1],) if statement[3][0] == "=" else statement[3][1]
+        elif kind == "if":
+            yield statement[4]
+            yield from _expressions(statement[5])
+            yield from _expressions(statement[8])
+        elif kind == "loop":
+            yield from _expressions(statement[5])
+            yield from (statement[6],) if statement[6] is not None else ()
+            yield from _expressions(statement[7])
+        elif kind == "each":
+            yield statement[6]
+            yield from _expressions(statement[7])
+        elif kind == "switch":
+            yield statement[4]
+            for _, inner in statement[5]:
+                yield from _expressions(inner)
+        elif kind == "try":
+            for handler in statement[2]:
+                yield from _expressions(handler[5])
+        elif kind == "block":
+            yield from _expressions(statement[1])
