@@ -30,6 +30,7 @@ from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.manifests import BUILD, EXEC, EXPORTED, applying, build_types, exports, holds, needs, place, word
 from haros_ci.checking.message_fields import Missing as MissingField
 from haros_ci.checking.message_fields import missing_fields
+from haros_ci.checking.manifests import BUILD, EXEC, EXPORTED, applying, build_types, exports, holds, is_nested, needs, place, word
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import named_at, rule_of, way_to
@@ -203,6 +204,7 @@ __all__ = [
     "is_local",
     "is_lookup",
     "is_mentioned",
+    "is_nested",
     "is_moved",
     "is_node",
     "is_slip",

@@ -63,3 +63,10 @@ def place(package: ProjectPackage, element: Element | Dependency | None) -> Loca
     """Where *element* stands in the manifest; its root without one."""
     line = element.line if element is not None else package.manifest.line if package.manifest is not None else 1
     return Location(package.manifest_path, line or 1)
+
+
+def is_nested(package: ProjectPackage) -> bool:
+    """Whether it lies inside another package: catkin and colcon do not look there, so it is nothing that is built."""
+    parts = package.path.split("/")
+    above = {"/".join(parts[:end]) for end in range(1, len(parts))} | {"."}
+    return any(other.path in above and other.path != package.path for other in package.project.packages)

@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages whose manifest names another build type or build tool than the one that they are written for, or none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    BUILD,
+    EXPORTED,
+    Check,
+    CMakeCommand,
+    Finding,
+    Fix,
+    Level,
+    Location,
+    Project,
+    ProjectPackage,
+    add_dependency,
+    add_export,
+    build_types,
+    is_nested,
+    is_slip,
+    needs,
+    place,
+    set_text,
+    word,
+)
+
+#: What colcon can build, as a rule (colcon-ros and its extensions).
+KNOWN = ("ament_cmake", "ament_python", "catkin", "cmake", "ament_cargo", "ament_gradle", "ament_swift")
+AMENT = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
+CATKIN = ("catkin_package", "catkin_metapackage")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        if package.manifest is not None and not is_nested(package):
+            yield from _build_type(package)
+            yield from _build_tool(project, package)
+
+
+def _build_type(package: ProjectPackage) -> Iterator[Finding]:
+    """At most one finding about the build type: with it wrong, nothing more can be said."""
+    found = build_types(package)
+    certain = [each for each in found if not each.attributes.get("condition")]
+    if len(certain) > 1 and len({word(each) for each in certain}) > 1:
+        names = " and ".join(word(each) for each in certain)
+        message = f"{package} has the build types {names}: colcon permits one and leaves the package out; keep one"
+        yield _finding(package, place(package, certain[1]), message, "several")
+    elif not found:
+        yield from _none(package)
+    elif len(found) == 1:
+        yield from _said(package, word(found[0]), place(package, found[0]))
+
+
+def _none(package: ProjectPackage) -> Iterator[Finding]:
+    """Without a build type colcon takes catkin (REP 149)."""
+    ament = _call(package, *AMENT)
+    has_files = bool(package.project.workspace.names)
+    if ament is not None and _call(package, *CATKIN) is None and package.ros != 1:
+        why = f"calls {ament.name}()"
+        kind, seen = "ament_cmake", ((ament.location, f"{package} is built with ament"),)
+    elif package.ros == 2 and has_files and package.has("setup.py") and not package.has("CMakeLists.txt"):
+        why = "has a setup.py and no CMakeLists.txt"
+        kind, seen = "ament_python", ((Location(package.inside("setup.py"), 1), "what would have to be run"),)
+    else:
+        return
+    yield _finding(
+        package,
+        place(package, None),
+        f"{package} says no build type and {why}: colcon takes it for a catkin package and leaves it out of the environment;"
+        f" export <build_type>{kind}</build_type>",
+        "none",
+        seen,
+        _only(add_export(package, "build_type", kind, f"export the build type {kind}")),
+    )
+
+
+def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]:
+    ament, catkin = _call(package, *AMENT), _call(package, *CATKIN)
+    has_files = bool(package.project.workspace.names)
+    if kind not in KNOWN:
+        near = next((name for name in KNOWN if is_slip(kind, name) or kind.replace("-", "_").lower() == name), None)
+        if near is not None:
+            element = build_types(package)[0]
+            yield _finding(
+                package,
+                at,
+                f"there is no build type {kind}: colcon does not build {package}; {near} is one",
+                "unknown",
+                fixes=_only(set_text(package, element, near, f"change it to {near}")),
+            )
+    elif kind in ("ament_cmake", "catkin", "cmake") and has_files and not package.has("CMakeLists.txt"):
+        more = " (it has a setup.py: is it ament_python?)" if package.has("setup.py") and kind == "ament_cmake" else ""
+        message = f"{package} has the build type {kind} and no CMakeLists.txt: its build fails{more}"
+        yield _finding(package, at, message, "no CMakeLists.txt")
+    elif kind == "ament_python" and has_files and not any(map(package.has, ("setup.py", "setup.cfg", "pyproject.toml"))):
+        message = f"{package} has the build type ament_python and no setup.py: its build fails"
+        yield _finding(package, at, message, "no setup.py")
+    elif kind == "ament_cmake" and catkin is not None and ament is None:
+        yield _other(package, at, kind, catkin, "catkin")
+    elif kind == "catkin" and ament is not None and catkin is None:
+        yield _other(package, at, kind, ament, "ament_cmake")
+    elif kind == "ament_python" and (ament or catkin) is not None and package.has("setup.py"):
+        call = ament or catkin
+        made = next((t for t in package.build.targets if not t.is_test and t.kind != "imported"), None)
+        if call is not None and made is not None:
+            yield _finding(
+                package,
+                at,
+                f"{package} has the build type ament_python: colcon runs setup.py and never CMakeLists.txt, so {made.name}"
+                " is not built; take ament_cmake with ament_cmake_python, or make it a package of its own",
+                "CMake is not run",
+                ((made.location, f"{made.name} is made here"),),
+                level=Level.WARNING,
+            )
+
+
+def _other(package: ProjectPackage, at: Location, kind: str, call: CMakeCommand, meant: str) -> Finding:
+    return _finding(
+        package,
+        at,
+        f"{package} has the build type {kind}, but its CMakeLists.txt calls {call.name}(): it is written for {meant},"
+        " and what is built of it is not found",
+        "other",
+        ((call.location, f"written for {meant}"),),
+    )
+
+
+def _build_tool(project: Project, package: ProjectPackage) -> Iterator[Finding]:
+    """The build tool is a package like any other: what calls it depends on it."""
+    catkin = _call(package, *CATKIN)
+    kinds = {need.kind for need in needs(package) if need.name == "catkin"}
+    if package.name != "catkin" and package.ros != 2 and catkin is not None and _call(package, *AMENT) is None and "buildtool_depend" not in kinds:
+        is_built = bool(kinds & {"build_depend", "depend"})
+        effect = "which works with a warning" if is_built else f"and {catkin.name}() refuses that"
+        if is_built or catkin.name == "catkin_package" or package.raw.is_metapackage:
+            yield _finding(
+                package,
+                place(package, next((n for n in needs(package) if n.name == "catkin"), None)),
+                f"{package} has no buildtool_depend on catkin, {effect}; add <buildtool_depend>catkin</buildtool_depend>",
+                "catkin",
+                ((catkin.location, f"{catkin.name}() is called"),),
+                _only(add_dependency(package, "buildtool_depend", "catkin")),
+                None if catkin.name == "catkin_package" and not is_built else Level.WARNING,
+            )
+    found = _finds(package, "ament_cmake_auto") or _finds(package, "ament_cmake_ros") or _finds(package, "ament_cmake")
+    if package.ros == 2 and found is not None and [word(e) for e in build_types(package)] == ["ament_cmake"]:
+        if not _brings_ament(project, {need.name for need in needs(package, *BUILD)}):
+            name = found.arguments[0]
+            yield _finding(
+                package,
+                place(package, None),
+                f"{package} is built with {name} and does not depend on it: where only what manifests name is installed, it"
+                f" is missing; add <buildtool_depend>{name}</buildtool_depend>",
+                name,
+                ((found.location, f"{name} is looked for"),),
+                _only(add_dependency(package, "buildtool_depend", name)),
+                Level.WARNING,
+            )
+
+
+def _brings_ament(project: Project, names: set[str]) -> bool:
+    """Whether one of *names* is ament's CMake, may be, or needs it wherever it is used itself."""
+    seen: set[str] = set()
+    rest = list(names)
+    while rest:
+        name = rest.pop()
+        if "cmake" in name:
+            return True
+        if name not in seen:
+            seen.add(name)
+            other = project.package(name)
+            rest += [need.name for need in needs(other, *EXPORTED)] if other is not None else []
+    return False
+
+
+def _call(package: ProjectPackage, *names: str) -> CMakeCommand | None:
+    """The first call of one of *names* that is made in every build."""
+    return next((c for c in package.commands(*names) if not c.is_conditional and not c.is_test), None)
+
+
+def _finds(package: ProjectPackage, name: str) -> CMakeCommand | None:
+    calls = package.commands("find_package")
+    return next((c for c in calls if c.arguments[:1] == (name,) and not c.is_conditional and not c.is_test), None)
+
+
+def _only(fix: Fix | None) -> tuple[Fix, ...]:
+    return () if fix is None else (fix,)
+
+
+def _finding(
+    package: ProjectPackage,
+    at: Location,
+    message: str,
+    what: str,
+    related: tuple[tuple[Location, str], ...] = (),
+    fixes: tuple[Fix, ...] = (),
+    level: Level | None = None,
+) -> Finding:
+    return Finding(at=at, message=message, about=(package.name, what), related=related, fixes=fixes, level=level)
+
+
+CHECK = Check(
+    id="wrong-build-type",
+    summary="The manifest of a package names the build type and the build tool that the package is written for.",
+    level=Level.ERROR,
+    catalogue="M07",
+    tags=("packages",),
+    project=check,
+)
