@@ -51,7 +51,11 @@ def _finding(project: Project, package: ProjectPackage, name: str, needed: list[
 def _found_by(package: ProjectPackage, name: str) -> Location | None:
     """Where its CMake looks for *name* and cannot do without it."""
     for call in package.commands("find_package"):
-        if name in call.arguments and not call.is_conditional and (name != call.arguments[0] or "REQUIRED" in call.arguments):
+        if (
+            name in call.arguments
+            and not call.is_conditional
+            and (name != call.arguments[0] or "REQUIRED" in call.arguments)
+        ):
             return call.location
     return None
 

@@ -95,7 +95,9 @@ def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]
         more = " (it has a setup.py: is it ament_python?)" if package.has("setup.py") and kind == "ament_cmake" else ""
         message = f"{package} has the build type {kind} and no CMakeLists.txt: its build fails{more}"
         yield _finding(package, at, message, "no CMakeLists.txt")
-    elif kind == "ament_python" and has_files and not any(map(package.has, ("setup.py", "setup.cfg", "pyproject.toml"))):
+    elif (
+        kind == "ament_python" and has_files and not any(map(package.has, ("setup.py", "setup.cfg", "pyproject.toml")))
+    ):
         message = f"{package} has the build type ament_python and no setup.py: its build fails"
         yield _finding(package, at, message, "no setup.py")
     elif kind == "ament_cmake" and catkin is not None and ament is None:
@@ -132,7 +134,13 @@ def _build_tool(project: Project, package: ProjectPackage) -> Iterator[Finding]:
     """The build tool is a package like any other: what calls it depends on it."""
     catkin = _call(package, *CATKIN)
     kinds = {need.kind for need in needs(package) if need.name == "catkin"}
-    if package.name != "catkin" and package.ros != 2 and catkin is not None and _call(package, *AMENT) is None and "buildtool_depend" not in kinds:
+    if (
+        package.name != "catkin"
+        and package.ros != 2
+        and catkin is not None
+        and _call(package, *AMENT) is None
+        and "buildtool_depend" not in kinds
+    ):
         is_built = bool(kinds & {"build_depend", "depend"})
         effect = "which works with a warning" if is_built else f"and {catkin.name}() refuses that"
         if is_built or catkin.name == "catkin_package" or package.raw.is_metapackage:

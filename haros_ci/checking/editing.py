@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 from haros_ci.checking.outline import Outline, Span
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.element import Element
@@ -111,6 +113,20 @@ def set_text(package: ProjectPackage, element: Element, text: str, description: 
     if outline is None or span is None or span.closing is None or span.children:
         return None
     return Fix(description, (outline.edit(span.open, span.close, escaped(text)),))
+
+
+def set_attribute(package: ProjectPackage, element: Element, name: str, value: str, description: str) -> Fix | None:
+    """The attribute *name* of *element* of the manifest becomes *value*; it is added if it is not there."""
+    outline = _outline(package)
+    span = outline.span(element) if outline is not None else None
+    if outline is None or span is None:
+        return None
+    tag = outline.text[span.start : span.open]
+    given = re.search(rf"""(\s{re.escape(name)}\s*=\s*)("[^"]*"|'[^']*')""", tag)
+    quoted = f'"{escaped(value)}"'
+    if given is not None:
+        return Fix(description, (outline.edit(span.start + given.start(2), span.start + given.end(2), quoted),))
+    return Fix(description, (outline.insert(span.name + len(span.tag), f" {name}={quoted}"),))
 
 
 def escaped(text: str) -> str:

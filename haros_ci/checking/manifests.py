@@ -70,3 +70,30 @@ def is_nested(package: ProjectPackage) -> bool:
     parts = package.path.split("/")
     above = {"/".join(parts[:end]) for end in range(1, len(parts))} | {"."}
     return any(other.path in above and other.path != package.path for other in package.project.packages)
+
+
+def reaches(package: ProjectPackage, kinds: tuple[str, ...], *wanted: str) -> bool | None:
+    """Whether one of *wanted* comes with what the package needs in one of these *kinds*; None if that is not known.
+
+    What a package of the workspace brings along its manifest says, of others the knowledge of what was released.
+    """
+    project = package.project
+    seen: set[str] = set()
+    rest = [need.name for need in needs(package, *kinds)]
+    is_known = True
+    while rest:
+        name = rest.pop()
+        if name in wanted:
+            return True
+        if name in seen:
+            continue
+        seen.add(name)
+        other = project.package(name)
+        if other is not None:
+            rest += [need.name for need in needs(other, *EXPORTED)]
+        else:
+            knowledge = getattr(project, "knowledge", None)
+            brought = knowledge.depends(name, package.ros) if knowledge is not None else None
+            is_known = is_known and brought is not None
+            rest += sorted(brought or ())
+    return False if is_known else None

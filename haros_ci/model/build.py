@@ -69,6 +69,14 @@ class EntryPoint:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Distribution:
+    """The name that setup.py gives what it installs."""
+
+    name: str
+    location: Location
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PluginClass:
     """A ``<class>`` of a plug-in description: look-up *name*, C++ *type*, *base*, *library* (path as written).
 
@@ -213,3 +221,4 @@ class Build:
     parameter_libraries: tuple[ParameterLibrary, ...] = ()
     problems: tuple[Problem, ...] = ()
     commands: tuple[CMakeCommand, ...] = ()
+    distribution: Distribution | None = None

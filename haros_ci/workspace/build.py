@@ -72,6 +72,7 @@ def build_of(workspace: Workspace, package: Package, tree: Tree | None = None) -
         configs=tuple(_configs(workspace, package, state, problems)),
         interfaces=tuple(interfaces),
         entry_points=setup.entry_points,
+        distribution=setup.distribution,
         scripts=_scripts(workspace, package, python, installed),
         python_roots=tuple(sorted(roots.items())),
         defined=_defined(state),

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.model.build import EntryPoint, Installed
+from haros_ci.model.build import Distribution, EntryPoint, Installed
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
@@ -36,6 +36,7 @@ class Setup:
     entry_points: tuple[EntryPoint, ...] = ()
     parameter_modules: tuple[tuple[str, str, Location], ...] = ()
     problems: tuple[Problem, ...] = ()
+    distribution: Distribution | None = None
 
 
 def read_setup(tree: Tree, package: Package) -> Setup:
@@ -176,7 +177,14 @@ class _Reader:
         roots = self.roots()
         installed = (*self.scripts(), *self.data_files())
         entry_points = (*self.entry_points(roots), *self.configured(roots))
-        return Setup(roots, installed, entry_points, tuple(self.parameter_modules), tuple(self.problems))
+        rest = (tuple(self.parameter_modules), tuple(self.problems), self.distribution())
+        return Setup(roots, installed, entry_points, *rest)
+
+    def distribution(self) -> Distribution | None:
+        node = self.given.get("name")
+        name = self.value(node) if node is not None else None
+        place = Location(self.path, node.lineno) if node is not None else None
+        return Distribution(name=name, location=place) if isinstance(name, str) and place is not None else None
 
     def roots(self) -> tuple[tuple[str, str], ...]:
         node = self.given.get("package_dir")

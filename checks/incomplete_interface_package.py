@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages that generate messages, services or actions, and do not declare what that takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    BUILD,
+    EXPORTED,
+    Check,
+    CMakeCommand,
+    Element,
+    Finding,
+    Fix,
+    Level,
+    Project,
+    ProjectPackage,
+    add_dependency,
+    add_element,
+    applying,
+    needs,
+    place,
+    reaches,
+    set_attribute,
+    word,
+)
+
+GROUP = "rosidl_interface_packages"
+#: For each ROS: the generator's package and all that contain it, then the same for what generated code runs with.
+PARTS = {
+    2: (
+        ("rosidl_default_generators", "rosidl_core_generators"),
+        ("rosidl_default_runtime", "rosidl_core_runtime"),
+    ),
+    1: (("message_generation", "genmsg"), ("message_runtime",)),
+}
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        call = _call(package, "rosidl_generate_interfaces")
+        old = _call(package, "generate_messages") if package.ros != 2 else None
+        if package.manifest is None:
+            continue
+        if call is not None and not {"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"} & set(call.arguments):
+            yield from _group(package, package.manifest, call)
+        if call is not None and "SKIP_INSTALL" not in call.arguments:
+            yield from _parts(package, call, 2)
+        elif old is not None:
+            yield from _parts(package, old, 1)
+
+
+def _call(package: ProjectPackage, name: str) -> CMakeCommand | None:
+    return next((c for c in package.commands(name) if not c.is_conditional and not c.is_test), None)
+
+
+def _group(package: ProjectPackage, root: Element, call: CMakeCommand) -> Iterator[Finding]:
+    """rosidl_generate_interfaces() stops unless the manifest says so (rosidl_cmake)."""
+    if any(word(each) == GROUP for each in applying(package, root, "member_of_group")):
+        return
+    yield Finding(
+        at=place(package, None),
+        message=f"{package} generates interfaces and is not a member of the group {GROUP}: rosidl_generate_interfaces() stops;"
+        f" add <member_of_group>{GROUP}</member_of_group>",
+        about=(package.name, GROUP),
+        related=((call.location, "interfaces are generated here"),),
+        fixes=_membership(package, root),
+        level=Level.ERROR,
+    )
+
+
+def _membership(package: ProjectPackage, root: Element) -> tuple[Fix, ...]:
+    """In format 2 the manifest becomes one of format 3, which has groups and is else the same (REP 149)."""
+    text = "declare the membership"
+    fix = add_element(package, "member_of_group", GROUP, text)
+    if fix is None or package.raw.format == 3:
+        return () if fix is None else (fix,)
+    newer = set_attribute(package, root, "format", "3", text) if package.raw.format == 2 else None
+    return () if newer is None else (Fix(text, (*newer.edits, *fix.edits)),)
+
+
+def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Finding]:
+    generators, runtimes = PARTS[ros]
+    if package.name in (*generators, *runtimes):
+        return
+    declared = {need.name for need in needs(package)}
+    if not declared & set(generators):
+        is_missing = reaches(package, (*BUILD, *EXPORTED), *generators) is False
+        kind = "buildtool_depend" if ros == 2 else "build_depend"
+        yield _missing(
+            package,
+            call,
+            generators[0],
+            kind,
+            "where only what manifests name is installed, there is no generator",
+            Level.ERROR if is_missing else Level.WARNING,
+        )
+    if not {need.name for need in needs(package, *EXPORTED)} & set(runtimes):
+        effect = "its interfaces may not load where only what manifests name is installed"
+        yield _missing(package, call, runtimes[0], "exec_depend", effect, Level.WARNING)
+
+
+def _missing(
+    package: ProjectPackage, call: CMakeCommand, name: str, kind: str, effect: str, level: Level
+) -> Finding:
+    kind = {"exec_depend": "run_depend"}.get(kind, kind) if package.raw.format == 1 else kind
+    fix = add_dependency(package, kind, name)
+    return Finding(
+        at=place(package, None),
+        message=f"{package} generates interfaces and does not depend on {name}: {effect}; add <{kind}>{name}</{kind}>",
+        about=(package.name, name),
+        related=((call.location, "interfaces are generated here"),),
+        fixes=() if fix is None else (fix,),
+        level=level,
+        apart=(name,),
+    )
+
+
+CHECK = Check(
+    id="incomplete-interface-package",
+    summary="A package that generates interfaces declares what generating and using them takes.",
+    level=Level.ERROR,
+    catalogue="M09",
+    tags=("packages", "interfaces"),
+    project=check,
+)

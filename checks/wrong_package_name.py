@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Package names that the rules do not allow, and other names where the package's own is wanted."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from haros_ci.api import Check, CMakeCommand, Finding, Level, Location, Project, ProjectPackage, is_nested
+
+#: The macros that compare the name in the manifest with that of project(), and stop.
+COMPARING = (
+    "catkin_package",
+    "catkin_metapackage",
+    "ament_package",
+    "ament_auto_package",
+    "rosidl_generate_interfaces",
+)
+#: What catkin_pkg reads at all.
+READABLE = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
+#: What REP 144 asks for: lower case, digits and single underscores, a letter first, two characters at least.
+PROPER = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*_?")
+#: What rosidl generates code for: no hyphen, no capital, no two underscores, none at the end.
+OF_INTERFACES = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        if package.manifest is None or is_nested(package):
+            continue
+        yield from _allowed(package)
+        yield from _of_project(package)
+        yield from _of_setup(package)
+
+
+def _allowed(package: ProjectPackage) -> Iterator[Finding]:
+    name = package.name
+    interfaces = package.commands("rosidl_generate_interfaces")
+    if READABLE.fullmatch(name) is None:
+        if any(mark in name for mark in "@{}$%<>"):
+            return  # a template of a manifest
+        message = f"{name} is no package name: catkin and colcon refuse the manifest; use lower case, digits and _"
+        yield _finding(package, package.at("name"), message, "refused", Level.ERROR)
+    elif interfaces and OF_INTERFACES.fullmatch(name) is None:
+        message = (
+            f"{name} is no name for a package of interfaces: rosidl refuses to generate code for it; use lower case, digits"
+            " and single _"
+        )
+        related = ((interfaces[0].location, "interfaces are generated here"),)
+        yield _finding(package, package.at("name"), message, "interfaces", Level.ERROR, related)
+    elif PROPER.fullmatch(name) is None or len(name) < 2:
+        message = (
+            f"{name} is not as packages are named (REP 144: lower case, digits and single _, a letter first): tools that make"
+            " names of code, topics or Debian packages of it go wrong"
+        )
+        yield _finding(package, package.at("name"), message, "convention", Level.NOTE)
+
+
+def _of_project(package: ProjectPackage) -> Iterator[Finding]:
+    """The name that project() gives must be the package's own."""
+    calls = [c for c in package.commands(*COMPARING) if not c.is_conditional and not c.is_test]
+    if not calls:
+        return
+    named = _named(package, calls[0])
+    name = named.arguments[0] if named is not None and named.arguments else package.name
+    if named is not None and name != package.name and "${" not in name:
+        yield _finding(
+            package,
+            named.location,
+            f"project({name}) in the package {package}: {calls[0].name}() stops, as both have to be the same name",
+            "project",
+            Level.ERROR,
+            (
+                (package.at("name"), f"the package's name is {package}"),
+                (calls[0].location, "where the names are compared"),
+            ),
+        )
+
+
+def _named(package: ProjectPackage, call: CMakeCommand) -> CMakeCommand | None:
+    """The project() that counts where *call* stands: the last before it in the same file, if all of them are certain."""
+    before = []
+    for command in package.commands("project", call.name):
+        if command is call:
+            break
+        if command.directory == call.directory:
+            before.append(command)
+    return before[-1] if before and not any(each.is_conditional for each in before) else None
+
+
+def _of_setup(package: ProjectPackage) -> Iterator[Finding]:
+    """setup.py of an ament_python package should call it as the manifest does."""
+    given = package.build.distribution
+    if package.raw.build_type != "ament_python" or given is None or not given.name:
+        return
+    if _normal(given.name) != _normal(package.name):
+        yield _finding(
+            package,
+            Location(given.location.path, given.location.line),
+            f"setup.py calls the package {given.name}, the manifest {package}: ROS looks for its files, and Python for its"
+            " programs, under different names",
+            "setup.py",
+            None,
+            ((package.at("name"), f"the package's name is {package}"),),
+        )
+
+
+def _normal(name: str) -> str:
+    """Names of Python distributions are equal whatever their case and separators (PEP 503)."""
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def _finding(
+    package: ProjectPackage,
+    at: Location,
+    message: str,
+    what: str,
+    level: Level | None,
+    related: tuple[tuple[Location, str], ...] = (),
+) -> Finding:
+    return Finding(at=at, message=message, about=(package.name, what), related=related, level=level)
+
+
+CHECK = Check(
+    id="wrong-package-name",
+    summary="A package has a proper name, and CMake and setup.py give it the same one.",
+    level=Level.WARNING,
+    catalogue="M08",
+    tags=("packages",),
+    project=check,
+)
