@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import (
@@ -19,6 +20,7 @@ from haros_ci.api import (
     add_dependency,
     add_element,
     applying,
+    brings,
     needs,
     place,
     reaches,
@@ -36,6 +38,15 @@ PARTS = {
     1: (("message_generation", "genmsg"), ("message_runtime",)),
 }
 
+#: Options of rosidl_generate_interfaces() that end the list of DEPENDENCIES.
+KEYWORDS = ("ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK", "LIBRARY_NAME")
+#: Packages that come with the generator, at least in some distributions.
+OF_THE_GENERATOR = ("builtin_interfaces", "action_msgs", "service_msgs", "unique_identifier_msgs")
+#: Names of macros that may find packages, but for those that do not.
+FINDING = re.compile("find|package|depend|setup|config|include")
+TAME = ("find_package", "add_dependencies", "ament_export_dependencies", "ament_target_dependencies", "configure_file",
+        "ament_export_include_directories", "include_directories", "target_include_directories")  # fmt: skip
+
 
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
@@ -45,6 +56,8 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if call is not None and not {"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"} & set(call.arguments):
             yield from _group(package, package.manifest, call)
+        if call is not None:
+            yield from _unfound(package, call)
         if call is not None and "SKIP_INSTALL" not in call.arguments:
             yield from _parts(package, call, 2)
         elif old is not None:
@@ -80,6 +93,27 @@ def _membership(package: ProjectPackage, root: Element) -> tuple[Fix, ...]:
     return () if newer is None else (Fix(text, (*newer.edits, *fix.edits)),)
 
 
+def _unfound(package: ProjectPackage, call: CMakeCommand) -> Iterator[Finding]:
+    """What DEPENDENCIES names has to be found before, by itself or with a package that exports it."""
+    before = list(package.build.commands[: package.build.commands.index(call)])
+    if any(FINDING.search(each.name) and each.name not in TAME for each in before):
+        return
+    found = {each.arguments[0] for each in before if each.name == "find_package" and each.arguments}
+    if any("${" in name for name in found):
+        return
+    tools = {name for name in found if name.startswith("ament_")}
+    for name in call.after("DEPENDENCIES", *KEYWORDS):
+        if "${" not in name and name not in OF_THE_GENERATOR and brings(package, found - tools, name) is False:
+            yield Finding(
+                at=call.location,
+                message=f"rosidl_generate_interfaces() of {package} depends on {name}, which is not found before:"
+                f" the build stops; call find_package({name} REQUIRED) first",
+                about=(package.name, name, "DEPENDENCIES"),
+                apart=(name,),
+                level=Level.ERROR,
+            )
+
+
 def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Finding]:
     generators, runtimes = PARTS[ros]
     if package.name in (*generators, *runtimes):
@@ -101,9 +135,7 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
         yield _missing(package, call, runtimes[0], "exec_depend", effect, Level.WARNING)
 
 
-def _missing(
-    package: ProjectPackage, call: CMakeCommand, name: str, kind: str, effect: str, level: Level
-) -> Finding:
+def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, effect: str, level: Level) -> Finding:
     kind = {"exec_depend": "run_depend"}.get(kind, kind) if package.raw.format == 1 else kind
     fix = add_dependency(package, kind, name)
     return Finding(

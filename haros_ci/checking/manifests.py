@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.condition import evaluate
 from haros_ci.model.element import Element
@@ -73,13 +75,20 @@ def is_nested(package: ProjectPackage) -> bool:
 
 
 def reaches(package: ProjectPackage, kinds: tuple[str, ...], *wanted: str) -> bool | None:
-    """Whether one of *wanted* comes with what the package needs in one of these *kinds*; None if that is not known.
+    """Whether one of *wanted* comes with what the package needs in one of these *kinds*; None if that is not known."""
+    return brings(package, (need.name for need in needs(package, *kinds)), *wanted)
 
-    What a package of the workspace brings along its manifest says, of others the knowledge of what was released.
+
+def brings(package: ProjectPackage, names: Iterable[str], *wanted: str) -> bool | None:
+    """Whether one of *wanted* is among *names* or comes with one of them; None if that is not known.
+
+    What a package of the workspace brings along its manifest says, of others the knowledge of what was released for the
+    ROS of *package*.
     """
     project = package.project
+    knowledge = getattr(project, "knowledge", None)
     seen: set[str] = set()
-    rest = [need.name for need in needs(package, *kinds)]
+    rest = list(names)
     is_known = True
     while rest:
         name = rest.pop()
@@ -92,7 +101,6 @@ def reaches(package: ProjectPackage, kinds: tuple[str, ...], *wanted: str) -> bo
         if other is not None:
             rest += [need.name for need in needs(other, *EXPORTED)]
         else:
-            knowledge = getattr(project, "knowledge", None)
             brought = knowledge.depends(name, package.ros) if knowledge is not None else None
             is_known = is_known and brought is not None
             rest += sorted(brought or ())

@@ -159,3 +159,12 @@ def _cast(name: str, value: Any) -> Any:
         return {"int": int, "float": float, "bool": bool, "str": str}[name](value)
     except (ArithmeticError, ValueError):
         return MISSING
+
+
+def summands(node: ast.expr) -> list[ast.expr]:
+    """``a``, ``b`` and ``c`` of ``a + b + c``."""
+    found = []
+    while isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        found.append(node.right)
+        node = node.left
+    return [node, *reversed(found)]

@@ -16,7 +16,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_install import tidy
-from haros_ci.workspace.python_values import MISSING, dotted, parse_python, value_of
+from haros_ci.workspace.python_values import MISSING, dotted, parse_python, summands, value_of
 from haros_ci.workspace.setup_cfg import console_scripts, package_directories, scripts_of_text
 from haros_ci.workspace.tree import Tree
 
@@ -95,7 +95,7 @@ class _Reader:
                 self.entries(node.value)
             self.names[name] = self.value(node.value)
             known = self.nodes.get(name, [])
-            parts = _summands(node.value)
+            parts = summands(node.value)
             self.nodes[name] = [p for part in parts for p in (known if dotted(part) == name else [part])][:MAX_ITEMS]
 
     def grown(self, call: ast.Call) -> None:
@@ -182,9 +182,12 @@ class _Reader:
 
     def distribution(self) -> Distribution | None:
         node = self.given.get("name")
-        name = self.value(node) if node is not None else None
-        place = Location(self.path, node.lineno) if node is not None else None
-        return Distribution(name=name, location=place) if isinstance(name, str) and place is not None else None
+        name = None if node is None else self.value(node)
+        return (
+            Distribution(name=name, location=Location(self.path, node.lineno))
+            if node and isinstance(name, str)
+            else None
+        )
 
     def roots(self) -> tuple[tuple[str, str], ...]:
         node = self.given.get("package_dir")
@@ -233,7 +236,7 @@ class _Reader:
         self.looked += 1
         if isinstance(node, (ast.List, ast.Tuple)):
             return list(node.elts)
-        parts = _summands(node) if isinstance(node, ast.BinOp) else self.nodes.get(dotted(node), [])
+        parts = summands(node) if isinstance(node, ast.BinOp) else self.nodes.get(dotted(node), [])
         if parts in ([], [node]) or depth > MAX_NESTED or self.looked > MAX_ITEMS:
             if self.package.ros != 1:
                 self.problem(node, "data_files")
@@ -340,15 +343,6 @@ class _Reader:
 
 def _is(node: ast.expr | None, value: str | bool) -> bool:
     return isinstance(node, ast.Constant) and node.value == value
-
-
-def _summands(node: ast.expr) -> list[ast.expr]:
-    """``a``, ``b`` and ``c`` of ``a + b + c``."""
-    found = []
-    while isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-        found.append(node.right)
-        node = node.left
-    return [node, *reversed(found)]
 
 
 def _lines(node: ast.expr | None) -> list[tuple[int, int]]:

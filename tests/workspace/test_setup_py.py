@@ -139,3 +139,20 @@ def test_at_the_root() -> None:
 @pytest.mark.parametrize("text", ["setup(scripts=" + "[" * 150 + "]" * 150 + ")", "setup(" + "a." * 5000 + "b)", "x\0"])
 def test_deep_input_ends(text: str) -> None:
     read(f"#bad\n{text}")
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ('setup(name="arm-tools")', "arm-tools"),
+        ('package_name = "arm"\nsetup(name=package_name, version="1")', "arm"),
+        ('package_name = "arm"\nsetup(name=package_name + "_tools")', "arm_tools"),
+        ("setup(name=read())", None),
+        ("setup(**generate_distutils_setup(packages=[]))", None),
+        ('print(name="arm")', None),
+    ],
+)
+def test_the_name_of_what_is_installed(text: str, name: str | None) -> None:
+    found = read(text).distribution
+    assert (found.name if found is not None else None) == name
+    assert found is None or found.location.path == "pkgs/arm/setup.py"
