@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Manifests that are XML and have a name, and that catkin and colcon refuse or do not understand as they are meant."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Check,
+    Element,
+    Finding,
+    Fix,
+    Level,
+    Project,
+    ProjectPackage,
+    drop_element,
+    is_nested,
+    is_slip,
+    needs,
+    place,
+    rename_element,
+    set_attribute,
+    word,
+)
+
+VERSIONS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
+#: The tags of each format with their attributes (REP 127, 140, 149).
+OF_ALL = {
+    "name": (),
+    "version": ("compatibility",),
+    "description": (),
+    "maintainer": ("email",),
+    "license": (),
+    "url": ("type",),
+    "author": ("email",),
+    "export": (),
+    **dict.fromkeys(("build_depend", "buildtool_depend", "test_depend", "conflict", "replace"), VERSIONS),
+}
+OF_2 = dict.fromkeys(
+    ("build_export_depend", "buildtool_export_depend", "depend", "exec_depend", "doc_depend"), VERSIONS
+)
+OF_3 = {"group_depend": (), "member_of_group": ()}
+#: What stands in the export section (REP 127, 149 and common plug-ins): it does nothing beside it.
+OF_EXPORT = ("build_type", "metapackage", "architecture_independent", "deprecated", "message_generator")
+EMAIL = re.compile(r"[-\w%+]+(?:\.[-\w%+]+)*@[-a-zA-Z0-9%]+(?:\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}", re.A)
+VERSION = re.compile(r"[0-9]+\.[0-9]+\.[0-9]+")
+PLACEHOLDER = re.compile(r"[@{}]|\$\(|%\(|<%")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        root = package.manifest
+        if root is not None and root.tag == "package" and not is_nested(package) and not _is_template(root):
+            for part in (_required, _tags, _dependencies, _metapackage, _plugins):
+                yield from part(package, root)
+
+
+def _is_template(root: Element) -> bool:
+    """Whether something is still to be filled in: ``@NAME@``, ``{{ name }}``."""
+    return any(PLACEHOLDER.search(word(each)) for each in root.all("name", "version"))
+
+
+def known_tags(format: int) -> dict[str, tuple[str, ...]]:
+    """The tags that a manifest of this format may have, and their attributes."""
+    if format == 1:
+        return {**OF_ALL, "run_depend": VERSIONS}
+    tags = {**OF_ALL, **OF_2}
+    if format == 2:
+        return tags
+    tags |= OF_3
+    with_condition = {tag: (*names, "condition") for tag, names in tags.items() if "depend" in tag}
+    others = {"member_of_group": ("condition",), "license": ("file",)}
+    others |= {tag: (*VERSIONS, "condition") for tag in ("conflict", "replace")}
+    return {**tags, **with_condition, **others}
+
+
+def _required(package: ProjectPackage, root: Element) -> Iterator[Finding]:
+    """What every manifest has to say, once or at least once."""
+    count = Counter(child.tag for child in root.children)
+    for tag in ("name", "version", "description"):
+        if count[tag] != 1:
+            second = [*root.all(tag)][1:2]
+            said = "twice" if count[tag] == 2 else f"{count[tag]} times" if count[tag] else "not at all"
+            what = f"the manifest says <{tag}> {said}, and has to say it once"
+            yield _finding(package, second[0] if second else None, what, tag)
+    for tag in ("maintainer", "license"):
+        if not count[tag]:
+            yield _finding(package, None, f"the manifest has no <{tag}>, and needs one", tag)
+    if count["export"] > 1:
+        yield _finding(package, [*root.all("export")][1], "the manifest has more than one <export>", "export")
+    for each in root.all("version"):
+        if VERSION.fullmatch(word(each)) is None:
+            yield _finding(package, each, f"the version {word(each)!r} is not three numbers (1.2.3)", "version")
+    for each in root.all("description", "license"):
+        if not word(each) and not each.children:
+            yield _finding(package, each, f"<{each.tag}> is empty", each.tag)
+    for each in root.all("maintainer", "author"):
+        email = each.attributes.get("email")
+        if email is None and each.tag == "maintainer":
+            yield _finding(package, each, f"the maintainer {word(each)} has no email attribute", f"email {word(each)}")
+        elif email is not None and EMAIL.fullmatch(email) is None:
+            yield _finding(package, each, f"{email!r} is no email address", f"email {word(each)}")
+
+
+def _tags(package: ProjectPackage, root: Element) -> Iterator[Finding]:
+    """Tags and attributes that the format does not have; each tag once."""
+    known = known_tags(package.raw.format)
+    told: set[str] = set()
+    for child in root.children:
+        if child.tag not in known:
+            if child.tag not in told:
+                told.add(child.tag)
+                yield _unknown(package, root, child, known)
+            continue
+        if child.tag not in ("description", "export") and child.children:
+            inner = child.children[0]
+            what = f"<{child.tag}> contains <{inner.tag}>, and may contain text alone"
+            yield _finding(package, inner, what, f"{child.tag} {inner.tag}")
+        odd = [n for n in child.attributes if n not in known[child.tag] and n != "xmlns" and ":" not in n]
+        if odd:
+            older = package.raw.format < 3 and set(odd) <= {"condition", "file"}
+            why = f"in format {package.raw.format}; format 3 has it" if older else "which nothing reads"
+            fixes = _newer(package, root, 3) if older else ()
+            yield _finding(
+                package, child, f"<{child.tag}> has the attribute {odd[0]}, {why}", f"{child.tag} {odd[0]}", fixes
+            )
+
+
+def _unknown(package: ProjectPackage, root: Element, child: Element, known: dict[str, tuple[str, ...]]) -> Finding:
+    tag, format = child.tag, package.raw.format
+    fixes: tuple[Fix, ...] = ()
+    if tag == "run_depend":
+        advice, fixes = "exec_depend is its name since format 2", _renamed(package, root, tag, "exec_depend")
+    elif tag == "exec_depend" and format == 1:
+        advice, fixes = "its name is run_depend there", _renamed(package, root, tag, "run_depend")
+    elif tag in OF_2 or tag in OF_3:
+        least = 2 if tag in OF_2 else 3
+        advice, fixes = f"format {least} has it", _newer(package, root, least)
+    elif tag in OF_EXPORT:
+        advice = "it belongs into <export>"
+    else:
+        near = next((name for name in known if is_slip(tag, name)), None)
+        advice = "nothing reads it" if near is None else f"{near} is meant"
+        fixes = _renamed(package, root, tag, near) if near is not None and "depend" in near else ()
+    return _finding(package, child, f"format {format} has no <{tag}>: {advice}", f"<{tag}>", fixes)
+
+
+def _renamed(package: ProjectPackage, root: Element, tag: str, name: str) -> tuple[Fix, ...]:
+    """All elements of *tag* become ones of *name*."""
+    text = f"rename {tag} to {name}"
+    parts = [rename_element(package, each, name, text) for each in root.all(tag)]
+    edits = tuple(edit for part in parts if part is not None for edit in part.edits)
+    return (Fix(text, edits),) if None not in parts else ()
+
+
+def _newer(package: ProjectPackage, root: Element, format: int) -> tuple[Fix, ...]:
+    """The manifest in a newer format; from format 1 only where nothing in it is of format 1 alone."""
+    if package.raw.format == 1 and any(root.all("run_depend")):
+        return ()
+    fix = set_attribute(package, root, "format", str(format), f"make it a manifest of format {format}")
+    return () if fix is None else (fix,)
+
+
+def _dependencies(package: ProjectPackage, root: Element) -> Iterator[Finding]:
+    """Dependencies on itself, and those that another one contains."""
+    for child in root.children:
+        if child.tag.endswith("_depend") or child.tag == "depend":
+            if word(child) == package.name and child.tag != "group_depend":
+                fix = drop_element(package, child, f"drop the dependency on {package.name}")
+                what = f"the package has a <{child.tag}> on itself"
+                yield _finding(package, child, what, f"{child.tag} itself", () if fix is None else (fix,))
+    if package.raw.format == 1:
+        whole, parts = ("test_depend",), ("build_depend", "run_depend")
+    else:
+        whole, parts = ("depend",), ("build_depend", "build_export_depend", "exec_depend")
+    wider = {_key(each): each for each in root.all(*whole)}
+    for child in root.all(*parts):
+        other = wider.get(_key(child))
+        if other is None or word(child) == package.name:
+            continue
+        spare = child if package.raw.format > 1 else other
+        fix = drop_element(package, spare, f"drop the {spare.tag} on {word(child)}")
+        yield _finding(
+            package,
+            spare,
+            f"<{spare.tag}> on {word(child)} says nothing that <{(other if spare is child else child).tag}> does not",
+            f"{spare.tag} {word(child)}",
+            () if fix is None else (fix,),
+        )
+
+
+def _metapackage(package: ProjectPackage, root: Element) -> Iterator[Finding]:
+    """A metapackage of ROS 1 has dependencies of packages that run alone (REP 127)."""
+    if package.ros != 1 or not package.raw.is_metapackage:
+        return
+    for need in needs(package, "build_depend", "depend", "test_depend"):
+        run = "run_depend" if package.raw.format == 1 else "exec_depend"
+        yield Finding(
+            at=place(package, need),
+            message=f"the metapackage {package} has a <{need.kind}> on {need.name}, and may have <{run}> alone",
+            about=(package.name, f"{need.kind} {need.name} of a metapackage"),
+            level=Level.WARNING,
+            apart=(need.kind, need.name),
+        )
+
+
+def _key(element: Element) -> tuple[str, frozenset[tuple[str, str]]]:
+    return word(element), frozenset(element.attributes.items())
+
+
+def _plugins(package: ProjectPackage, root: Element) -> Iterator[Finding]:
+    """In ROS 1 the path of an exported plug-in description is taken as it is."""
+    if package.ros != 1:
+        return
+    for export in root.all("export"):
+        for each in export.children:
+            path = each.attributes.get("plugin", "")
+            if path and not path.startswith(("${prefix}", "/", "$(")):
+                fix = set_attribute(package, each, "plugin", "${prefix}/" + path, "say where it lies")
+                yield Finding(
+                    at=place(package, each),
+                    message=f"the plug-ins of {path} for {each.tag} are looked for in the directory that a program is started"
+                    f" in; say ${{prefix}}/{path}",
+                    about=(package.name, f"plugin {each.tag} {path}"),
+                    fixes=() if fix is None else (fix,),
+                    apart=(path,),
+                )
+
+
+def _finding(
+    package: ProjectPackage, element: Element | None, what: str, about: str, fixes: tuple[Fix, ...] = ()
+) -> Finding:
+    return Finding(
+        at=place(package, element),
+        message=f"{package}: {what}; catkin and colcon refuse the manifest",
+        about=(package.name, about),
+        fixes=fixes,
+        apart=(about,),
+    )
+
+
+CHECK = Check(
+    id="invalid-manifest",
+    summary="A manifest says what its format asks for, and nothing that the format does not have.",
+    level=Level.ERROR,
+    catalogue="M10",
+    tags=("packages",),
+    project=check,
+)
