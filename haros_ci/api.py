@@ -17,6 +17,7 @@ from haros_ci.checking.editing import (
     drop_lines,
     insert_line,
     rename_element,
+    set_attribute,
     set_text,
 )
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
@@ -31,6 +32,21 @@ from haros_ci.checking.manifests import BUILD, EXEC, EXPORTED, applying, build_t
 from haros_ci.checking.message_fields import Missing as MissingField
 from haros_ci.checking.message_fields import missing_fields
 from haros_ci.checking.manifests import BUILD, EXEC, EXPORTED, applying, build_types, exports, holds, is_nested, needs, place, word
+from haros_ci.checking.manifests import (
+    BUILD,
+    EXEC,
+    EXPORTED,
+    applying,
+    brings,
+    build_types,
+    exports,
+    holds,
+    is_nested,
+    needs,
+    place,
+    reaches,
+    word,
+)
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import named_at, rule_of, way_to
@@ -169,6 +185,7 @@ __all__ = [
     "applying",
     "attribute_values",
     "base_names",
+    "brings",
     "build_types",
     "call_place",
     "callbacks",
@@ -204,8 +221,8 @@ __all__ = [
     "is_local",
     "is_lookup",
     "is_mentioned",
-    "is_nested",
     "is_moved",
+    "is_nested",
     "is_node",
     "is_slip",
     "landings",
@@ -227,10 +244,12 @@ __all__ = [
     "qos_in_words",
     "reached",
     "references_to",
+    "reaches",
     "rename_element",
     "renamed_keyword",
     "resolved",
     "rule_of",
+    "set_attribute",
     "set_text",
     "together",
     "type_mismatches",
