@@ -99,6 +99,9 @@ from haros_ci.model.presence import ALWAYS, Presence, together
 from haros_ci.model.program import Program
 from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.rule import Level
+from haros_ci.security.enclaves import enclave_of, is_common
+from haros_ci.security.permissions import Permission, verdict
+from haros_ci.security.policy import NodeProfile, Policy, read_policy
 
 __all__ = [
     "ACTION",
@@ -155,13 +158,16 @@ __all__ = [
     "MissingField",
     "Names",
     "NodePattern",
+    "NodeProfile",
     "Package",
     "PackageUse",
     "Parameter",
     "ParameterFileUse",
     "PassedArgument",
     "PathUse",
+    "Permission",
     "PluginClass",
+    "Policy",
     "Presence",
     "Program",
     "ProgramUse",
@@ -204,6 +210,7 @@ __all__ = [
     "dotted",
     "drop_element",
     "drop_lines",
+    "enclave_of",
     "excludes",
     "exports",
     "given_function",
@@ -218,6 +225,7 @@ __all__ = [
     "install_line",
     "install_place",
     "is_caught",
+    "is_common",
     "is_local",
     "is_lookup",
     "is_mentioned",
@@ -245,6 +253,7 @@ __all__ = [
     "reached",
     "references_to",
     "reaches",
+    "read_policy",
     "rename_element",
     "renamed_keyword",
     "resolved",
@@ -258,6 +267,7 @@ __all__ = [
     "unmet",
     "uses",
     "variable",
+    "verdict",
     "way_to",
     "word",
 ]

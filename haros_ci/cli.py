@@ -241,6 +241,23 @@ def query(**flags: Any) -> int:
 
 
 @haros_ci.command()
+@click.argument("launch", nargs=-1, metavar="[LAUNCH]...")
+@click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
+@click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
+@click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
+@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
+@click.option("--isolated", is_flag=True, help="Read no project file.")
+@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
+@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
+@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+def policy(**flags: Any) -> int:
+    """Write a security policy (SROS2) that allows what the nodes of LAUNCH files, or of all configurations, do."""
+    from haros_ci import policy_command
+
+    return policy_command.policy(flags)
+
+
+@haros_ci.command()
 @click.argument("base")
 @click.argument("head", required=False)
 @click.option("--format", type=click.Choice(["text", "markdown", "json"]), default="text", show_default=True)
