@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Components that CMake registers under a class that its library does not register, and the other way round."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Location, PluginClass, Project, ProjectPackage, Target
+
+_MACRO = "RCLCPP_COMPONENTS_REGISTER_NODE"
+_FACTORY = "rclcpp_components::NodeFactory"
+_COMMANDS = ("rclcpp_components_register_node", "rclcpp_components_register_nodes")
+#: Where a class is registered in code: its name as written, which is the name it gets.
+Registered = dict[str, Location]
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        components = [each for each in package.build.plugins if each.base == _FACTORY]
+        if not components and not package.commands(*_COMMANDS):
+            continue
+        targets = {target.name: target for target in package.build.targets}
+        everywhere = _found([file.path for file in package.files if file.language == "cpp"], project)
+        for each in components:
+            target = targets.get(each.library)
+            if target is None or not _is_known(target, package):
+                continue
+            here = _registered(_sources(target, targets), project)
+            if here is not None and each.type not in here:
+                yield _missing(each, target, package, here, everywhere)
+        yield from _unnamed(package, components, targets, project)
+
+
+def _missing(
+    each: PluginClass, target: Target, package: ProjectPackage, here: Registered, everywhere: Registered
+) -> Finding:
+    """The class that CMake names is not one that the library registers."""
+    related: tuple[tuple[Location, str], ...] = ()
+    last = each.type.rpartition("::")[2]
+    alike = [name for name in here if name.rpartition("::")[2] == last] or (list(here) if len(here) == 1 else [])
+    if each.type in everywhere:
+        where = everywhere[each.type]
+        hint = f"{where.path} does, which is not among its sources"
+        related = ((where, f"{each.type} is registered here"),)
+    elif alike:
+        hint = f"it registers {alike[0]}: the names have to be the same text"
+        related = ((here[alike[0]], f"{alike[0]} is registered here"),)
+    elif here:
+        hint = f"it registers {', '.join(sorted(here)[:3])}"
+    else:
+        hint = f"none of its sources has {_MACRO}({each.type})"
+    return Finding(
+        at=each.location,
+        message=f"component {each.type} cannot be loaded: library {target.name} does not register it; {hint}",
+        about=(package.name, each.type),
+        related=related,
+        apart=(each.type,),
+    )
+
+
+def _unnamed(
+    package: ProjectPackage, components: list[PluginClass], targets: dict[str, Target], project: Project
+) -> Iterator[Finding]:
+    """What code registers and CMake does not: containers look components up in what CMake writes."""
+    if any("$" in word for command in package.commands(*_COMMANDS) for word in command.arguments):
+        return
+    named = {each.type for each in components}
+    libraries = {each.library for each in components}
+    for target in targets.values():
+        if target.name in libraries and not target.is_test and not target.is_conditional:
+            for name, where in (_registered(list(target.sources), project) or {}).items():
+                if name not in named and where.path not in target.conditional_sources and not _is_meant(name, named):
+                    yield Finding(
+                        at=where,
+                        message=(
+                            f"component {name} is registered here and in no {_COMMANDS[0]}() of package {package.name}: no "
+                            "container finds it"
+                        ),
+                        about=(package.name, name),
+                        level=Level.WARNING,
+                    )
+
+
+def _is_meant(name: str, named: set[str]) -> bool:
+    """Whether CMake has the class under another spelling, which is reported there."""
+    last = name.rpartition("::")[2]
+    return any(each.rpartition("::")[2] == last for each in named)
+
+
+def _is_known(target: Target, package: ProjectPackage) -> bool:
+    """Whether all its sources are."""
+    return bool(target.sources) and not any(
+        problem.message.startswith(f"{target.name}:") for problem in package.build.problems
+    )
+
+
+def _sources(target: Target, targets: dict[str, Target]) -> list[str]:
+    """Its own and those of libraries that become part of it."""
+    found = list(target.sources)
+    for link in target.links:
+        other = targets.get(link)
+        if other is not None:
+            found += other.sources
+    return found
+
+
+def _registered(paths: list[str], project: Project) -> Registered | None:
+    """The classes that files register; None if one of them does so in a way that is not seen through."""
+    for path in paths:
+        program = project.programs.get(path)
+        if program is None or any(_MACRO in body for _, _, body in program.macros) or program.problems:
+            return None
+        if any("REGISTER" in macro and macro != _MACRO and "POINT" not in macro for macro, *_ in program.registered):
+            return None
+    return _found(paths, project)
+
+
+def _found(paths: list[str], project: Project) -> Registered:
+    """The classes that files register by the macro."""
+    found: Registered = {}
+    for path in paths:
+        program = project.programs.get(path)
+        for macro, arguments, line, column in program.registered if program is not None else ():
+            if macro == _MACRO and len(arguments) == 1:
+                found.setdefault(arguments[0].strip(), Location(path, line, column))
+    return found
+
+
+CHECK = Check(
+    id="component-not-registered",
+    summary="The components that CMake registers are those that the library's code registers.",
+    level=Level.ERROR,
+    catalogue="B11",
+    tags=("build", "components"),
+    project=check,
+)
