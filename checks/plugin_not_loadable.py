@@ -1,0 +1,328 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plug-ins that pluginlib cannot load: what the description, the macro, the library and the export say does not fit together."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Container, Iterator, Mapping
+from dataclasses import dataclass
+
+from haros_ci.api import (
+    Check,
+    Finding,
+    Level,
+    Location,
+    PluginClass,
+    Project,
+    ProjectPackage,
+    Registration,
+    Target,
+    exported_under,
+    file_name,
+    loaders,
+    registers_otherwise,
+    registrations,
+)
+
+_COMPONENT = "rclcpp_components::NodeFactory"
+_ROOTS = ("library", "class_libraries")
+_TEST = re.compile(r"(?:^|/)(?:tests?|examples?|templates?)(?:/|$)")
+
+
+@dataclass(slots=True)
+class _Package:
+    """What a package says of its plug-ins."""
+
+    package: ProjectPackage
+    registered: tuple[Registration, ...]
+    exports: dict[str, dict[str, Location]]
+    libraries: dict[str, Target]
+
+    @property
+    def described(self) -> list[PluginClass]:
+        return [
+            each
+            for each in self.package.build.plugins
+            if each.base != _COMPONENT and each.location.path in self.exports
+        ]
+
+    def of(self, name: str) -> list[Registration]:
+        return [each for each in self.registered if each.type == name]
+
+
+def check(project: Project) -> Iterator[Finding]:
+    loading = loaders(project)
+    found = []
+    for package in project.packages:
+        libraries = {file_name(t): t for t in package.build.targets if t.kind == "library"}
+        exports = exported_under(package)
+        own = registrations(package)
+        if exports or own:
+            found.append(_Package(package, own, exports, libraries))
+    others = {macro.type for each in found for macro in each.registered}
+    for each in found:
+        wrong = tuple(_described(each, others))
+        yield from wrong
+        yield from _exported(each, loading, {name for finding in wrong for name in finding.apart})
+        yield from _not_exported(each)
+        yield from _in_two(each)
+        yield from _unknown_classes(each)
+
+
+def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
+    """Each class of the descriptions: its library, its macro in it, its base."""
+    for each in found.described:
+        if "." in each.type or not each.library or "$" in each.library or "@" in each.library:
+            continue  # Python's, or made by the build
+        library = _library(each, found)
+        if library is None:
+            if not _may_be_elsewhere(each, found, others):
+                yield _no_library(each, found)
+            continue
+        if not _is_whole(library, found.package) or registers_otherwise(found.package, _code(library, found)):
+            continue
+        macros = found.of(each.type)
+        inside = _code(library, found)
+        here = [macro for macro in macros if macro.location.path in inside]
+        if not here and all(_is_source(macro.location.path) for macro in macros):
+            yield _not_registered(each, library, found, macros)
+        elif here and not any(_is_base(macro.base, each.base) for macro in here):
+            yield _other_base(each, found, here[0])
+
+
+def _library(each: PluginClass, found: _Package) -> Target | None:
+    """The target that makes the library which the description names.
+
+    ROS 2 tries the name with and without ``lib`` before it, ROS 1 takes it as it is (pluginlib's class_loader_imp.hpp); both look
+    for the last part of a path, too.
+    """
+    name = posixpath.basename(each.library).removesuffix(".so")
+    names = [name]
+    if found.package.ros != 1:
+        names.append(name.removeprefix("lib") if name.startswith("lib") else f"lib{name}")
+    return next((found.libraries[each] for each in names if each in found.libraries), None)
+
+
+def _may_be_elsewhere(each: PluginClass, found: _Package, others: Container[str]) -> bool:
+    """Whether what is not seen may make the library: another package, unknown makers of targets, names that a build decides on."""
+    if not found.of(each.type) and each.type in others:
+        return True
+    words = ("is not known", "only known in a build")
+    return not found.package.build.targets or any(
+        any(word in problem.message for word in words) and ("library" in problem.message or "()" in problem.message)
+        for problem in found.package.build.problems
+    )
+
+
+def _no_library(each: PluginClass, found: _Package) -> Finding:
+    name = posixpath.basename(each.library)
+    lacking = found.package.ros == 1 and f"lib{name}" in found.libraries
+    macros = [macro for macro in found.of(each.type) if _is_source(macro.location.path)]
+    makers = sorted({file_name(t) for m in macros for t in found.libraries.values() if m.location.path in t.sources})
+    if lacking:
+        hint = f"the file is lib{name}.so, and ROS 1 adds no lib: write lib/lib{name}"
+    elif makers:
+        hint = f"the class is in {makers[0].removeprefix('lib')}"
+    else:
+        hint = "drop the description, or build it"
+    return Finding(
+        at=each.location,
+        message=(
+            f"plug-in {each.name} cannot be loaded: package {found.package} builds no library {each.library!r}; {hint}"
+        ),
+        about=(found.package.name, each.type),
+        apart=(each.type,),
+    )
+
+
+def _not_registered(each: PluginClass, library: Target, found: _Package, macros: list[Registration]) -> Finding:
+    last = each.type.rpartition("::")[2]
+    alike = [m for m in found.registered if m.type.rpartition("::")[2] == last and m.type != each.type]
+    related: tuple[tuple[Location, str], ...] = ()
+    if macros:
+        hint = f"{macros[0].location.path} does, which is not among its sources"
+        related = ((macros[0].location, "it is registered here"),)
+    elif alike:
+        hint = f"{alike[0].type} is registered: the names have to be the same text"
+        related = ((alike[0].location, f"{alike[0].type} is registered here"),)
+    else:
+        hint = "no source has PLUGINLIB_EXPORT_CLASS for it"
+    return Finding(
+        at=each.location,
+        message=f"plug-in {each.name} cannot be loaded: library {library.name} does not register {each.type}; {hint}",
+        about=(found.package.name, each.type),
+        related=related,
+        apart=(each.type,),
+    )
+
+
+def _other_base(each: PluginClass, found: _Package, macro: Registration) -> Finding:
+    return Finding(
+        at=each.location,
+        message=(
+            f"plug-in {each.name} cannot be loaded: it is described as a {each.base} and registered as a {macro.base}; whoever "
+            f"loads the one does not find the other"
+        ),
+        about=(found.package.name, each.type),
+        related=((macro.location, f"it is registered as a {macro.base} here"),),
+        apart=(each.type,),
+    )
+
+
+def _is_base(written: str, described: str) -> bool:
+    """Whether two names may mean one base class: a name may be shortened where it is written in code, and be an alias."""
+    one, other = (name.replace(" ", "").removeprefix("::") for name in (written, described))
+    return one == other or "::" not in one or one.rpartition("::")[2] == other.rpartition("::")[2]
+
+
+def _exported(
+    found: _Package, loading: Mapping[str, Mapping[str, Location]], wrong: Container[str]
+) -> Iterator[Finding]:
+    """Each description: exported to the package that the loaders of its base classes name."""
+    for path, packages in found.exports.items():
+        for each in found.described:
+            wanted = loading.get(each.base, {})
+            if each.location.path != path or each.type in wrong or not wanted or set(packages) & set(wanted):
+                continue
+            name, where = sorted(wanted.items())[0]
+            package, at = next(iter(packages.items()))
+            yield Finding(
+                at=at,
+                message=(
+                    f"{posixpath.basename(path)} is exported to {package}, but plug-ins of {each.base} are looked for in what is "
+                    f"exported to {name}: {each.name} is not found"
+                ),
+                about=(found.package.name, posixpath.relpath(path, found.package.path), package),
+                related=((where, f"they are looked for under {name} here"),),
+            )
+            break
+
+
+def _not_exported(found: _Package) -> Iterator[Finding]:
+    """Descriptions of classes that are built and registered, which nothing exports."""
+    package = found.package
+    built = {path for target in package.build.targets if not target.is_test for path in target.sources}
+    types = {each.type for each in found.registered if each.location.path in built}
+    if not types or any(
+        "pluginlib" in word for c in package.build.commands for word in c.arguments[:1] if c.name != "find_package"
+    ):
+        return
+    described = {each.type for each in found.described}
+    for file in package.files:
+        if file.language != "xml" or file.path in found.exports or _TEST.search(file.path.removeprefix(package.path)):
+            continue
+        root = package.project.element(file.path)
+        if root is None or root.tag not in _ROOTS:
+            continue
+        libraries = [root] if root.tag == "library" else list(root.all("library"))
+        inside = [tag.attributes.get("type", "").strip() for library in libraries for tag in library.all("class")]
+        missing = [name for name in inside if name in types and name not in described]
+        if missing and not _is_mentioned(posixpath.basename(file.path), package):
+            how = (
+                'an <export> of package.xml does (<base_package plugin="${prefix}/..."/>)'
+                if package.ros == 1
+                else "pluginlib_export_plugin_description_file() does"
+            )
+            yield Finding(
+                at=Location(file.path, root.line),
+                message=f"this description of {missing[0]} is not exported: pluginlib does not find it until {how}",
+                about=(package.name, posixpath.relpath(file.path, package.path)),
+                level=Level.WARNING,
+            )
+
+
+def _is_mentioned(name: str, package: ProjectPackage) -> bool:
+    """Whether CMake does something with a file, but install it, or code names it."""
+    done = (c for c in package.build.commands if c.name not in ("install", "ament_auto_package"))
+    if any(name in word for command in done for word in command.arguments):
+        return True
+    return any(
+        name in package.project.text(file.path)
+        for file in package.files
+        if file.language in ("cpp", "python", "cmake") and not file.path.endswith("CMakeLists.txt")
+    )
+
+
+def _in_two(found: _Package) -> Iterator[Finding]:
+    """A class whose macro is compiled into two shared libraries."""
+    for each in found.registered:
+        holders = sorted(
+            name
+            for name, target in found.libraries.items()
+            if each.location.path in target.sources
+            and each.location.path not in target.conditional_sources
+            and target.is_installed
+            and not target.is_conditional
+        )
+        if len(holders) > 1:
+            yield Finding(
+                at=each.location,
+                message=(
+                    f"{each.type} is registered in {len(holders)} libraries, {' and '.join(holders[:2])}, as both compile this file: "
+                    "where both are loaded, which one is used depends on the order"
+                ),
+                about=(found.package.name, each.type),
+                level=Level.WARNING,
+            )
+
+
+def _unknown_classes(found: _Package) -> Iterator[Finding]:
+    """Macros for classes of the package's own namespaces that the workspace does not define."""
+    built = {path for target in found.package.build.targets for path in target.sources}
+    for each in found.registered:
+        if each.location.path not in built:
+            continue
+        space, _, last = each.type.removeprefix("::").rpartition("::")
+        if not space or not re.fullmatch(r"[\w:]+", each.type):
+            continue
+        names, is_sure = _names(found.package)
+        if is_sure and last not in names and any(name.startswith(f"{space}::") for name in names):
+            yield Finding(
+                at=each.location,
+                message=f"{each.macro} names {each.type}, and there is no such class: this does not compile",
+                about=(found.package.name, each.type),
+            )
+
+
+def _names(package: ProjectPackage) -> tuple[set[str], bool]:
+    """The classes and aliases of the package, in full and by their last parts; whether they are all."""
+    names: set[str] = set()
+    for path, program in package.project.programs.items():
+        if program.language != "cpp":
+            continue
+        names.update(part for each in program.classes for part in (each.name.rpartition("::")[2],))
+        names.update(each.name.rpartition("::")[2] for each in program.aliases)
+        if path.startswith(f"{package.path}/") or package.path == ".":
+            names.update(each.name for each in program.classes)
+            if program.problems or any("class" in body or "struct" in body for _, _, body in program.macros):
+                return names, False
+    return names, True
+
+
+def _is_source(path: str) -> bool:
+    return path.endswith((".cpp", ".cc", ".cxx", ".c++", ".C", ".cu"))
+
+
+def _code(library: Target, found: _Package) -> list[str]:
+    """The sources of a library and of those that become part of it."""
+    targets = {target.name: target for target in found.package.build.targets}
+    inner = [targets[link] for link in library.links if link in targets]
+    return [path for target in (library, *inner) for path in target.sources if not path.endswith(".c")]
+
+
+def _is_whole(library: Target, package: ProjectPackage) -> bool:
+    """Whether all its sources are known."""
+    return bool(library.sources) and not any(
+        problem.message.startswith(f"{library.name}:") for problem in package.build.problems
+    )
+
+
+CHECK = Check(
+    id="plugin-not-loadable",
+    summary="What describes a plug-in, registers it, builds its library and exports it fits together.",
+    level=Level.ERROR,
+    catalogue="B10",
+    tags=("build", "plugins"),
+    project=check,
+)

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plug-ins of pluginlib: which classes code registers, under which packages descriptions are exported, who loads which."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.model.build import Target
+from haros_ci.model.location import Location
+
+#: Macros that register a class with its base, both by the text of the argument (class_loader, register_macro.hpp).
+MACROS = ("PLUGINLIB_EXPORT_CLASS", "CLASS_LOADER_REGISTER_CLASS", "PLUGINLIB_REGISTER_CLASS")
+#: The old one: package, name, class, base.
+DECLARE = "PLUGINLIB_DECLARE_CLASS"
+_EXPORT = "pluginlib_export_plugin_description_file"
+_LOADER = re.compile(r'[({]\s*"([a-z]\w*)"\s*,\s*"(\w+(?:::\w+)+)"\s*[,)}]')
+
+
+@dataclass(frozen=True, slots=True)
+class Registration:
+    """A macro that registers class *type* as a *base*, as written."""
+
+    type: str
+    base: str
+    macro: str
+    location: Location
+
+
+def registrations(package: ProjectPackage) -> tuple[Registration, ...]:
+    """What the C++ files of *package* register."""
+    found = []
+    for file in package.files:
+        program = package.project.programs.get(file.path)
+        for macro, arguments, line, column in program.registered if program is not None else ():
+            words = [argument.strip() for argument in arguments]
+            if macro == DECLARE and len(words) == 4:
+                words = words[2:]
+            if (macro in MACROS or macro == DECLARE) and len(words) == 2:
+                found.append(Registration(words[0], words[1], macro, Location(file.path, line, column)))
+    return tuple(found)
+
+
+def registers_otherwise(package: ProjectPackage, paths: Iterable[str]) -> bool:
+    """Whether files register classes in a way that is not seen through: by macros of their own, or in what was not read."""
+    for path in paths:
+        program = package.project.programs.get(path)
+        if program is None or program.problems:
+            return True
+        if any(word in body for _, _, body in program.macros for word in (*MACROS, DECLARE)):
+            return True
+        if any(_is_unknown(macro, len(arguments)) for macro, arguments, _, _ in program.registered):
+            return True
+    return False
+
+
+def _is_unknown(macro: str, count: int) -> bool:
+    if macro in MACROS or macro == DECLARE:
+        return count != (4 if macro == DECLARE else 2)
+    return any(word in macro for word in ("PLUGIN", "EXPORT", "REGISTER")) and not macro.startswith(
+        ("POINT_CLOUD", "RCLCPP_COMPONENTS", "BENCHMARK", "REGISTER_TYPED", "GZ_", "IGNITION_", "GZ_ADD")
+    )
+
+
+def exported_under(package: ProjectPackage) -> dict[str, dict[str, Location]]:
+    """The root-relative plug-in descriptions that *package* exports, each with the packages that it exports them to.
+
+    ROS 1 and Python packages do so in the manifest (``<nav_core plugin="${prefix}/x.xml"/>``), ament_cmake by
+    pluginlib_export_plugin_description_file.
+    """
+    found: dict[str, dict[str, Location]] = {}
+    for command in package.commands(_EXPORT):
+        place = command.place(command.arguments[1]) if len(command.arguments) > 1 else None
+        if place is not None:
+            found.setdefault(place, {}).setdefault(command.arguments[0], command.location)
+    root = package.manifest
+    if root is None or (package.ros == 2 and package.raw.build_type != "ament_python"):
+        return found
+    for export in root.all("export"):
+        for tag in export.children:
+            word = tag.attributes.get("plugin", "").strip()
+            if word:
+                relative = word.replace("${prefix}/", "").replace("${prefix}", ".")
+                place = posixpath.normpath(posixpath.join(package.path, relative))
+                found.setdefault(place, {}).setdefault(tag.tag, Location(package.manifest_path, tag.line))
+    return found
+
+
+def loaders(project: Project) -> dict[str, dict[str, Location]]:
+    """For each base class the packages under which code of the workspace looks for its plug-ins.
+
+    ``pluginlib::ClassLoader<Base> loader("package", "Base")``, also through std::make_unique and in initialisers.
+    """
+    found: dict[str, dict[str, Location]] = {}
+    for package in project.packages:
+        if "pluginlib" not in package.declared:
+            continue
+        for file in package.files:
+            text = project.text(file.path) if file.language == "cpp" else ""
+            for match in _LOADER.finditer(text):
+                line = text.count("\n", 0, match.start(1)) + 1
+                found.setdefault(match[2], {}).setdefault(match[1], Location(file.path, line))
+    return found
+
+
+def file_name(target: Target) -> str:
+    """The name of the library's file, without its ending."""
+    return f"{target.prefix}{target.output}"
