@@ -205,7 +205,8 @@ class Build:
 
     *scripts* are Python files that are installed as programs or begin with a shebang. *python_roots* are pairs of an
     import root (``""`` for all, or a top-level name) and the root-relative directory that it stands for. *defined* are
-    the macros that the build defines for C++. *commands* are those of CMake in the order in which they run.
+    the macros that the build defines for C++. *python_packages* are the import packages that setup.py names, *script_directories* are
+    ``(develop or install, directory, line)`` of setup.cfg: where its programs are put. *commands* are those of CMake in the order in which they run.
     """
 
     package: str
@@ -222,3 +223,5 @@ class Build:
     problems: tuple[Problem, ...] = ()
     commands: tuple[CMakeCommand, ...] = ()
     distribution: Distribution | None = None
+    python_packages: tuple[tuple[str, Location], ...] = ()
+    script_directories: tuple[tuple[str, str, int], ...] = ()

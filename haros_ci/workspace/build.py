@@ -24,6 +24,7 @@ from haros_ci.workspace.interfaces import read_interface
 from haros_ci.workspace.language import HEAD, is_python_script
 from haros_ci.workspace.plugins_xml import exported_descriptions, read_plugins
 from haros_ci.workspace.reconfigure import read_config
+from haros_ci.workspace.setup_cfg import script_directories
 from haros_ci.workspace.setup_py import Setup, read_setup
 from haros_ci.workspace.tree import Tree
 
@@ -79,6 +80,11 @@ def build_of(workspace: Workspace, package: Package, tree: Tree | None = None) -
         parameter_libraries=_parameter_libraries(tree, package, state, setup),
         problems=tuple(sorted(set(problems), key=lambda p: (p.path, p.line or 0, p.message))),
         commands=tuple(state.commands),
+        python_packages=setup.packages,
+        script_directories=tuple(
+            (section, *place)
+            for section, place in script_directories(workspace.text(f"{_base(package)}setup.cfg")).items()
+        ),
     )
 
 

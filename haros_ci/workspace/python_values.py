@@ -168,3 +168,13 @@ def summands(node: ast.expr) -> list[ast.expr]:
         found.append(node.right)
         node = node.left
     return [node, *reversed(found)]
+
+
+def item_places(node: ast.expr | None) -> list[tuple[int, int]]:
+    """The line and column of each item of a list."""
+    items = node.elts if isinstance(node, (ast.List, ast.Tuple)) else []
+    return [(item.lineno, item.col_offset + 1) for item in items]
+
+
+def is_constant(node: ast.expr | None, value: str | bool) -> bool:
+    return isinstance(node, ast.Constant) and node.value == value

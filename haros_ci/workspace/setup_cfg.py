@@ -8,12 +8,38 @@ import re
 MAX_LINES = 10_000
 
 _SECTION = re.compile(r"\[([^\]]+)\]")
+_SCRIPT = re.compile(r"""\s*["']?([\w.-]+)["']?\s*=\s*["']([^"']+)["']""")
 _KEY = re.compile(r"([\w.\- ]+?)\s*[=:]\s*(.*)\Z", re.DOTALL)
 
 
 def console_scripts(text: str) -> list[tuple[str, int, int]]:
     """The lines ``name = module:function`` of console scripts, each with its line and column."""
     return _values(text, "options.entry_points", "console_scripts")
+
+
+def project_scripts(text: str) -> list[tuple[str, int, int]]:
+    """The same of ``[project.scripts]`` in pyproject.toml: lines ``name = "module:function"`` (PEP 621)."""
+    found = []
+    section = ""
+    for number, line in enumerate(text.splitlines()[:MAX_LINES], start=1):
+        header = _SECTION.match(line.strip())
+        if header is not None:
+            section = header[1].strip()
+        elif section in ("project.scripts", 'project.entry-points."console_scripts"'):
+            match = _SCRIPT.match(line) if len(line) < 1_000 else None
+            if match is not None:
+                found.append((f"{match[1]} = {match[2]}", number, match.start(1) + 1))
+    return found
+
+
+def script_directories(text: str) -> dict[str, tuple[str, int]]:
+    """Where setuptools puts programs: ``script_dir`` of develop, ``install_scripts`` of install, each with its line."""
+    found = {}
+    for section, key in (("develop", "script_dir"), ("install", "install_scripts")):
+        values = _values(text, section, key) or _values(text, section, key.replace("_", "-"))
+        for value, line, _ in values[:1]:
+            found[section] = (value, line)
+    return found
 
 
 def package_directories(text: str) -> dict[str, str]:

@@ -16,8 +16,8 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_install import tidy
-from haros_ci.workspace.python_values import MISSING, dotted, parse_python, summands, value_of
-from haros_ci.workspace.setup_cfg import console_scripts, package_directories, scripts_of_text
+from haros_ci.workspace.python_values import MISSING, dotted, is_constant, item_places, parse_python, summands, value_of
+from haros_ci.workspace.setup_cfg import console_scripts, package_directories, project_scripts, scripts_of_text
 from haros_ci.workspace.tree import Tree
 
 MAX_GLOBS = 100
@@ -29,7 +29,10 @@ _ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\])?\s
 
 @dataclass(frozen=True, slots=True)
 class Setup:
-    """What setup.py says. *roots* as in ``Build.python_roots``; *parameter_modules* have a name and a YAML file."""
+    """What setup.py says. *roots* as in ``Build.python_roots``; *parameter_modules* have a name and a YAML file.
+
+    *packages* are the import packages that ``packages=`` writes out.
+    """
 
     roots: tuple[tuple[str, str], ...] = ()
     installed: tuple[Installed, ...] = ()
@@ -37,6 +40,7 @@ class Setup:
     parameter_modules: tuple[tuple[str, str, Location], ...] = ()
     problems: tuple[Problem, ...] = ()
     distribution: Distribution | None = None
+    packages: tuple[tuple[str, Location], ...] = ()
 
 
 def read_setup(tree: Tree, package: Package) -> Setup:
@@ -177,7 +181,7 @@ class _Reader:
         roots = self.roots()
         installed = (*self.scripts(), *self.data_files())
         entry_points = (*self.entry_points(roots), *self.configured(roots))
-        rest = (tuple(self.parameter_modules), tuple(self.problems), self.distribution())
+        rest = (tuple(self.parameter_modules), tuple(self.problems), self.distribution(), self.packages())
         return Setup(roots, installed, entry_points, *rest)
 
     def distribution(self) -> Distribution | None:
@@ -188,6 +192,15 @@ class _Reader:
             if node and isinstance(name, str)
             else None
         )
+
+    def packages(self) -> tuple[tuple[str, Location], ...]:
+        """``packages=[...]``; none where it is computed."""
+        node = self.given.get("packages")
+        names = self.value(node) if node is not None else None
+        if node is None or not isinstance(names, list):
+            return ()
+        where = Location(self.path, node.lineno, node.col_offset + 1)
+        return tuple((name, where) for name in names if isinstance(name, str))
 
     def roots(self) -> tuple[tuple[str, str], ...]:
         node = self.given.get("package_dir")
@@ -262,7 +275,7 @@ class _Reader:
             return [*self.files(node.left, what, depth + 1), *self.files(node.right, what, depth + 1)]
         if isinstance(node, ast.Call) and dotted(node.func) in ("glob", "glob.glob", "glob.iglob") and node.args:
             pattern = self.value(node.args[0])
-            deep = any(k.arg == "recursive" and _is(k.value, True) for k in node.keywords)
+            deep = any(k.arg == "recursive" and is_constant(k.value, True) for k in node.keywords)
             deep = deep and isinstance(pattern, str) and "/**/" in pattern
             inner = self.inner(pattern.replace("/**/", "/") if deep else pattern) if isinstance(pattern, str) else None
             self.globs += 1
@@ -283,7 +296,7 @@ class _Reader:
             return ()
         scripts: ast.expr | None = node
         if isinstance(node, ast.Dict):
-            wanted = [v for k, v in zip(node.keys, node.values, strict=True) if _is(k, "console_scripts")]
+            wanted = [v for k, v in zip(node.keys, node.values, strict=True) if is_constant(k, "console_scripts")]
             scripts = wanted[0] if wanted else None
             if scripts is None:
                 return ()
@@ -295,7 +308,7 @@ class _Reader:
         if not isinstance(value, list):
             self.problem(node, "entry_points")
             return ()
-        lines = _lines(scripts)
+        lines = item_places(scripts)
         there = (node.lineno, node.col_offset + 1)
         places = [lines[number] if number < len(lines) else there for number in range(len(value))]
         return self.points(zip(value, places, strict=True), self.path, roots)
@@ -321,12 +334,15 @@ class _Reader:
         return tuple(found)
 
     def configured(self, roots: tuple[tuple[str, str], ...]) -> tuple[EntryPoint, ...]:
-        """The console scripts of the setup.cfg beside setup.py, which count where setup() is given none."""
-        path = f"{self.path.removesuffix('setup.py')}setup.cfg"
-        if "entry_points" in self.given or not self.tree.is_file(path):
+        """The console scripts of the setup.cfg and pyproject.toml beside setup.py, which count where setup() is given none."""
+        if "entry_points" in self.given:
             return ()
-        lines = console_scripts(self.tree.workspace.text(path))
-        return self.points(((text, (line, column)) for text, line, column in lines), path, roots)
+        found: tuple[EntryPoint, ...] = ()
+        for name, read in (("setup.cfg", console_scripts), ("pyproject.toml", project_scripts)):
+            path = f"{self.path.removesuffix('setup.py')}{name}"
+            lines = read(self.tree.workspace.text(path))
+            found += self.points(((text, (line, column)) for text, line, column in lines), path, roots)
+        return found
 
     def module(self, name: str, roots: tuple[tuple[str, str], ...]) -> str:
         """The file of a module, by the longest root that fits; "" if it is not there."""
@@ -339,12 +355,3 @@ class _Reader:
                 if path in self.tree.files:
                     return path
         return ""
-
-
-def _is(node: ast.expr | None, value: str | bool) -> bool:
-    return isinstance(node, ast.Constant) and node.value == value
-
-
-def _lines(node: ast.expr | None) -> list[tuple[int, int]]:
-    items = node.elts if isinstance(node, (ast.List, ast.Tuple)) else []
-    return [(item.lineno, item.col_offset + 1) for item in items]

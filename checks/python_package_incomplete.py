@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python packages of ROS 2 whose programs or resources setup.py, setup.cfg and the files do not agree on."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Check,
+    Edit,
+    EntryPoint,
+    Finding,
+    Fix,
+    Level,
+    Location,
+    ProgramUse,
+    Project,
+    ProjectPackage,
+    is_slip,
+)
+
+_MARKERS = "share/ament_index/resource_index/packages"
+_SECTIONS = {"develop": "script_dir", "install": "install_scripts"}
+
+
+def check(project: Project) -> Iterator[Finding]:
+    launched = {
+        (use.package, use.program)
+        for system in project.systems
+        for use in system.facts(ProgramUse)
+        if use.kind == "executable"
+    }
+    for package in project.packages:
+        yield from _entry_points(package)
+        if package.raw.build_type == "ament_python" and package.has("setup.py"):
+            yield from _directories(package, launched)
+            yield from _marker(package)
+            yield from _packages(package)
+
+
+def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
+    """``name = module:function``: the module's file, and the function in it."""
+    for each in package.build.entry_points:
+        if each.path:
+            missing = _missing_name(each, package)
+            if missing is not None:
+                yield missing
+        elif _is_own(each.module, package):
+            yield _missing_module(each, package)
+
+
+def _is_own(module: str, package: ProjectPackage) -> bool:
+    """Whether the module is to be one of the package: the package that it is in has other modules here."""
+    top = module.partition(".")[0]
+    roots = [directory for name, directory in package.build.python_roots if name in ("", top)]
+    if any(path == top or path.startswith(f"{top}/") for path in _below(roots, package)):
+        return not any(module.startswith(name) for name in _generated(package))
+    return top == package.name and package.project.package(top) is not None and bool(roots)
+
+
+def _below(roots: list[str], package: ProjectPackage) -> Iterator[str]:
+    for root in roots:
+        prefix = "" if root == "." else f"{root}/"
+        for file in package.files:
+            if file.language == "python" and file.path.startswith(prefix):
+                yield file.path.removeprefix(prefix)
+
+
+def _generated(package: ProjectPackage) -> tuple[str, ...]:
+    """The modules that the build makes."""
+    return tuple(
+        f"{package.name}.{each.name}" for each in package.build.parameter_libraries if each.language == "python"
+    )
+
+
+def _missing_module(each: EntryPoint, package: ProjectPackage) -> Finding:
+    folder, _, last = each.module.rpartition(".")
+    beside = sorted(
+        path.rpartition("/")[2].removesuffix(".py")
+        for path in (file.path for file in package.files if file.language == "python")
+        if path.endswith(f"{folder.replace('.', '/')}/{path.rpartition('/')[2]}")
+    )
+    alike = [name for name in beside if is_slip(name, last) or name.replace("_", "") == last.replace("_", "")]
+    meant = f"; is {folder}.{alike[0]} meant?" if alike else ""
+    fixes: tuple[Fix, ...] = ()
+    if len(alike) == 1:
+        fixes = _replaced(each, each.module, f"{folder}.{alike[0]}", package)
+    return Finding(
+        at=each.location,
+        message=f"program {each.name} of package {package.name} cannot start: there is no module {each.module}{meant}",
+        about=(package.name, each.name),
+        apart=(each.name,),
+        fixes=fixes,
+    )
+
+
+def _missing_name(each: EntryPoint, package: ProjectPackage) -> Finding | None:
+    """The function, as far as the module's text can tell: star imports and assignments of all kinds are in doubt."""
+    name = each.function.partition(".")[0]
+    program = package.project.programs.get(each.path)
+    text = package.project.text(each.path)
+    if (
+        program is None
+        or program.problems
+        or not text
+        or re.search(r"\bimport\s*\*|__getattr__|globals\(\)|setattr\(", text)
+    ):
+        return None
+    own = [function.name for function in program.functions if function.name and not function.owner]
+    known = {
+        *own,
+        *(c.name for c in program.classes),
+        *(v.name for v in program.variables),
+        *(a.name for a in program.aliases),
+    }
+    if name in known or re.search(
+        rf"(?:def|class|as)\s+{name}\b|\b{name}\s*(?::[^=\n]*)?=[^=]|import\b[^\n]*\b{name}\b", text
+    ):
+        return None
+    if re.search(rf"^\s*{name}\s*,?\s*(?:#.*)?$", text, re.M):
+        return None  # perhaps a line of an import in parentheses
+    alike = sorted(other for other in own if is_slip(other, name))
+    meant = f"; is {alike[0]}() meant?" if alike else ""
+    return Finding(
+        at=each.location,
+        message=f"program {each.name} of package {package.name} cannot start: {each.path} has no {each.function}{meant}",
+        about=(package.name, each.name),
+        related=((Location(each.path, 1), f"the module {each.module}"),),
+        apart=(each.name,),
+        fixes=_replaced(each, f"{each.module}:{each.function}", f"{each.module}:{alike[0]}", package)
+        if len(alike) == 1
+        else (),
+    )
+
+
+def _replaced(each: EntryPoint, old: str, new: str, package: ProjectPackage) -> tuple[Fix, ...]:
+    """*new* in the place of *old* in the line of the entry point, where it stands once."""
+    lines = package.project.text(each.location.path).splitlines()
+    number = each.location.line or 0
+    line = lines[number - 1] if 0 < number <= len(lines) else ""
+    if line.count(old) != 1:
+        return ()
+    at = line.index(old)
+    start, end = (number, at + 1), (number, at + 1 + len(old))
+    return (Fix(f"start {new}", (Edit(each.location.path, start, end, new),)),)
+
+
+def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Iterator[Finding]:
+    """setup.cfg: programs have to go to ``lib/<package>`` to be found by ros2 run and launch files."""
+    nodes = [
+        each for each in package.build.entry_points if _is_node(each, package) or (package.name, each.name) in launched
+    ]
+    if not nodes:
+        return
+    wanted = f"$base/lib/{package.name}"
+    path = package.inside("setup.cfg")
+    given = {section: (value, line) for section, value, line in package.build.script_directories}
+    for section, (value, line) in given.items():
+        if value.strip("\"'") != wanted and value.startswith("$base/lib/") and "{" not in value:
+            if section == "develop" and given.get("install", (value, 0))[0] == value:
+                continue  # told once, of install
+            fixes = []
+            for each, (other, number) in given.items():
+                if other == value:
+                    text = package.project.text(path).splitlines()[number - 1]
+                    at = text.rindex(value)
+                    fixes.append(Edit(path, (number, at + 1), (number, at + 1 + len(value)), wanted))
+            yield Finding(
+                at=Location(path, line),
+                message=(
+                    f"programs of package {package.name} are put into {value.removeprefix('$base/')}: ros2 run and launch files look "
+                    f"for {nodes[0].name} in lib/{package.name} and do not find it"
+                ),
+                about=(package.name, section),
+                fixes=(Fix(f"put them into lib/{package.name}", tuple(fixes)),),
+            )
+    if "install" not in given:
+        yield _no_directory(package, nodes[0], path, given)
+
+
+def _no_directory(package: ProjectPackage, node: EntryPoint, path: str, given: dict[str, tuple[str, int]]) -> Finding:
+    text = package.project.text(path)
+    lacking = [section for section in _SECTIONS if section not in given and f"[{section}]" not in text]
+    fixes: tuple[Fix, ...] = ()
+    if text.endswith("\n") and "install" in lacking:
+        end = (len(text.splitlines()) + 1, 1)
+        lines = "".join(f"[{section}]\n{_SECTIONS[section]}=$base/lib/{package.name}\n" for section in lacking)
+        fixes = (Fix(f"put programs into lib/{package.name}", (Edit(path, end, end, lines),)),)
+    return Finding(
+        at=Location(path, 1) if text else node.location,
+        message=(
+            f"setup.cfg of package {package.name} does not say where programs go (install_scripts=$base/lib/{package.name} in "
+            f"[install]): they go to bin, and ros2 run does not find {node.name}"
+        ),
+        about=(package.name, "install_scripts"),
+        fixes=fixes,
+    )
+
+
+def _is_node(each: EntryPoint, package: ProjectPackage) -> bool:
+    """Whether a program is a ROS node: other tools (ros2cli, linters) are put into ``bin`` on purpose."""
+    program = package.project.programs.get(each.path)
+    return program is not None and any(str(alias.type[0]).partition(".")[0] == "rclpy" for alias in program.aliases)
+
+
+def _marker(package: ProjectPackage) -> Iterator[Finding]:
+    """The marker in the ament index, by which the package is found."""
+    others = package.project.text(package.inside("setup.cfg")) + package.project.text(package.inside("pyproject.toml"))
+    if any("data_files" in problem.message for problem in package.build.problems) or re.search("data[-_]files", others):
+        return
+    here = [each for each in package.build.installed if each.destination == _MARKERS]
+    if any(each.name == package.name for each in here):
+        return
+    setup = package.inside("setup.py")
+    wrong = f"data_files installs the marker {here[0].name}, which is not the package's name" if here else ""
+    there = "" if package.has(f"resource/{package.name}") else f" an empty file resource/{package.name} and"
+    yield Finding(
+        at=here[0].location if here else Location(setup, _line_with(package.project.text(setup), "data_files")),
+        message=(
+            f"{wrong or 'data_files installs no marker of the package'}: without it ros2 does not find the package {package.name} "
+            f"(colcon still writes one, with a warning); add{there} ('{_MARKERS}', ['resource/{package.name}'])"
+        ),
+        about=(package.name, "resource"),
+        level=Level.WARNING,
+    )
+
+
+def _packages(package: ProjectPackage) -> Iterator[Finding]:
+    """``packages=[...]``: their directories."""
+    roots = dict(package.build.python_roots) or {"": package.path}
+    for name, where in package.build.python_packages:
+        root = next(
+            (
+                each
+                for each in sorted(roots, key=len, reverse=True)
+                if not each or name == each or name.startswith(f"{each}.")
+            ),
+            None,
+        )
+        if root is None:
+            continue
+        rest = name[len(root) :].lstrip(".").replace(".", "/") if root else name.replace(".", "/")
+        directory = "/".join(part for part in (roots[root].removeprefix("./").removesuffix("."), rest) if part).replace(
+            "//", "/"
+        )
+        if package.project.workspace.names and not package.project.exists(directory):
+            yield Finding(
+                at=where,
+                message=f"setup.py of package {package.name} names the Python package {name}, but {directory} is no directory: "
+                "the build stops",
+                about=(package.name, name),
+                apart=(name,),
+            )
+
+
+def _line_with(text: str, word: str) -> int:
+    return next((number for number, line in enumerate(text.splitlines(), 1) if word in line), 1)
+
+
+CHECK = Check(
+    id="python-package-incomplete",
+    summary="The programs and resources that a Python package of ROS 2 names are there, and go where ROS looks for them.",
+    level=Level.ERROR,
+    catalogue="B08",
+    tags=("build", "python"),
+    project=check,
+)
