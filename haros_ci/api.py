@@ -58,7 +58,9 @@ from haros_ci.checking.plugins import (
 )
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import named_at, rule_of, way_to
+from haros_ci.checking.robots import descriptions, lead, place_of
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
+from haros_ci.checking.transforms import Broadcast, broadcasts
 from haros_ci.code.body import Body, Call, names_in, nodes
 from haros_ci.code.callbacks import DEFAULT, Callback, callbacks, excludes, given_function, group_name, group_of
 from haros_ci.code.calls import called, callees, callers, calls_of, reached
@@ -105,6 +107,8 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Dependency, Package, SourceFile
 from haros_ci.model.presence import ALWAYS, Presence, together
 from haros_ci.model.program import Program
+from haros_ci.model.robot import Description, Fault, Joint, Mesh, Robot
+from haros_ci.model.robot import Link as RobotLink
 from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.rule import Level
 from haros_ci.security.enclaves import enclave_of, is_common
@@ -126,6 +130,7 @@ __all__ = [
     "ArgumentDeclaration",
     "ArgumentRead",
     "Body",
+    "Broadcast",
     "Build",
     "CMake",
     "CMakeCommand",
@@ -141,11 +146,13 @@ __all__ = [
     "ConstructUse",
     "Decidability",
     "Dependency",
+    "Description",
     "Edit",
     "Element",
     "End",
     "Endpoint",
     "EntryPoint",
+    "Fault",
     "FileUse",
     "Finding",
     "Fix",
@@ -158,12 +165,14 @@ __all__ = [
     "InterfaceField",
     "InterfaceReference",
     "InterfaceUsers",
+    "Joint",
     "LaunchFact",
     "Level",
     "Link",
     "Location",
     "Made",
     "MissingField",
+    "Mesh",
     "Names",
     "NodePattern",
     "NodeProfile",
@@ -185,6 +194,8 @@ __all__ = [
     "Reached",
     "Registration",
     "RemapRule",
+    "Robot",
+    "RobotLink",
     "Routine",
     "SourceFile",
     "Status",
@@ -219,6 +230,9 @@ __all__ = [
     "attribute_values",
     "base_names",
     "brings",
+    "attribute_values",
+    "base_names",
+    "broadcasts",
     "build_types",
     "call_place",
     "callbacks",
@@ -234,6 +248,7 @@ __all__ = [
     "client_made",
     "containing",
     "defined_in",
+    "descriptions",
     "dotted",
     "drop_element",
     "drop_lines",
@@ -262,6 +277,7 @@ __all__ = [
     "is_slip",
     "landings",
     "loaders",
+    "lead",
     "may_be",
     "meant",
     "methods",
@@ -288,6 +304,9 @@ __all__ = [
     "references_to",
     "reaches",
     "read_policy",
+    "place_of",
+    "qos_in_words",
+    "reached",
     "rename_element",
     "renamed_keyword",
     "resolved",

@@ -72,10 +72,17 @@ class Joint(Thing):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mesh(Thing):
-    """A mesh's file name as it comes out; None if it is not known. *link* is the link that shows it."""
+    """A mesh's file name as it comes out; None if it is not known. *link* is the link that shows it.
+
+    *path* is its file in the workspace; *is_missing* says that a package of the workspace certainly does not have it, *similar*
+    are files that may be meant.
+    """
 
     filename: str | None
     link: str | None = None
+    path: str | None = None
+    is_missing: bool = False
+    similar: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

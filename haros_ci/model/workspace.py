@@ -9,12 +9,19 @@ from typing import Protocol
 
 from haros_ci.model.package import Package, SourceFile
 
+#: As many bytes as the header and the count of a binary STL.
+HEAD = 84
+
 
 class Reader(Protocol):
     """What a Workspace reads through; the implementation lives in the workspace room."""
 
     def text(self, path: str) -> str:
         """The decoded text of a file, newlines as they stand, BOM removed; "" if it cannot be read."""
+        ...
+
+    def head(self, path: str, length: int) -> bytes:
+        """The first *length* bytes of any file below the root; b"" if it cannot be read."""
         ...
 
 
@@ -61,6 +68,10 @@ class Workspace:
     def text(self, path: str) -> str:
         """The decoded text of the file at *path*; "" if it is not there or not text."""
         return self.reader.text(path)
+
+    def head(self, path: str) -> bytes:
+        """The first bytes of a file that is no text, for its format to be told; b"" if it is not there."""
+        return self.reader.head(path, HEAD) if path in self.names else b""
 
     def reports_on(self, path: str) -> bool:
         """Whether findings in *path* are wanted in this run."""

@@ -18,7 +18,7 @@ from haros_ci.robot.functions import TooMuch
 from haros_ci.robot.legacy import LEGACY, is_call
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.scopes import Macro, Macros, Scope
-from haros_ci.robot.sources import FIND, HERE, Sources
+from haros_ci.robot.sources import Sources, said
 from haros_ci.robot.texts import parameters_of, truth
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 
@@ -248,7 +248,7 @@ class Expansion(Evaluating):
             self.included(located.path, node, macros, scope, into)
             return
         if located.is_missing and truth(str(node.attributes.get("optional", "false"))) is not True:
-            self.fault("include", _said(name), node, similar=located.similar)
+            self.fault("include", said(name), node, similar=located.similar)
         elif not located.is_missing:
             self.world.is_open = True
 
@@ -336,14 +336,6 @@ class Expansion(Evaluating):
             except Invalid:
                 return UNKNOWN
         return UNKNOWN if default is None else self.value(default, scope, node)
-
-
-def _said(name: str) -> str:
-    """A file name without what stands for directories in it."""
-    if name.startswith(FIND):
-        package, _, inner = name[len(FIND) :].partition("/")
-        return f"$(find {package})/{inner}"
-    return name.removeprefix(HERE)
 
 
 def _resolved(name: str, macros: Macros, scope: Scope) -> tuple[Macros, Scope, Macro] | None:

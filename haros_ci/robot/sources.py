@@ -68,7 +68,7 @@ class Sources:
             name = name.removeprefix("file://")
         if name.startswith(FIND):
             package, _, inner = name[len(FIND) :].partition("/")
-            if package not in self.packages or not inner:
+            if package not in self.packages or not inner.strip("/") or "?" in inner:
                 return Located()
             return self.look(package, posixpath.normpath(inner))
         if name.startswith(HERE.rstrip("/")):
@@ -91,6 +91,14 @@ class Sources:
             return Located()
         inner = path if owner[1] == "." else path[len(owner[1]) + 1 :]
         return self.look(owner[0], inner)
+
+    def mesh(self, name: str, base: str) -> Located:
+        """Where the file name of a mesh leads: ``package://pkg/…`` or ``file://…``; others depend on who reads them."""
+        if name.startswith("package://"):
+            return self.locate(FIND + name.removeprefix("package://"), base)
+        if name.startswith("file://"):
+            return self.locate(name, base)
+        return Located()
 
     def matching(self, name: str, base: str) -> tuple[str, ...] | None:
         """The files that the pattern *name* stands for, sorted; None if that is not known, or *name* is no pattern."""
@@ -125,3 +133,12 @@ def by_names(workspace: Workspace) -> Look:
         return Located(path) if path in names else Located()
 
     return look
+
+
+def said(name: str) -> str:
+    """A file name as a person writes it."""
+    start, mark, rest = name.partition(FIND)
+    if mark:
+        package, _, inner = rest.partition("/")
+        return f"{start}$(find {package})/{inner}"
+    return name.replace(HERE, "")

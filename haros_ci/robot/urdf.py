@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from haros_ci.model.robot import Joint, Limit, Link, Mesh, Robot
 from haros_ci.robot.expand import expand
 from haros_ci.robot.nodes import Node
-from haros_ci.robot.sources import Sources
+from haros_ci.robot.sources import Located, Sources, said
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 
 
@@ -32,17 +32,7 @@ def read_robot(
     for node in root.all("link"):
         link = Link(name=node.given("name"), location=node.location, way=node.way, certain=node.certain)
         links.append(link)
-        meshes += [
-            Mesh(
-                filename=each.given("filename"),
-                link=link.name,
-                location=each.location,
-                way=each.way,
-                certain=each.certain and node.certain,
-            )
-            for each in node.walk()
-            if each.tag == "mesh"
-        ]
+        meshes += [_mesh(each, link, sources, path) for each in node.walk() if each.tag == "mesh"]
     return Robot(
         path=path,
         arguments=tuple(sorted((k, v if isinstance(v, str) else None) for k, v in (arguments or {}).items())),
@@ -56,6 +46,21 @@ def read_robot(
         macros=expanded.macros,
         size=len(root.children),
         is_whole=expanded.is_whole and all(node.certain for node in root.children),
+    )
+
+
+def _mesh(node: Node, link: Link, sources: Sources, path: str) -> Mesh:
+    name = node.given("filename")
+    located = sources.mesh(name, path) if name else Located()
+    return Mesh(
+        filename=said(name) if name else name,
+        link=link.name,
+        path=located.path,
+        is_missing=located.is_missing,
+        similar=located.similar,
+        location=node.location,
+        way=node.way,
+        certain=node.certain and link.certain,
     )
 
 

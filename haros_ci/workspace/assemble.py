@@ -43,6 +43,7 @@ def assemble(
     name: str | None = None,
     names: Iterable[str] | None = None,
     executables: Iterable[str] | None = None,
+    elsewhere: Path | None = None,
 ) -> Workspace:
     """Hash and examine *contents* one by one (they may be a generator), parse manifests, sort everything.
 
@@ -50,6 +51,7 @@ def assemble(
     *context* are manifests of packages that the files lie in, but that are not to be analysed themselves. A nameless
     package at the root takes *name*, by default the root's own. *names* are the paths of all files, by default *listed*,
     *executables* those whose execute bit is set, None if nobody knows.
+    Files that are not *listed* lie below *elsewhere*, by default the root.
     """
     from hashlib import sha256
 
@@ -98,7 +100,7 @@ def assemble(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
         files=_owned(sorted(files, key=lambda file: file.path), owners),
-        reader=TextReader(root, listed, max_file_size),
+        reader=TextReader(root, listed, max_file_size, elsewhere),
         targets=None if targets is None else targets & {file.path for file in files},
         problems=_sorted(found),
         faults=_sorted(fault for _, fault in packages.values() if fault is not None),

@@ -81,6 +81,7 @@ def base_workspace(
                 name=root.name,
                 names=tree,
                 executables=(path for path, blob in tree.items() if blob.executable),
+                elsewhere=root,
             )
             yield Base(base, commit, renames)
     except GitError as err:

@@ -84,10 +84,14 @@ class Tree:
 
 
 class TextReader:
-    """Reads and keeps the texts of listed files below *root* (``model.workspace.Reader``)."""
+    """Reads and keeps the texts of listed files below *root* (``model.workspace.Reader``).
 
-    def __init__(self, root: Path, paths: Iterable[str], limit: int) -> None:
+    *others* is where files lie that are not listed, if not there, too: a base revision has its texts alone.
+    """
+
+    def __init__(self, root: Path, paths: Iterable[str], limit: int, others: Path | None = None) -> None:
         self._tree = Tree(root)
+        self._others = self._tree if others is None else Tree(others)
         self._limit = limit
         self._texts: dict[str, str | None] = dict.fromkeys(paths)
 
@@ -103,3 +107,10 @@ class TextReader:
                 data = b""
             text = self._texts[path] = "" if b"\0" in data else decode(data)
         return text
+
+    def head(self, path: str, length: int) -> bytes:
+        """The first *length* bytes of a file; b"" if it is no regular one, or not there."""
+        try:
+            return read_head(self._others.place(path), length)
+        except OSError:
+            return b""

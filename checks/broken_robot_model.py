@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Robot descriptions that urdfdom refuses, or takes otherwise than they are meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Check,
+    Description,
+    Finding,
+    Joint,
+    Level,
+    Location,
+    Project,
+    RobotLink,
+    descriptions,
+    lead,
+    place_of,
+)
+
+#: Joints that urdfdom refuses without a <limit> (parseJoint).
+_LIMITED = ("revolute", "prismatic")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for description in descriptions(project):
+        robot = description.robot
+        if robot.root != "robot" or any(fault.certain and fault.kind != "unprefixed" for fault in robot.faults):
+            continue
+        for joint in robot.joints:
+            if joint.certain:
+                yield from limits(description, joint)
+        twice = list(doubles(description))
+        yield from twice
+        if robot.is_whole and robot.links and not twice and all(link.name for link in robot.links):
+            yield from tree(description)
+
+
+def finding(
+    description: Description,
+    at: Location,
+    message: str,
+    about: str,
+    thing: Joint | RobotLink | None = None,
+    level: Level | None = None,
+    related: tuple[tuple[Location, str], ...] = (),
+) -> Finding:
+    way = lead(description, thing.way if thing is not None else ())
+    return Finding(
+        at=at,
+        message=message,
+        about=(description.package or description.robot.path, about),
+        related=related,
+        flow=(*way, (thing.location, f"the {about}")) if thing is not None and way else (),
+        level=level,
+        apart=(about,),
+    )
+
+
+def limits(description: Description, joint: Joint) -> Iterator[Finding]:
+    """A ``<limit>`` that is missing, that lacks what it has to say, or that is the wrong way round."""
+    about = f"joint {joint.name or '?'}"
+    limit = joint.limit
+    if limit is None:
+        if joint.type in _LIMITED and description.robot.is_whole:
+            yield finding(
+                description,
+                joint.location,
+                f"the {joint.type} {about} has no <limit>: urdfdom refuses the whole robot; give it one, or make it continuous or fixed",
+                about,
+                joint,
+            )
+        return
+    missing = [name for name in ("effort", "velocity") if getattr(limit, name) is None]
+    if missing and description.robot.is_whole:
+        yield finding(
+            description,
+            limit.location,
+            f"the <limit> of {about} says no {' and no '.join(missing)}: urdfdom refuses the whole robot",
+            about,
+            joint,
+        )
+    lower, upper = number(limit.lower), number(limit.upper)
+    if joint.type in _LIMITED and lower is not None and upper is not None and lower > upper:
+        yield finding(
+            description,
+            limit.location,
+            f"the lower limit of {about} ({lower:g}) is above its upper one ({upper:g}): no position is allowed; swap them",
+            about,
+            joint,
+            Level.WARNING,
+        )
+
+
+def number(text: str | None) -> float | None:
+    """A limit as urdfdom reads it: 0 if it is not given; None if it is not known."""
+    if text is None:
+        return 0.0
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def doubles(description: Description) -> Iterator[Finding]:
+    """Links, or joints, of one name; a macro called twice makes many, which are one finding."""
+    found: dict[Location, list[tuple[str, Joint | RobotLink, Joint | RobotLink]]] = {}
+    for kind, things in (("link", description.robot.links), ("joint", description.robot.joints)):
+        first: dict[str, Joint | RobotLink] = {}
+        for thing in things:
+            if thing.certain and thing.name:
+                before = first.setdefault(thing.name, thing)
+                if before is not thing:
+                    found.setdefault(place_of(thing, before), []).append((f"{kind} {thing.name!r}", thing, before))
+    for at, several in found.items():
+        about, thing, before = several[0]
+        more = f" (and {len(several) - 1} more of the same names)" if len(several) > 1 else ""
+        yield finding(
+            description,
+            at,
+            f"a second {about} in one robot{more}: urdfdom refuses it; give each its own name",
+            about.replace("'", ""),
+            thing,
+            related=((place_of(before, thing), f"the first {about}"),),
+        )
+
+
+def tree(description: Description) -> Iterator[Finding]:
+    """Links that joints name and that are not there, links with two parents, and what is no tree (initTree, initRoot)."""
+    robot = description.robot
+    links = {link.name: link for link in robot.links}
+    if any(joint.parent is None or joint.child is None for joint in robot.joints):
+        return
+    parents: dict[str, Joint] = {}
+    unknown: dict[str, list[tuple[str, Joint]]] = {}
+    for joint in robot.joints:
+        for role, name in (("parent", joint.parent or ""), ("child", joint.child or "")):
+            if name not in links:
+                unknown.setdefault(name, []).append((role, joint))
+        before = parents.setdefault(joint.child or "", joint)
+        if before is not joint and joint.child in links:
+            yield finding(
+                description,
+                place_of(joint, before),
+                f"the link {joint.child!r} is the child of two joints, {before.name!r} and {joint.name!r}: only the last one counts",
+                f"link {joint.child}",
+                joint,
+                Level.WARNING,
+                related=((place_of(before, joint), f"the joint {before.name!r}"),),
+            )
+    for name, uses in unknown.items():
+        role, joint = uses[0]
+        what = f"the {role} link {name!r}, which the robot does not have" if name else f"no {role} link"
+        others = {id(each) for _, each in uses} - {id(joint)}
+        more = f" (and {len(others)} more joints name it)" if others and name else ""
+        yield finding(
+            description,
+            joint.location,
+            f"the joint {joint.name or '?'} names {what}{more}: urdfdom refuses the robot",
+            f"link {name}" if name else f"joint {joint.name}",
+            joint,
+            related=tuple((each.location, f"joint {each.name}") for _, each in uses[1:4]),
+        )
+    roots = [link for link in robot.links if link.name not in parents]
+    if unknown or len(roots) == 1:
+        return
+    if not roots:
+        at = robot.joints[0]
+        yield finding(
+            description,
+            at.location,
+            "the joints make a circle, so that no link is the root: urdfdom refuses the robot",
+            "root",
+            at,
+        )
+        return
+    names = ", ".join(repr(link.name) for link in roots[:4]) + (", …" if len(roots) > 4 else "")
+    yield finding(
+        description,
+        place_of(roots[1], roots[0]),
+        f"the robot has {len(roots)} root links, {names}: urdfdom refuses it; connect them by a joint",
+        "root",
+        roots[1],
+        related=((place_of(roots[0], roots[1]), f"the root {roots[0].name!r}"),),
+    )
+
+
+CHECK = Check(
+    id="broken-robot-model",
+    summary="A robot's links and joints are one tree, each with its own name, and joints that need limits have them.",
+    level=Level.ERROR,
+    catalogue="X03",
+    tags=("robot-description",),
+    project=check,
+)

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Frames that several nodes say where they are, each in its own way, and frames that hang on themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+from haros_ci.api import Broadcast, Check, Finding, Level, Project, System, broadcasts, together
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for system in project.systems:
+        if not system.is_launched:
+            continue
+        by_child: dict[tuple[str, str], list[Broadcast]] = {}
+        for each in broadcasts(project, system):
+            by_child.setdefault((each.topic, each.child), []).append(each)
+        told: dict[tuple[int, int], list[tuple[Broadcast, Broadcast]]] = {}
+        for several in by_child.values():
+            for one, other in combinations(several, 2):
+                if one.node is not other.node and is_conflict(one, other):
+                    told.setdefault((id(one.node), id(other.node)), []).append((one, other))
+                    break
+        for pairs in told.values():
+            yield conflict(pairs, system)
+        yield from circles(by_child, system)
+
+
+def is_conflict(one: Broadcast, other: Broadcast) -> bool:
+    """Whether both are there at once, and do not say the same."""
+    if together(one.node.presence, other.node.presence) is None:
+        return False
+    first, second = one.node.raw.conditions, other.node.raw.conditions
+    if first and second and first != second:
+        return False
+    return not (one.is_static and other.is_static and one.parent == other.parent and one.values == other.values)
+
+
+def conflict(pairs: list[tuple[Broadcast, Broadcast]], system: System) -> Finding:
+    """One finding for all frames that two nodes are at odds about."""
+    one, other = pairs[0]
+    parents = one.parent != other.parent and one.parent is not None and other.parent is not None
+    if parents:
+        how = f"in {one.parent!r} by {one.node}, in {other.parent!r} by {other.node}: a frame has one parent, so that it jumps between two trees"
+    elif one.is_static != other.is_static:
+        static = one if one.is_static else other
+        how = f"by {one.node} and {other.node}, of which {static.node} says it once and for all: what tf answers depends on their order"
+    else:
+        how = f"by {one.node} and {other.node}: the transform jumps between what the two say"
+    more = f" (and {len(pairs) - 1} more frames)" if len(pairs) > 1 else ""
+    return Finding(
+        at=other.at,
+        message=f"the frame {one.child!r}{more} is broadcast {how}; leave it to one of them",
+        about=(one.child, one.node, other.node),
+        related=(
+            (one.at, one.what),
+            (other.node.location, f"starts {other.node}"),
+            (one.node.location, f"starts {one.node}"),
+        ),
+        level=None if parents else Level.WARNING,
+        apart=(one.child, str(one.at)),
+    )
+
+
+def circles(by_child: dict[tuple[str, str], list[Broadcast]], system: System) -> Iterator[Finding]:
+    """Frames each of which hangs on the next, and the last on the first."""
+    parent = {key: every[0] for key, every in by_child.items() if len(every) == 1 and every[0].parent is not None}
+    done: set[tuple[str, str]] = set()
+    for start in parent:
+        way: list[tuple[str, str]] = []
+        here = start
+        while here in parent and here not in done and here not in way:
+            way.append(here)
+            here = (here[0], parent[here].parent or "")
+        if here in way:
+            ring = [parent[each] for each in way[way.index(here) :]]
+            names = " → ".join([*(each.child for each in ring), ring[0].child])
+            if any(together(ring[0].node.presence, each.node.presence) is None for each in ring):
+                continue
+            yield Finding(
+                at=ring[0].at,
+                message=f"the frames {names} each hang on the next: tf refuses such a circle, and finds no transform in it",
+                about=(*sorted(each.child for each in ring), *{id(e.node): e.node for e in ring}.values()),
+                related=tuple((each.at, each.what) for each in ring[1:]),
+            )
+        done.update(way)
+
+
+CHECK = Check(
+    id="conflicting-transforms",
+    summary="Each tf frame is broadcast by one node, and has one parent.",
+    level=Level.ERROR,
+    catalogue="T01",
+    tags=("tf",),
+    project=check,
+)

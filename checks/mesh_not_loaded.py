@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Meshes of robot descriptions that are not there, or that are taken for another format."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Mesh, Project, descriptions, lead, meant
+
+_SUFFIXES = (".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx", ".3ds", ".mesh")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    meshes = [path for path in project.workspace.names if path.lower().endswith(_SUFFIXES)]
+    for description in descriptions(project):
+        for mesh in description.robot.meshes:
+            said = fault(mesh, project, meshes) if mesh.filename else ""
+            if said:
+                yield Finding(
+                    at=mesh.location,
+                    message=said,
+                    about=(description.package or description.robot.path, mesh.filename or ""),
+                    flow=lead(description, mesh.way),
+                    apart=(mesh.filename or "",),
+                    level=Level.ERROR if mesh.is_missing and mesh.certain else None,
+                )
+
+
+def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:
+    """What is wrong with *mesh*; "" if nothing is, or nothing is known."""
+    if mesh.is_missing:
+        package = project.package(owner(mesh.filename or ""))
+        if package is None or not any(package.path == "." or path.startswith(f"{package.path}/") for path in meshes):
+            return ""  # a package whose meshes come from elsewhere
+        return f"the mesh {mesh.filename} is not there: nothing is shown of it, and what needs its shape fails{meant(mesh.similar)}"
+    if mesh.path is not None and mesh.path.lower().endswith(".stl") and is_disguised(project.workspace.head(mesh.path)):
+        name = mesh.path.rpartition("/")[2]
+        return (
+            f"{name} is a binary STL whose header begins with 'solid', as only text STL do: some programs take it for text, and"
+            " load nothing; save it with another header"
+        )
+    return ""
+
+
+def owner(filename: str) -> str:
+    """The package that a mesh's file name is in."""
+    for start in ("package://", "file://$(find "):
+        if filename.startswith(start):
+            return filename[len(start) :].replace(")", "/").partition("/")[0]
+    return ""
+
+
+def is_disguised(head: bytes) -> bool:
+    """Whether a file that begins so is a binary STL (80 bytes of header, 4 of a count, of which some are 0) that begins as text."""
+    return head[:5].lower() == b"solid" and len(head) >= 84 and b"\0" in head
+
+
+CHECK = Check(
+    id="mesh-not-loaded",
+    summary="The meshes of a robot description are there, and of the format that they seem to be.",
+    level=Level.WARNING,
+    catalogue="X04",
+    tags=("robot-description",),
+    project=check,
+)

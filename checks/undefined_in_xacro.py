@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Macros, properties, arguments and files that a xacro file uses, and that are not there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Description, Fault, Finding, Level, Location, Project, descriptions, lead, meant
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for description in descriptions(project):
+        faults = [each for each in description.robot.faults if each.certain]
+        for fault in (each for each in faults if not (description.ros == 1 and each.defined_later)):
+            said = message(fault, description)
+            if said and not any(is_same_call(fault, each) for each in faults[: faults.index(fault)]):
+                yield Finding(
+                    at=fault.location,
+                    message=said,
+                    about=(description.package or description.robot.path, fault.kind, fault.name),
+                    flow=flow(fault, description),
+                    apart=(fault.kind, fault.name),
+                    level=Level.WARNING if fault.kind == "unprefixed" and description.ros == 1 else None,
+                )
+
+
+def is_same_call(one: Fault, other: Fault) -> bool:
+    """Whether both say that one call does not fit its macro."""
+    kinds = ("parameter", "extra")
+    return one.kind in kinds and other.kind in kinds and (one.location, one.of) == (other.location, other.of)
+
+
+def flow(fault: Fault, description: Description) -> tuple[tuple[Location, str], ...]:
+    way = lead(description, fault.way)
+    return (*way, (fault.location, "which says this")) if way else ()
+
+
+def message(fault: Fault, description: Description) -> str:
+    """What xacro does there; "" for what is not for this check."""
+    name, hint = fault.name, meant(fault.similar)
+    if fault.kind == "property":
+        return f"the property {name!r} is not defined here: xacro stops with an error{hint}"
+    if fault.kind == "argument":
+        return f"$(arg {name}) is read, but no xacro:arg declares {name!r} before: xacro stops unless whoever runs it gives it"
+    if fault.kind == "macro":
+        return f"calls the macro {name!r}, which is not defined here: xacro stops with an error{hint}"
+    if fault.kind == "block":
+        return f"inserts the block {name!r}, which nobody gives: xacro stops with an error{hint}"
+    if fault.kind == "parameter":
+        many = "s" if " " in name else ""
+        return f"calls the macro {fault.of!r} without its parameter{many} {name}: xacro stops with an error"
+    if fault.kind == "extra":
+        return f"gives {name!r} to the macro {fault.of!r}, which has no such parameter: xacro stops with an error{hint}"
+    if fault.kind == "default":
+        return f'the xacro:arg {name!r} has no default: xacro stops with an error; give it default=""'
+    if fault.kind == "include":
+        return f"includes {name}, but there is no such file: xacro stops with an error{hint}"
+    if fault.kind == "unprefixed":
+        since = "since ROS Noetic " if description.ros == 1 else ""
+        return f"<{name}> is the name of a macro, but {since}xacro calls it as <xacro:{name}> only: nothing comes of this element"
+    return ""
+
+
+CHECK = Check(
+    id="undefined-in-xacro",
+    summary="The macros, properties, arguments and files that a xacro file uses are there.",
+    level=Level.ERROR,
+    catalogue="X01",
+    tags=("robot-description",),
+    project=check,
+)

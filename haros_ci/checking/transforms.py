@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The transforms that the nodes of a system broadcast: by robot_state_publisher, static_transform_publisher and own code."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from haros_ci.checking.broadcasts import resolved, sent
+from haros_ci.checking.project import Project
+from haros_ci.checking.system import System, SystemNode
+from haros_ci.model.launch_facts import CommandUse
+from haros_ci.model.location import Location
+from haros_ci.model.robot import Robot
+
+#: Joints that robot_state_publisher leaves out, and those that it broadcasts as fixed (kdl_parser knows no planar ones).
+_LEFT_OUT = "floating"
+_FIXED = ("fixed", "planar")
+
+
+@dataclass(frozen=True, slots=True)
+class Broadcast:
+    """*node* says where *child* is in *parent* (None if not known), at *at* in words *what*, on the tf topic *topic*.
+
+    *values* are the same for two static ones that say the same.
+    """
+
+    child: str
+    parent: str | None
+    is_static: bool
+    node: SystemNode
+    at: Location
+    what: str
+    topic: str
+    values: str = ""
+
+
+def broadcasts(project: Project, system: System) -> Iterator[Broadcast]:
+    """All that is known to be broadcast in *system* with its default arguments."""
+    for node in system.nodes:
+        if not node.is_default or not node.is_launched:
+            continue
+        program = node.raw.type
+        if program == "static_transform_publisher" and node.package in ("tf", "tf2_ros"):
+            yield from _static(node)
+        elif program in ("robot_state_publisher", "state_publisher") and node.package == "robot_state_publisher":
+            yield from _of_robot(project, system, node)
+        else:
+            yield from _of_code(project, system, node)
+
+
+def _topic(node: SystemNode, name: str) -> str | None:
+    """The name of tf's topic after remapping, as that of ``/tf``; None if it is not known."""
+    for end in node.of("publishers"):
+        if end.original_name == name:
+            return end.name.removesuffix("_static") if end.known else None
+    for before, after in node.raw.remaps:
+        if before.rpartition("/")[2] == name[1:]:
+            return after.removesuffix("_static") if "?" not in after else None
+    return "/tf"
+
+
+def _static(node: SystemNode) -> Iterator[Broadcast]:
+    """static_transform_publisher: eight or nine arguments (tf: and a period), or ``--frame-id a --child-frame-id b``."""
+    try:
+        words = shlex.split(node.raw.arguments)
+    except ValueError:
+        return
+    named = dict(zip(words, words[1:]))
+    if "--frame-id" in named or "--child-frame-id" in named:
+        parent, child = named.get("--frame-id", ""), named.get("--child-frame-id", "")
+        values = " ".join(sorted(f"{k} {v}" for k, v in named.items() if k.startswith("--")))
+    else:
+        if node.package == "tf":
+            words = words[:-1]
+        if len(words) not in (8, 9):
+            return
+        parent, child = words[-2:]
+        values = " ".join(words)
+    topic = _topic(node, "/tf" if node.package == "tf" else "/tf_static")
+    if topic is None or not child or "?" in parent + child:
+        return
+    is_static = node.package == "tf2_ros"
+    yield Broadcast(
+        child.strip("/"), parent.strip("/"), is_static, node, node.location, f"{node} publishes it", topic, values
+    )
+
+
+def _of_robot(project: Project, system: System, node: SystemNode) -> Iterator[Broadcast]:
+    """robot_state_publisher: every joint of the robot but the floating ones."""
+    robot = robot_of(project, system, node)
+    prefix = _prefix(system, node)
+    static, dynamic = _topic(node, "/tf_static"), _topic(node, "/tf")
+    if robot is None or prefix is None or static is None or dynamic is None:
+        return
+    for joint in robot.joints:
+        if joint.certain and joint.child and joint.parent and joint.type and joint.type != _LEFT_OUT:
+            is_static = joint.type in _FIXED
+            yield Broadcast(
+                (prefix + joint.child).strip("/"),
+                (prefix + joint.parent).strip("/"),
+                is_static,
+                node,
+                joint.location,
+                f"{node} publishes the {joint.type} joint {joint.name}",
+                static if is_static else dynamic,
+                f"joint {joint.name}",
+            )
+
+
+def _prefix(system: System, node: SystemNode) -> str | None:
+    """What robot_state_publisher puts before all names; None if that is not known."""
+    found = ""
+    for name in ("frame_prefix", "tf_prefix"):
+        for parameter in system.parameters:
+            if parameter.name in (f"{node.name}:{name}", f"{node.name}/{name}", f"/{name}"):
+                if not isinstance(parameter.value, str) or parameter.unknowns:
+                    return None
+                found = parameter.value if name == "frame_prefix" else f"{parameter.value.rstrip('/')}/".lstrip("/")
+    return found
+
+
+def robot_of(project: Project, system: System, node: SystemNode) -> Robot | None:
+    """The robot that robot_state_publisher *node* gets; None if it is not known."""
+    names = {f"{node.name}:robot_description"}
+    names |= {end.name for end in node.of("getters", "parameters") if end.name.endswith("robot_description")}
+    given = [each for each in system.parameters if each.name in names]
+    if len(given) != 1:
+        return None
+    parameter = given[0]
+    if isinstance(parameter.value, str) and "<robot" in parameter.value:
+        texts = (each.robot for each in project.descriptions if project.text(each.robot.path) == parameter.value)
+        return next(texts, None)
+    reasons = " ".join(unknown.reason for unknown in parameter.unknowns)
+    for use in system.facts(CommandUse):
+        at_tag = use.ros == 1 and use.location == parameter.location
+        if (
+            at_tag
+            or (use.ros == 2 and use.location in (parameter.location, parameter.origin))
+            or _shown(use.text) in reasons
+        ):
+            described = project.described(use.text)
+            return None if described is None else described.robot
+    return None
+
+
+def _shown(text: str) -> str:
+    """A command as a reason quotes it, whole."""
+    line = " ".join(text.split())
+    return f"'{line if len(line) <= 100 else line[:97] + '...'}'"
+
+
+def _of_code(project: Project, system: System, node: SystemNode) -> Iterator[Broadcast]:
+    """A node of the workspace: what the class that makes its broadcaster, or the file, sends."""
+    ends = [end for end in node.of("publishers") if end.original_name in ("/tf", "/tf_static") and end.in_source]
+    if not ends or not node.complete:
+        return
+    kinds = {end.original_name for end in ends}
+    parameters = _parameters(system, node)
+    for path in dict.fromkeys(end.location.path for end in ends):
+        program = project.programs.get(path)
+        for each in sent(program) if program is not None and "sendTransform" in project.text(path) else ():
+            is_static = "static" in each.receiver.lower() if len(kinds) == 2 else kinds == {"/tf_static"}
+            child = resolved(each.child, parameters)
+            topic = _topic(node, "/tf_static" if is_static else "/tf")
+            if child is not None and topic is not None:
+                at = Location(path, each.line, each.column)
+                yield Broadcast(
+                    child, resolved(each.parent, parameters), is_static, node, at, f"{node} sends it", topic
+                )
+
+
+def _parameters(system: System, node: SystemNode) -> Mapping[str, str]:
+    """The parameters of *node* whose values are known texts."""
+    found: dict[str, str] = {}
+    outside = {each.name: each for each in system.parameters}
+    for end in node.of("parameters", "getters"):
+        key = end.name.rpartition(":")[2].rpartition("/")[2] if node.ros == 1 else end.name.rpartition(":")[2]
+        given = outside.get(end.name)
+        value = end.raw.effective if end.kind == "parameters" else end.raw.value if given is None else given.value
+        if isinstance(value, str) and not end.raw.unknowns and (given is None or not given.unknowns):
+            found[key] = value
+    return found
