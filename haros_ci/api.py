@@ -21,6 +21,7 @@ from haros_ci.checking.editing import (
     set_text,
 )
 from haros_ci.checking.given import Given, Names, Whole, is_mentioned, misplaced, near
+from haros_ci.checking.imports import imports_of
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.installing import install_directory, install_line, install_place, landings
 from haros_ci.checking.interface_users import InterfaceUsers, always_at, changes_of, defined_in
@@ -47,6 +48,7 @@ from haros_ci.checking.manifests import (
     reaches,
     word,
 )
+from haros_ci.checking.needs import Need, needs_of
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.plugins import (
     Registration,
@@ -57,6 +59,15 @@ from haros_ci.checking.plugins import (
     registrations,
 )
 from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.checking.provision import (
+    Provision,
+    Provisions,
+    Sources,
+    first_provider,
+    is_of_ros,
+    last_dependency,
+    others_of,
+)
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.robots import descriptions, lead, place_of
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
@@ -74,6 +85,7 @@ from haros_ci.code.ways import Reached, in_callbacks
 from haros_ci.code.ways import place as call_place
 from haros_ci.interfaces.references import Reference as InterfaceReference
 from haros_ci.interfaces.references import references_to
+from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
 from haros_ci.model.build import (
     Build,
@@ -166,6 +178,7 @@ __all__ = [
     "InterfaceReference",
     "InterfaceUsers",
     "Joint",
+    "Knowledge",
     "LaunchFact",
     "Level",
     "Link",
@@ -174,6 +187,7 @@ __all__ = [
     "MissingField",
     "Mesh",
     "Names",
+    "Need",
     "NodePattern",
     "NodeProfile",
     "Package",
@@ -190,6 +204,8 @@ __all__ = [
     "ProgramUse",
     "Project",
     "ProjectPackage",
+    "Provision",
+    "Provisions",
     "Qos",
     "Reached",
     "Registration",
@@ -198,6 +214,7 @@ __all__ = [
     "RobotLink",
     "Routine",
     "SourceFile",
+    "Sources",
     "Status",
     "System",
     "SystemNode",
@@ -221,6 +238,8 @@ __all__ = [
     "exports",
     "file_name",
     "holds",
+    "first_provider",
+    "imports_of",
     "included_by",
     "incompatible",
     "insert_line",
@@ -278,6 +297,9 @@ __all__ = [
     "landings",
     "loaders",
     "lead",
+    "is_of_ros",
+    "is_slip",
+    "last_dependency",
     "may_be",
     "meant",
     "methods",
@@ -287,6 +309,8 @@ __all__ = [
     "names_in",
     "near",
     "needs",
+    "needs_of",
+    "others_of",
     "owner",
     "place",
     "qos_in_words",

@@ -25,11 +25,13 @@ DOORS: dict[str, set[str]] = {
     "changes": {"model", "interfaces"},
     "query": {"model", "results"},
     "report": {"errors", "model", "results"},
-    "checking": {"changes", "code", "errors", "interfaces", "model", "results"},
+    "checking": {"changes", "code", "errors", "interfaces", "knowledge", "model", "results"},
     "registry": {"checking", "errors", "linters", "model", "results"},
     "api": {"changes", "checking", "code", "interfaces", "model", "results", "security"},
+    "api": {"changes", "checking", "code", "interfaces", "knowledge", "model", "results"},
     # the call graph stands on the index of the programs; it knows no system and no check
     "code": {"model", "link"},
+    "knowledge": set(),
     "baselines": {"model", "results", "errors", "config", "workspace"},
     "inspection": {
         "architecture",

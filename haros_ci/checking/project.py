@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Protocol
 
 from haros_ci.checking.cmake import CMake
 from haros_ci.checking.system import System
+from haros_ci.knowledge.knowledge import Knowledge
+from haros_ci.knowledge.knowledge import knowledge as packaged
 from haros_ci.model.build import Build, CMakeCommand, Interface
 from haros_ci.model.element import Element
 from haros_ci.model.launch_facts import CommandUse
@@ -115,11 +117,14 @@ class Project:
         base: Project | None = None,
         robots: Robots | None = None,
         code: Callable[[], Codebase] | None = None,
+        knowledge: Knowledge | None = None,
     ) -> None:
         self.workspace = workspace
         self.programs = programs
         self.systems = tuple(systems)
         self.base = base
+        #: What is known of packages that are not in the workspace.
+        self.knowledge = packaged() if knowledge is None else knowledge
         self._read_xml = read_xml
         self._robots = robots
         self._code = code

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The modules that installed Python files import from other packages as soon as they are loaded."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+from haros_ci.checking.needs import Need
+from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.model.location import Location
+from haros_ci.model.program import Program
+
+_IMPORT = re.compile(r"^(?:import[ \t]+([^#\n;]+)|from[ \t]+([\w.]+)[ \t]+import\b)", re.M)
+#: Modules of Python that other versions have, and those that come with every Python for ROS.
+_PYTHON = frozenset(
+    "__builtin__ __main__ asynchat asyncore BaseHTTPServer binhex cPickle cStringIO cgi CGIHTTPServer commands ConfigParser Cookie cookielib "
+    "copy_reg distutils exceptions httplib imp itertools md5 pkg_resources Queue SimpleHTTPServer SocketServer sets setuptools sha smtpd "
+    "StringIO telnetlib thread tkinter Tkinter tkFileDialog tkMessageBox tomllib ttk typing_extensions urllib2 urlparse UserDict xmlrpclib _winreg".split()
+)
+#: What runs launch files brings these (ros2launch, roslaunch).
+_LAUNCHING = frozenset(
+    "launch launch_ros launch_xml launch_yaml ament_index_python roslaunch rospkg ros2launch osrf_pycommon".split()
+)
+_TEST = re.compile(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(test_[^/]*|[^/]*_test|conftest|setup)\.py$")
+
+
+def imports_of(package: ProjectPackage) -> Iterator[Need]:
+    """What is imported at the outermost level, outside of ``try`` and ``if``, and whose providers are known."""
+    project = package.project
+    modules = _of_workspace(project)
+    own = _own(package)
+    for path, is_launch in _installed(package):
+        program = project.programs.get(path)
+        for module, location in imported(path, project.text(path), program):
+            if module in own or module in sys.stdlib_module_names or module in _PYTHON or module == package.name:
+                continue
+            if is_launch and module in _LAUNCHING:
+                continue
+            names = frozenset(modules.get(module, ())) | (project.knowledge.provider_of_module(module) or frozenset())
+            if project.package(module) is not None:
+                names |= {module}
+            if names and any(_is_usable(name, package) for name in names):
+                yield Need(names, location, f"import {module}", False)
+
+
+def imported(path: str, text: str, program: Program | None) -> Iterator[tuple[str, Location]]:
+    """The top-level modules of imports that begin a line; with the *program* of the file, those only that it has, too."""
+    known = None if program is None else {str(alias.type[0]).partition(".")[0] for alias in program.aliases}
+    for match in _IMPORT.finditer(text):
+        words = [match[2]] if match[2] else [part.split()[0] for part in match[1].split(",") if part.split()]
+        for word in words:
+            module = word.partition(".")[0]
+            if module.isidentifier() and (known is None or module in known):
+                yield module, Location(path, text.count("\n", 0, match.start()) + 1)
+
+
+def _installed(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
+    """The Python files that a user of the package loads, with whether each is a launch file; not its tests."""
+    python = [file.path for file in package.files if file.language == "python"]
+    launch = {file.path for file in package.files if file.language == "launch" and file.path.endswith(".py")}
+    wanted: set[str] = {each.path for each in package.build.entry_points}
+    folders = [directory for _, directory in package.build.python_roots]
+    for thing in package.build.installed:
+        if thing.kind == "directory" and not thing.destination.startswith("share"):
+            folders.append(thing.path)
+        elif thing.kind != "directory":
+            wanted.add(thing.path)
+    share = [t.path for t in package.build.installed if t.kind == "directory" and t.destination.startswith("share")]
+    for path in sorted({*python, *launch}):
+        inner = path if package.path == "." else path[len(package.path) + 1 :]
+        is_launch = path in launch or ".launch." in path or "launch" in inner.split("/")[:-1]
+        places = share if is_launch else folders
+        if not _TEST.search(inner) and (path in wanted or any(path.startswith(f"{each}/") for each in places)):
+            yield path, is_launch
+
+
+def _own(package: ProjectPackage) -> frozenset[str]:
+    """Names that a module of the package itself may have: of its files and folders."""
+    found: set[str] = set()
+    for file in package.files:
+        if file.path.endswith(".py") or file.language == "python":
+            inner = file.path if package.path == "." else file.path[len(package.path) + 1 :]
+            parts = inner.split("/")
+            found.update(parts[:-1])
+            found.add(parts[-1].removesuffix(".py"))
+    for command in package.commands(
+        "pybind11_add_module", "python_add_library", "add_library", "cython_add_module", "swig_add_library"
+    ):
+        found.update(command.arguments[:1])
+    return frozenset(found)
+
+
+@cache
+def _of_workspace(project: Project) -> Mapping[str, frozenset[str]]:
+    """Which packages of the workspace install a module, by its name."""
+    found: dict[str, set[str]] = {}
+    for package in project.packages:
+        for root, directory in package.build.python_roots:
+            names = {root.partition(".")[0]} if root else _below(package, directory)
+            for name in names:
+                found.setdefault(name, set()).add(package.name)
+    return {name: frozenset(names) for name, names in found.items()}
+
+
+def _below(package: ProjectPackage, directory: str) -> set[str]:
+    base = "" if directory == "." else f"{directory}/"
+    inner = (
+        file.path[len(base) :] for file in package.files if file.path.startswith(base) and file.path.endswith(".py")
+    )
+    return {path.partition("/")[0].removesuffix(".py") for path in inner}
+
+
+def _is_usable(name: str, package: ProjectPackage) -> bool:
+    return package.project.package(name) is not None or package.project.knowledge.is_in(name, package.ros)

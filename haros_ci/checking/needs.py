@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the build of a package needs from other packages: what CMake does not go on without, and the headers of every build."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from haros_ci.checking.includes import reached
+from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.provision import Sources, exists
+from haros_ci.model.build import CMakeCommand
+from haros_ci.model.location import Location
+
+#: Commands that bring files from elsewhere into a build, which a reader of the sources does not see.
+_FETCHING = (
+    "fetchcontent_declare",
+    "externalproject_add",
+    "cpmaddpackage",
+    "ament_vendor",
+    "catkin_simple",
+    "hunter_add_package",
+)
+#: Commands that write files which may be headers.
+_WRITING = (
+    "configure_file",
+    "generate_export_header",
+    "add_custom_command",
+    "file",
+    "add_custom_target",
+    "execute_process",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """One of *providers* has to be there for *what* at *location*."""
+
+    providers: frozenset[str]
+    location: Location
+    what: str
+    is_header: bool
+
+
+def needs_of(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
+    """What every build of *package* needs whose providers are known; nothing for one that is not built by CMake alone."""
+    if package.raw.is_metapackage or package.raw.build_type == "ament_python" or package.commands(*_FETCHING):
+        return
+    yield from _found(package)
+    yield from _included(package, sources)
+
+
+def _found(package: ProjectPackage) -> Iterator[Need]:
+    """The packages that CMake does not go on without."""
+    project = package.project
+    for command in package.commands("find_package"):
+        if command.is_conditional or command.is_test or not command.arguments:
+            continue
+        for name in _required(command):
+            if "$" in name or name == package.name or _brings_module(package, name):
+                continue
+            names = project.knowledge.provider_of_cmake(name) or frozenset()
+            if project.package(name) is not None:
+                names |= {name}
+            if exists(names, package):
+                names |= _alike(name)
+                yield Need(names, command.location, f"find_package({name})", False)
+
+
+def _alike(name: str) -> frozenset[str]:
+    """How packages are called that bring CMake's package *name*, if it has one of its own."""
+    plain = name.lower()
+    return frozenset(
+        (f"{plain}_vendor", f"lib{plain}-dev", f"{plain}-dev", f"lib{plain}", plain, f"{plain}_cmake_module")
+    )
+
+
+def _required(command: CMakeCommand) -> Iterator[str]:
+    words = command.arguments
+    if "REQUIRED" not in words:
+        return
+    if words[0] != "catkin":
+        yield words[0]
+        return
+    yield "catkin"
+    yield from command.after("COMPONENTS", "REQUIRED", "QUIET", "OPTIONAL_COMPONENTS")
+
+
+def _brings_module(package: ProjectPackage, name: str) -> bool:
+    """Whether a package of the workspace has ``FindName.cmake`` or ``NameConfig.cmake`` for CMake to find."""
+    ends = (f"/Find{name}.cmake", f"/{name}Config.cmake", f"/{name}-config.cmake", f"/{name}Config.cmake.in")
+    return any(path.endswith(ends) for path in package.project.workspace.names)
+
+
+def _included(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
+    """The headers that every build includes, from elsewhere, and whose providers are known."""
+    asked: dict[str, frozenset[str]] = {}
+    lent, made = _lent(package), _made(package)
+    for include in reached(package, sources):
+        header = include.header
+        if header not in asked:
+            asked[header] = _providers(header, package, sources)
+        names = asked[header]
+        if header.rpartition("/")[2] not in made and not names & lent and exists(names, package):
+            yield Need(names, include.location, f"#include <{header}>", True)
+
+
+def _providers(header: str, package: ProjectPackage, sources: Sources) -> frozenset[str]:
+    project = package.project
+    top, slash, _ = header.partition("/")
+    if not slash or top == package.name:
+        known = project.knowledge.provider_of_header(header) if not slash else None
+        return known or frozenset()
+    names = {name for _, name in sources.ending(header)}
+    other = project.package(top)
+    if other is not None and (other.build.interfaces or other.build.configs or other.build.parameter_libraries):
+        names.add(top)  # it generates headers
+    elif other is not None and not names:
+        return frozenset()
+    return frozenset(names | (project.knowledge.provider_of_header(header) or frozenset()))
+
+
+def _made(package: ProjectPackage) -> frozenset[str]:
+    """The names of files that CMake writes."""
+    words = (word for command in package.commands(*_WRITING) for word in command.arguments)
+    return frozenset(word.rpartition("/")[2].removesuffix(".in") for word in words)
+
+
+def _lent(package: ProjectPackage) -> frozenset[str]:
+    """The packages of the workspace whose folders CMake names as places of headers."""
+    found = set()
+    for command in package.commands("include_directories", "target_include_directories"):
+        for word in command.arguments:
+            place = command.place(word) if "/" in word or word == ".." else None
+            for other in package.project.packages if place is not None else ():
+                if other is not package and (place == other.path or str(place).startswith(f"{other.path}/")):
+                    found.add(other.name)
+    return frozenset(found)

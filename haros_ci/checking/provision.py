@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a package gets by its manifest: what it declares, and what comes along with that."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.model.location import Location
+
+_PYTHON = re.compile(r"(?:python3?|python2)-(.+?)(?:-pip)?$")
+#: What is not there because another package needs it.
+_OWN_ONLY = ("test_depend", "doc_depend")
+
+
+#: What packages of messages are named, and what comes with each at least.
+_SHOWN = 3
+_INTERFACES = ("_msgs", "_interfaces", "_srvs")
+
+
+@dataclass(frozen=True, slots=True)
+class Provision:
+    """*names* are packages and keys of rosdep that a package gets.
+
+    There may be more where one of them is known nowhere: *is_open* says so. *may_be_interfaces*: what is known nowhere are packages of
+    messages, which bring others of their like. *may_be_system*: one stands for packages that only some systems have.
+    """
+
+    names: frozenset[str]
+    is_open: bool = False
+    may_be_interfaces: bool = False
+    may_be_system: bool = False
+
+
+class Provisions:
+    """Of all packages of *project*, each worked out once."""
+
+    def __init__(self, project: Project) -> None:
+        self.project = project
+        self._brought: dict[tuple[str, int | None], frozenset[str] | None] = {}
+
+    def of(self, package: ProjectPackage) -> Provision:
+        """All that *package* declares, of whatever kind, with what that brings along."""
+        names = {package.name, *package.declared, *self._aside(package)}
+        todo = list(names - {package.name})
+        is_open = interfaces = system = False
+        while todo:
+            name = todo.pop()
+            brought = self.brought(name, package.ros)
+            if brought is None and name.endswith(_INTERFACES):
+                interfaces = True
+                brought = self.brought("std_msgs", package.ros)
+            if brought is None and "-" in name:  # no package's name has one (REP 144), keys have
+                system = system or not name.startswith("python")
+            elif brought is None:
+                is_open = True
+            elif not self.project.knowledge.is_whole(name):
+                system = True
+            new = (brought or frozenset()) - names
+            names |= new
+            todo += new
+        names.update(*(_variants(name) for name in package.declared))
+        return Provision(frozenset(names), is_open, interfaces, system)
+
+    def lacks(self, provision: Provision, providers: frozenset[str]) -> bool:
+        """Whether none of *providers* is there for certain."""
+        if provision.is_open or providers & provision.names:
+            return False
+        of_ros = [name for name in providers if is_of_ros(name, self.project)]
+        if provision.may_be_system and not of_ros:
+            return False
+        return not (provision.may_be_interfaces and any(name.endswith(_INTERFACES) for name in of_ros))
+
+    def brought(self, name: str, ros: int | None) -> frozenset[str] | None:
+        """What comes along with *name*: by its manifest, if it is in the workspace; None if nobody knows it."""
+        key = (name, ros)
+        if key not in self._brought:
+            inner = self.project.package(name)
+            if inner is not None:
+                self._brought[key] = frozenset(d.name for d in inner.raw.dependencies if d.kind not in _OWN_ONLY)
+            else:
+                self._brought[key] = self._known(name, ros)
+        return self._brought[key]
+
+    def _known(self, name: str, ros: int | None) -> frozenset[str] | None:
+        knowledge = self.project.knowledge
+        found = knowledge.depends(name, ros)
+        if found is None and ros is not None:
+            found = knowledge.depends(name)
+        return found
+
+    def _aside(self, package: ProjectPackage) -> Iterator[str]:
+        """Packages of the workspace that are other versions of this one's manifest: of the same name, elsewhere."""
+        for raw in self.project.workspace.packages:
+            if raw.name == package.name and raw.path != package.path:
+                yield from (dependency.name for dependency in raw.dependencies)
+
+
+def _variants(name: str) -> Iterator[str]:
+    """The keys for one Python library: of either Python, from either index of packages."""
+    match = _PYTHON.match(name)
+    if match is not None:
+        yield from (f"{python}-{match[1]}{end}" for python in ("python", "python3") for end in ("", "-pip"))
+
+
+def is_of_ros(name: str, project: Project) -> bool:
+    """Whether *name* is a package of the workspace or of a distribution, not one of the system."""
+    return project.package(name) is not None or bool(project.knowledge.is_package(name))
+
+
+def exists(names: frozenset[str], package: ProjectPackage) -> bool:
+    """Whether the ROS that *package* is of has any of *names*; one that only the other ROS has is a name's accident."""
+    project = package.project
+    return any(project.package(name) is not None or project.knowledge.is_in(name, package.ros) for name in names)
+
+
+def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
+    """Of *names* the one to declare: a package of the same ROS, else a key of rosdep, the shortest of each."""
+    project = package.project
+    usable = [each for each in names if _is_name(each, project)]
+    return min(
+        usable,
+        key=lambda n: (
+            not exists(frozenset((n,)), package),
+            not is_of_ros(n, project),
+            n.startswith("python-"),
+            len(n),
+            n,
+        ),
+    )
+
+
+def others_of(names: frozenset[str], name: str, package: ProjectPackage) -> list[str]:
+    """A few of *names* beside *name* that the package could declare as well."""
+    usable = [n for n in names if n != name and _is_name(n, package.project) and exists(frozenset((n,)), package)]
+    return sorted(usable, key=lambda n: (n.startswith("python-"), len(n), n))[:_SHOWN]
+
+
+def last_dependency(package: ProjectPackage) -> Location:
+    """Where another dependency goes: behind those that there are."""
+    lines = [each.line for each in package.raw.dependencies if each.line is not None]
+    return Location(package.manifest_path, max(lines, default=1))
+
+
+def _is_name(name: str, project: Project) -> bool:
+    return is_of_ros(name, project) or project.knowledge.is_key(name)
+
+
+class Sources:
+    """Which packages of the workspace have a header, by the end of its path."""
+
+    def __init__(self, project: Project) -> None:
+        self.project = project
+
+    @cached_property
+    def _by_name(self) -> Mapping[str, list[tuple[str, str]]]:
+        found: dict[str, list[tuple[str, str]]] = {}
+        for package in self.project.packages:
+            for file in package.files:
+                if file.language == "cpp":
+                    found.setdefault(file.path.rpartition("/")[2], []).append((file.path, package.name))
+        return found
+
+    def ending(self, header: str) -> list[tuple[str, str]]:
+        """The files, with their packages, that ``#include <header>`` may mean."""
+        end = f"/{header}"
+        return [
+            (path, package)
+            for path, package in self._by_name.get(header.rpartition("/")[2], ())
+            if path.endswith(end) or path == header
+        ]

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Questions about packages that are not in the workspace. None is "not known"; nothing is guessed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cache
+
+from haros_ci.knowledge.facts import Facts
+
+#: The distributions of ROS 1 that the index has.
+ROS_1 = ("groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
+_UNSURE = "?"
+#: Messages that an action stands for in ROS 1 (genaction of actionlib_msgs).
+_PARTS = ("ActionGoal", "ActionResult", "ActionFeedback", "Action", "Goal", "Result", "Feedback")
+
+
+@dataclass(frozen=True, slots=True)
+class Knowledge:
+    """What distributions of ROS have, by the facts of one file.
+
+    Providers are names that a manifest can depend on: packages of ROS, or keys of rosdep where these stand for a system's package.
+    """
+
+    facts: Facts = field(default_factory=Facts)
+
+    def is_package(self, name: str, distribution: str | None = None) -> bool | None:
+        """Whether *distribution*, or any, has a package of this name; None where the facts are too few to say no.
+
+        Too few they are for repositories that were never released: some hold a package of their name; and for one
+        distribution's packages that were seen in a repository only.
+        """
+        mask = self.facts.section("packages").get(name)
+        if distribution is None:
+            if mask is not None:
+                return True
+            return None if not self.is_there or name in self.facts.section("others") else False
+        names = self.facts.about.get("distributions", ())
+        if distribution not in names:
+            return None
+        if mask is None:
+            return self.is_package(name)
+        if not int(mask, 16):
+            return None
+        return bool(int(mask, 16) >> names.index(distribution) & 1)
+
+    def is_in(self, name: str, ros: int | None) -> bool:
+        """Whether a distribution of *ros* 1 or 2 (None: of either) has the package, or rosdep the key."""
+        mask = self.facts.section("packages").get(name)
+        if mask is None or ros is None or not int(mask, 16):
+            return mask is not None or self.is_key(name)
+        bits = int(mask, 16)
+        distributions = self.facts.about["distributions"]
+        return any(bits >> at & 1 and (each in ROS_1) == (ros == 1) for at, each in enumerate(distributions))
+
+    @property
+    def is_there(self) -> bool:
+        """Whether there are facts at all."""
+        return bool(self.facts.about)
+
+    def packages(self) -> tuple[str, ...]:
+        """The names of all packages that any distribution has."""
+        return tuple(self.facts.section("packages"))
+
+    def is_key(self, name: str) -> bool:
+        """Whether rosdep has a key of this name, which stands for packages of the system."""
+        return name in self.facts.section("keys")
+
+    def is_metapackage(self, name: str, ros: int | None = None) -> bool | None:
+        """Whether the package is one that has nothing but dependencies; None where its manifest was not seen.
+
+        Some are in ROS 1 and none in ROS 2, so without *ros* 1 or 2 they are not known, either.
+        """
+        wanted = set("12") if ros is None else {str(ros)}
+        is_meta, is_plain = (
+            bool(wanted & set(self.facts.section(each).get(name, ""))) for each in ("metapackages", "plain")
+        )
+        return is_meta if is_meta != is_plain else None
+
+    def depends(self, name: str, ros: int | None = None) -> frozenset[str] | None:
+        """What comes with *name* once it is installed, in any distribution of *ros* 1 or 2 (None: of both)."""
+        found = [self.facts.words(f"requires{each}", name) for each in ((ros,) if ros in (1, 2) else (1, 2))]
+        found.append(self.facts.words("keys", name))
+        rows = [row for row in found if row is not None]
+        return frozenset().union(*rows) - {_UNSURE} if rows else None
+
+    def is_whole(self, name: str) -> bool:
+        """Whether all that comes with *name* is known. It is not for keys of packages that only some systems have."""
+        words = self.facts.words("keys", name)
+        return words is None or _UNSURE not in words
+
+    def provider_of_header(self, path: str) -> frozenset[str] | None:
+        """Who installs the header ``tf2_ros/buffer.h``: by what is listed, else by the folder that is named after its package."""
+        rows = self.facts.section("headers")
+        folder = path
+        while folder:
+            row = rows.get(folder)
+            if row is not None:
+                return frozenset(row.split()) or None
+            folder = "/".join(folder.rstrip("/").split("/")[:-1])
+            folder = f"{folder}/" if folder else ""
+        top, slash, _ = path.partition("/")
+        return frozenset((top,)) if slash and self._is_plain(top) else None
+
+    def provider_of_module(self, name: str) -> frozenset[str] | None:
+        """Who installs the top-level Python module *name*."""
+        top = name.partition(".")[0]
+        row = self.facts.words("modules", top.lower())
+        if row is not None:
+            return row
+        return frozenset((top,)) if self._is_plain(top) else None
+
+    def provider_of_cmake(self, name: str) -> frozenset[str] | None:
+        """Whose installation find_package(*name*) finds."""
+        row = self.facts.words("cmake", name)
+        if row is not None:
+            return row
+        return frozenset((name,)) if self.is_package(name) else None
+
+    def provides_interface(self, name: str, kind: str) -> bool | None:
+        """Whether a package has the definition ``pkg/T`` of *kind* msg, srv or action; None if its definitions are not known."""
+        package, _, short = name.partition("/")
+        row = self.facts.words("interfaces", package)
+        if row is None:
+            return None
+        if f"{kind}/{short}" in row:
+            return True
+        base = next((short[: -len(part)] for part in _PARTS if kind == "msg" and short.endswith(part)), "")
+        return bool(base) and f"action/{base}" in row
+
+    def plugins(self, name: str) -> frozenset[tuple[str, str]] | None:
+        """``(package, base class)`` of those that export a plug-in with this look-up name or C++ type."""
+        words = self.facts.words("plugins", name)
+        if words is None:
+            return None
+        return frozenset((word.partition("|")[0], word.partition("|")[2]) for word in words)
+
+    def _is_plain(self, name: str) -> bool:
+        return bool(self.is_package(name)) and not self.is_metapackage(name)
+
+
+@cache
+def knowledge() -> Knowledge:
+    """That of the file that comes with the program."""
+    return Knowledge()
