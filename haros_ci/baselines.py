@@ -6,7 +6,8 @@ Most runs need one of these ways or none, so each is imported where it is taken.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,6 +22,7 @@ from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at
 
 if TYPE_CHECKING:
     from haros_ci.results.known import Known, Sides
+    from haros_ci.workspace.base import Base
 
 #: The baseline file that is used without being named.
 COMPACT_NAME = ".haros-ci-baseline.jsonl"
@@ -40,8 +42,40 @@ class Comparison:
     notifications: tuple[Notification, ...] = ()
 
 
-def compare(runs: tuple[Run, ...], workspace: Workspace, settings: Settings, *, examine: Examine) -> Comparison:
-    """Match *runs* against the baseline that *settings* ask for; without one their results stay without a state.
+@contextmanager
+def at_base(workspace: Workspace, settings: Settings) -> Iterator[Base | BaselineUnavailable | None]:
+    """*workspace* at the base revision of *settings* for as long as it is needed; None without one, or why it cannot be had."""
+    if settings.baseline_rev is None:
+        yield None
+        return
+    from haros_ci.workspace.base import base_workspace
+
+    with ExitStack() as stack:
+        found: Base | BaselineUnavailable
+        try:
+            found = stack.enter_context(
+                base_workspace(
+                    workspace,
+                    settings.baseline_rev,
+                    paths=settings.paths,
+                    exclude=settings.exclude,
+                    max_file_size=settings.max_file_size,
+                )
+            )
+        except BaselineUnavailable as err:
+            found = err
+        yield found
+
+
+def compare(
+    runs: tuple[Run, ...],
+    workspace: Workspace,
+    settings: Settings,
+    base: Base | BaselineUnavailable | None,
+    *,
+    examine: Examine,
+) -> Comparison:
+    """Match *runs* against the baseline that *settings* ask for, *base* if it is a revision; without one they have no state.
 
     A baseline file given together with a revision is read from that revision, so that a change cannot bring its own.
     A revision that cannot be had is an unavailable baseline, never an empty one.
@@ -49,8 +83,10 @@ def compare(runs: tuple[Run, ...], workspace: Workspace, settings: Settings, *, 
     try:
         if settings.baseline is not None:
             return _against_file(runs, workspace, settings)
-        if settings.baseline_rev is not None:
-            return _against_revision(runs, workspace, settings, settings.baseline_rev, examine)
+        if isinstance(base, BaselineUnavailable):
+            raise base
+        if settings.baseline_rev is not None and base is not None:
+            return _against_revision(runs, workspace, settings, settings.baseline_rev, base, examine)
     except BaselineUnavailable as err:
         source = settings.baseline_rev or settings.baseline or ""
         return Comparison(
@@ -159,19 +195,15 @@ def _difference(settings: Settings) -> tuple[Notification, ...]:
 
 
 def _against_revision(
-    runs: tuple[Run, ...], workspace: Workspace, settings: Settings, rev: str, examine: Examine
+    runs: tuple[Run, ...], workspace: Workspace, settings: Settings, rev: str, base: Base, examine: Examine
 ) -> Comparison:
     from haros_ci.results.known import known_from_results
-    from haros_ci.workspace.base import base_workspace
 
-    with base_workspace(
-        workspace, rev, paths=settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size
-    ) as base:
-        past = examine(base.workspace)
-        known = known_from_results(result for run in past for result in run.results)
-        compared = tuple(run for run in runs if not run.imported)
-        found = sides(workspace, compared, settings.paths, base.workspace, base.renames, past)
-        matched = _matched(compared, known, found)
+    past = examine(base.workspace)
+    known = known_from_results(result for run in past for result in run.results)
+    compared = tuple(run for run in runs if not run.imported)
+    found = sides(workspace, compared, settings.paths, base.workspace, base.renames, past)
+    matched = _matched(compared, known, found)
     logs = tuple(run for run in runs if run.imported)
     notes = [
         Notification(

@@ -11,8 +11,9 @@ from typing import Any
 import click
 
 from haros_ci.architecture import varied
+from haros_ci.changes.revision import changes_of
 from haros_ci.commands import cores, settings_from, store_for
-from haros_ci.comparison import changes_of
+from haros_ci.comparison import revision_of
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.changes import Changes
@@ -60,11 +61,11 @@ def diff(flags: Mapping[str, Any]) -> int:
 
 def compared(found: Revisions, settings: Settings, store: Store) -> Changes:
     """The architectures of both revisions, from *store* where their files are known there, and what is otherwise."""
-    made = [
-        varied(workspace, settings, store, processes=cores(), alternatives=False)
-        for workspace in (found.base, found.head)
-    ]
-    return changes_of(found.base, made[0], found.head, made[1], found.renames)
+    sides = []
+    for workspace in (found.base, found.head):
+        made = varied(workspace, settings, store, processes=cores(), alternatives=False)
+        sides.append(revision_of(workspace, made))
+    return changes_of(sides[0], sides[1], found.renames)
 
 
 def rendered(changes: Changes, format: str, base: str, head: str | None) -> str:

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from haros_ci.config.selection import Selection
@@ -22,6 +23,7 @@ if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.checking.system import System
     from haros_ci.code.codebase import Codebase
     from haros_ci.link.link import Linked
+    from haros_ci.workspace.base import Base
 
 Progress = Callable[[str], None]
 
@@ -29,20 +31,41 @@ Progress = Callable[[str], None]
 ARCHITECTURE = "architecture"
 
 
+class Architectures:
+    """The architecture of each workspace of a run, made once: that of the base revision is asked for by both sides."""
+
+    def __init__(self, settings: Settings, store: Store) -> None:
+        self.settings = settings
+        self.store = store
+        self._made: dict[Path, Linked] = {}
+
+    def of(self, workspace: Workspace) -> Linked:
+        from haros_ci.architecture import varied
+
+        if workspace.root not in self._made:
+            self._made[workspace.root] = varied(workspace, self.settings, self.store, processes=self.settings.jobs)
+        return self._made[workspace.root]
+
+
 def inspected(
-    run: Run, workspace: Workspace, settings: Settings, selection: Selection, store: Store, progress: Progress | None
+    run: Run,
+    workspace: Workspace,
+    selection: Selection,
+    architectures: Architectures,
+    progress: Progress | None,
+    base: Base | None = None,
 ) -> Run:
-    """*run* with what the checks and queries say of the architecture, where any of them is on."""
+    """*run* with what the checks and queries say of the architecture, where any of them is on; what changed since *base*."""
+    settings = architectures.settings
     chosen = tuple(check for check in checks() if is_on(check_rules()[check.id], workspace, selection))
     if not (chosen or asks(settings)) or only_files(workspace, settings):
         return run
-    from haros_ci.architecture import varied
     from haros_ci.checking.run import Assigned, run_checks, run_on_project
     from haros_ci.checking.system import System, systems
 
     if progress is not None:
         progress("architecture")
-    made = varied(workspace, settings, store, processes=settings.jobs)
+    made = architectures.of(workspace)
     found = made.architecture
 
     def under(system: System, arguments: Assigned) -> System | None:
@@ -53,7 +76,8 @@ def inspected(
         progress(f"{len(chosen)} checks")
     all_systems = tuple(systems(found, workspace))
     said = run_checks(chosen, all_systems, own.TOOL, under)
-    said_once = run_on_project(chosen, project_of(made, workspace, all_systems), own.TOOL)
+    project = project_of(made, workspace, all_systems, _past(base, architectures), base.renames if base else None)
+    said_once = run_on_project(chosen, project, own.TOOL)
     failures = (*said.notifications, *said_once.notifications)
     run = replace(
         run,
@@ -66,13 +90,35 @@ def inspected(
         graphs=said.graphs,
         architecture=not failures,
         successful=run.successful and not failures,
+        changes=project.changes if base is not None else None,
     )
     return queried(run, found, workspace, settings, selection) if asks(settings) else run
 
 
-def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...], base: Project | None = None) -> Project:
+def _past(base: Base | None, architectures: Architectures) -> Callable[[], Project | None]:
+    """How the base revision is had, where there is one."""
+
+    def make() -> Project | None:
+        from haros_ci.checking.system import systems
+
+        if base is None:
+            return None
+        made = architectures.of(base.workspace)
+        return project_of(made, base.workspace, tuple(systems(made.architecture, base.workspace)))
+
+    return make
+
+
+def project_of(
+    made: Linked,
+    workspace: Workspace,
+    systems: tuple[System, ...],
+    base: Project | Callable[[], Project | None] | None = None,
+    renames: Mapping[str, str] | None = None,
+) -> Project:
     """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision."""
     from haros_ci.checking.project import Project
+    from haros_ci.comparison import revision_of
     from haros_ci.robot.descriptions import Descriptions
     from haros_ci.workspace.xml import XmlError, parse_xml
 
@@ -89,8 +135,18 @@ def project_of(made: Linked, workspace: Workspace, systems: tuple[System, ...], 
         return codebase(made.sources, workspace.text, ros)
 
     programs = {source.path: source.program for source in made.sources}
-    robots = Descriptions(workspace, made.builds)
-    return Project(workspace, made.builds, programs, systems, element, base, robots, code)
+    return Project(
+        workspace,
+        made.builds,
+        programs,
+        systems,
+        read_xml=element,
+        base=base,
+        renames=renames,
+        revision=revision_of(workspace, made),
+        robots=Descriptions(workspace, made.builds),
+        code=code,
+    )
 
 
 def malformed(workspace: Workspace) -> Iterator[Problem]:

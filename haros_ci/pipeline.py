@@ -8,11 +8,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from haros_ci import PROJECT_URL, __version__
-from haros_ci.baselines import compare, read_input, sarif_runs
+from haros_ci.baselines import at_base, compare, read_input, sarif_runs
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors
 from haros_ci.config.settings import PROFILES, Settings
-from haros_ci.inspection import asks, inspected
+from haros_ci.inspection import Architectures, asks, inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.linter import LintOptions
@@ -25,6 +25,7 @@ from haros_ci.results.fingerprint import fingerprint
 from haros_ci.results.result import Artifact, Coverage, Notification, Report, Result, Run, Tool
 from haros_ci.results.rule import Level, Rule
 from haros_ci.results.suppress import suppress
+from haros_ci.workspace.base import Base
 from haros_ci.workspace.discover import discover
 from haros_ci.workspace.git import provenance
 
@@ -50,14 +51,18 @@ def analyse(settings: Settings, store: Store, *, progress: Progress | None = Non
     )
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     workspace = narrowed(workspace, settings, selection)
-    runs = examine(workspace, settings, selection, store, progress)
-    runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
-    compared = compare(
-        runs,
-        workspace,
-        settings,
-        examine=lambda base: examine(narrowed(base, settings, selection), settings, selection, store, progress),
-    )
+    architectures = Architectures(settings, store)
+    with at_base(workspace, settings) as base:
+        past = base if isinstance(base, Base) else None
+        runs = examine(workspace, selection, architectures, progress, past)
+        runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
+        compared = compare(
+            runs,
+            workspace,
+            settings,
+            base,
+            examine=lambda old: examine(narrowed(old, settings, selection), selection, architectures, progress),
+        )
     runs = tuple(described(run, selection) for run in compared.runs)  # absent results bring rules of their own
     report = Report(
         runs=runs,
@@ -91,11 +96,19 @@ def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> 
 
 
 def examine(
-    workspace: Workspace, settings: Settings, selection: Selection, store: Store, progress: Progress | None
+    workspace: Workspace,
+    selection: Selection,
+    architectures: Architectures,
+    progress: Progress | None,
+    base: Base | None = None,
 ) -> tuple[Run, ...]:
-    """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline."""
-    raw = lint(workspace, LINTERS, lint_options(settings), store, selection.wants, progress)
-    own_one = inspected(own_run(workspace), workspace, settings, selection, store, progress)
+    """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline.
+
+    With *base*, the revision before, they also say what has changed.
+    """
+    options = lint_options(architectures.settings)
+    raw = lint(workspace, LINTERS, options, architectures.store, selection.wants, progress)
+    own_one = inspected(own_run(workspace), workspace, selection, architectures, progress, base)
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     return finished(distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection)

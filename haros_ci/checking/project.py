@@ -7,11 +7,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
+from haros_ci.changes.revision import Revision, changes_of
 from haros_ci.checking.cmake import CMake
 from haros_ci.checking.system import System
 from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.knowledge.knowledge import knowledge as packaged
 from haros_ci.model.build import Build, CMakeCommand, Interface
+from haros_ci.model.changes import Changes
 from haros_ci.model.element import Element
 from haros_ci.model.launch_facts import CommandUse
 from haros_ci.model.location import Location
@@ -104,7 +106,8 @@ class ProjectPackage:
 class Project:
     """All packages of a workspace, their code and launch configurations.
 
-    Of packages with one name the first by path counts, as everywhere. *base* is the same at the base revision, None if none was given.
+    Of packages with one name the first by path counts, as everywhere. *base* is the same at the base revision, None if none was given; it
+    is made when it is asked for. *renames* maps paths of the base to those that the files have now.
     """
 
     def __init__(
@@ -113,8 +116,11 @@ class Project:
         builds: Mapping[str, Build],
         programs: Mapping[str, Program],
         systems: Sequence[System] = (),
+        *,
         read_xml: Callable[[str], Element | None] = lambda path: None,
-        base: Project | None = None,
+        base: Project | Callable[[], Project | None] | None = None,
+        renames: Mapping[str, str] | None = None,
+        revision: Revision | None = None,
         robots: Robots | None = None,
         code: Callable[[], Codebase] | None = None,
         knowledge: Knowledge | None = None,
@@ -122,7 +128,9 @@ class Project:
         self.workspace = workspace
         self.programs = programs
         self.systems = tuple(systems)
-        self.base = base
+        self.renames = renames or {}
+        self._base = base
+        self._revision = revision
         #: What is known of packages that are not in the workspace.
         self.knowledge = packaged() if knowledge is None else knowledge
         self._read_xml = read_xml
@@ -139,6 +147,19 @@ class Project:
                 own = tuple(f for f in files.get(raw.name, ()) if raw.path == "." or f.path.startswith(f"{raw.path}/"))
                 found[raw.name] = ProjectPackage(raw, builds.get(raw.name, Build(package=raw.name)), own, self)
         self._packages = found
+
+    @cached_property
+    def base(self) -> Project | None:
+        """The same workspace at the base revision; None if none was given, or it cannot be had."""
+        return self._base() if callable(self._base) else self._base
+
+    @cached_property
+    def changes(self) -> Changes:
+        """What is otherwise than at the base revision; nothing without one."""
+        base, here = self.base, self._revision
+        if base is None or here is None or base._revision is None:
+            return Changes()
+        return changes_of(base._revision, here, self.renames)
 
     @property
     def packages(self) -> tuple[ProjectPackage, ...]:

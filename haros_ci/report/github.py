@@ -73,7 +73,18 @@ def summary(report: Report, *, limit: int = MAX_SUMMARY) -> str:
     note = (
         f"\n{counts_of.plural(left, 'more finding')} not in this table; the SARIF log has them all.\n" if left else ""
     )
-    return f"{text}{''.join(rows)}{note}{tail}"
+    written = f"{text}{''.join(rows)}{note}{tail}"
+    return written + _changes(report, limit - len(written.encode()))
+
+
+def _changes(report: Report, room: int) -> str:
+    """What the change does to the system, where a base revision is known and *room* bytes are enough."""
+    if report.changes is None:
+        return ""
+    from haros_ci.report.diff_markdown import render
+
+    text = f"\n### What changes in the system\n\n{render(report.changes)}"
+    return text if len(text.encode()) <= room else ""
 
 
 def _alarms(report: Report) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import Enum
 
+from haros_ci.model.changes import Changes
 from haros_ci.model.location import Location
 from haros_ci.results.fix import Fix
 from haros_ci.results.rule import Level, Rule
@@ -152,7 +153,8 @@ class Run:
 
     ``analysed`` are the paths the tool was asked about and answered for: only their old findings can be absent.
     ``architecture`` says that all checks of the architecture could be made: else no old finding of theirs is absent.
-    ``imported`` marks a log of another tool taken in with ``--import``.
+    ``imported`` marks a log of another tool taken in with ``--import``. ``changes`` is what has changed since the base revision, None
+    where there is none.
     """
 
     tool: Tool
@@ -164,6 +166,7 @@ class Run:
     imported: bool = False
     graphs: tuple[Graph, ...] = ()
     architecture: bool = False
+    changes: Changes | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,6 +235,11 @@ class Report:
         if self.fail_on is None:
             return ()
         return tuple(r for r in self.results if is_open(r) and r.level.reaches(self.fail_on))
+
+    @property
+    def changes(self) -> Changes | None:
+        """What has changed since the base revision, None without one."""
+        return next((run.changes for run in self.runs if run.changes is not None), None)
 
     def failed_tools(self) -> tuple[str, ...]:
         """Names of the tools whose run did not succeed."""

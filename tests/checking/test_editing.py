@@ -19,7 +19,7 @@ HEAD = '<?xml version="1.0"?>\n<package format="3">\n  <name>demo</name>\n'
 def package_of(text: str, tmp_path: Path) -> ProjectPackage:
     (tmp_path / "package.xml").write_bytes(text.encode())
     workspace = discover(tmp_path, (".",))
-    project = Project(workspace, {}, {}, (), lambda path: parse_xml(workspace.text(path).encode()))
+    project = Project(workspace, {}, {}, (), read_xml=lambda path: parse_xml(workspace.text(path).encode()))
     found = project.package("demo")
     assert found is not None
     return found
