@@ -5,10 +5,14 @@ from __future__ import annotations
 
 from haros_ci.changes.interfaces import InterfaceChange, containing
 from haros_ci.changes.interfaces import in_words as change_in_words
+from haros_ci.checking.changed import WHATS as CHANGED_ENDS
+from haros_ci.checking.changed import Causes, Lost, both, lost_in, same_end
+from haros_ci.checking.changed import in_words as change_said
 from haros_ci.checking.check import Check, Decidability, Finding, Status
 from haros_ci.checking.closed import unmet
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.compatibility import in_words as qos_in_words
+from haros_ci.checking.compatibility import refused_pairs, refuses
 from haros_ci.checking.editing import (
     add_dependency,
     add_element,
@@ -97,6 +101,7 @@ from haros_ci.model.build import (
     PluginClass,
     Target,
 )
+from haros_ci.model.changes import Change, Changes
 from haros_ci.model.element import Element
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
@@ -148,6 +153,15 @@ __all__ = [
     "CMakeCommand",
     "Call",
     "Callback",
+    "ArgumentDeclaration",
+    "ArgumentRead",
+    "BUILD",
+    "Build",
+    "CHANGED_ENDS",
+    "CMakeCommand",
+    "Causes",
+    "Change",
+    "Changes",
     "Channel",
     "Check",
     "Codebase",
@@ -159,6 +173,8 @@ __all__ = [
     "Decidability",
     "Dependency",
     "Description",
+    "EXEC",
+    "EXPORTED",
     "Edit",
     "Element",
     "End",
@@ -186,6 +202,8 @@ __all__ = [
     "Made",
     "MissingField",
     "Mesh",
+    "Lost",
+    "NO_SYSTEMS",
     "Names",
     "Need",
     "NodePattern",
@@ -213,11 +231,13 @@ __all__ = [
     "Robot",
     "RobotLink",
     "Routine",
+    "SERVICE",
     "SourceFile",
     "Sources",
     "Status",
     "System",
     "SystemNode",
+    "TOPIC",
     "Target",
     "Use",
     "Whole",
@@ -226,9 +246,11 @@ __all__ = [
     "add_export",
     "always_at",
     "applying",
+    "both",
     "build_types",
     "can_meet",
     "change_in_words",
+    "change_said",
     "changes_of",
     "containing",
     "defined_in",
@@ -300,6 +322,7 @@ __all__ = [
     "is_of_ros",
     "is_slip",
     "last_dependency",
+    "lost_in",
     "may_be",
     "meant",
     "methods",
@@ -336,6 +359,12 @@ __all__ = [
     "resolved",
     "rule_of",
     "set_attribute",
+    "refused_pairs",
+    "refuses",
+    "rename_element",
+    "renamed_keyword",
+    "rule_of",
+    "same_end",
     "set_text",
     "together",
     "type_mismatches",

@@ -3,9 +3,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import cache
+
+from haros_ci.changes.calls import Rows, by_name
 from haros_ci.changes.change import shown
 from haros_ci.changes.revision import Revision
 from haros_ci.changes.settings import Value
+from haros_ci.extract.apis.tables import rows
 from haros_ci.link.launching.parameter_files import SECTION, values_in
 from haros_ci.link.link import Linked
 from haros_ci.model.workspace import Workspace
@@ -15,7 +20,14 @@ def revision_of(workspace: Workspace, made: Linked) -> Revision:
     """*workspace* at one revision, with the architecture that was *made* of it."""
     versions = {package.name: package.ros for package in workspace.packages}
     interfaces = tuple((each, versions.get(name)) for name, build in made.builds.items() for each in build.interfaces)
-    return Revision(workspace, made.architecture, interfaces, read_values)
+    programs = {source.path: source.program for source in made.sources}
+    return Revision(workspace, made.architecture, interfaces, read_values, programs, call_rows())
+
+
+@cache
+def call_rows() -> Mapping[str, Rows]:
+    """What calls of ROS libraries make, by language; of both ROS versions."""
+    return {language: by_name((*rows(language, 2), *rows(language, 1))) for language in ("cpp", "python")}
 
 
 def read_values(path: str, text: str) -> tuple[Value, ...]:

@@ -91,7 +91,7 @@ DOORS: dict[str, set[str]] = {
     },
     "interface_files": {"errors", "model", "output", "report"},
     "readme_check": {"model", "report"},
-    "comparison": {"changes", "link", "model"},
+    "comparison": {"changes", "extract", "link", "model"},
     "diff_command": {
         "architecture",
         "changes",

@@ -70,10 +70,11 @@ def _change(group: list[Difference]) -> Change:
     def every(values: Iterable[str]) -> tuple[str, ...]:
         return tuple(sorted({value for value in values if value}, key=lambda text: (len(text), text)))
 
+    renames = sorted({(each.old_name, each.name) for each in group}, key=lambda pair: (len(pair[1]), pair))
     return Change(
         what=first.what,
         action=first.action,
-        names=every(each.name for each in group),
+        names=tuple(new for _, new in renames) if first.old_name else every(each.name for each in group),
         aspect=first.aspect,
         before=first.before,
         after=first.after,
@@ -84,7 +85,7 @@ def _change(group: list[Difference]) -> Change:
         head=first.head,
         users=every(user for each in group for user in each.users),
         details=tuple(dict.fromkeys(word for each in group for word in each.details)),
-        old_names=every(each.old_name for each in group),
+        old_names=tuple(old for old, _ in renames) if first.old_name else (),
     )
 
 

@@ -7,7 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.changes import configurations
+from haros_ci.changes.calls import Call
 from haros_ci.changes.change import Difference, told_once
+from haros_ci.changes.code import compare_calls
 from haros_ci.changes.endpoints import Compared, Moved, Sides, compare_ends, with_users
 from haros_ci.changes.instances import Calls, by_instance
 from haros_ci.changes.nodes import pair
@@ -29,11 +31,14 @@ _OPPOSITE = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Side:
-    """One revision: its *architecture*, the *files* that there are, and what its parameter files say by path."""
+    """One revision: its *architecture*, the *files* that there are, and by path what those parameter files and
+    that code say which are not the same on both sides.
+    """
 
     architecture: Architecture
     files: frozenset[str] = frozenset()
     values: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
+    calls: Mapping[str, tuple[Call, ...]] = field(default_factory=dict)
 
 
 def compare(
@@ -74,6 +79,7 @@ def compare(
     found += compare_arguments(base.architecture, head.architecture, moved)
     in_files = list(compare_files(base.values, head.values, moved, {}))
     found = [*_not_of_files(found, in_files, base, head), *in_files]
+    found += compare_calls(base.calls, head.calls, (base.architecture, head.architecture), found, moved)
     changes = (*interfaces, *told_once(found))
     return Changes(
         changes=tuple(sorted(changes, key=lambda change: change.sort_key)),

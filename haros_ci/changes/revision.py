@@ -6,30 +6,42 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Mapping
 from dataclasses import dataclass
 
+from haros_ci.changes.calls import Rows, calls_in, is_test
 from haros_ci.changes.compare import Side, compare
 from haros_ci.changes.definitions import told
 from haros_ci.changes.interfaces import Defined, containing, interface_changes
 from haros_ci.changes.settings import Value
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.changes import Changes
+from haros_ci.model.program import Program
 from haros_ci.model.workspace import Workspace
 
 
 @dataclass(frozen=True, slots=True)
 class Revision:
-    """A workspace with its architecture and interfaces; *read_values* gives what a parameter file says, by path and text."""
+    """A workspace with its architecture and interfaces; *read_values* gives what a parameter file says, by path and text,
+    *programs* are its code, *rows* what calls mean, by language.
+    """
 
     workspace: Workspace
     architecture: Architecture
     interfaces: tuple[Defined, ...]
     read_values: Callable[[str, str], tuple[Value, ...]]
+    programs: Mapping[str, Program]
+    rows: Mapping[str, Rows]
 
     def side(self, moved: Callable[[str], str], same: Container[str]) -> Side:
-        """What is compared of it; parameter files that are the *same* on both sides are left out."""
+        """What is compared of it; parameter files and code that are the *same* on both sides are left out."""
         changed = [f.path for f in self.workspace.files if f.language == "yaml" and moved(f.path) not in same]
         read = {path: self.read_values(path, self.workspace.text(path)) for path in changed}
         values = {path: values for path, values in read.items() if values}
-        return Side(architecture=self.architecture, files=self.workspace.names, values=values)
+        code = [f for f in self.workspace.files if f.path in self.programs and moved(f.path) not in same]
+        calls = {
+            f.path: calls_in(f.path, self.programs[f.path], self.rows[f.language])
+            for f in code
+            if not is_test(f.path) and f.language in self.rows
+        }
+        return Side(architecture=self.architecture, files=self.workspace.names, values=values, calls=calls)
 
 
 def changes_of(base: Revision, head: Revision, renames: Mapping[str, str]) -> Changes:

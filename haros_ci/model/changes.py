@@ -32,7 +32,11 @@ ADDED, REMOVED, RENAMED, CHANGED = "added", "removed", "renamed", "changed"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Change:
-    """A change: *names* are those that it is seen under, *nodes*, *programs* and *configurations* where."""
+    """A change, told once: *names* are those that it is seen under, *nodes*, *programs* and *configurations* where.
+
+    *old_names* of what is renamed are in the order of *names*. *before* and *after* are texts, None for what is not there; *base* and
+    *head* the places on either side. *users* are who else uses it, *details* further words.
+    """
 
     what: str
     action: str

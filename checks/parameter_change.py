@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Declared parameters that a change gives another type or default, where somebody depends on the old one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Change, Check, Finding, Level, Location, Project
+
+SHOWN = 10
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for change in project.changes.changes:
+        if change.what == "parameter" and change.action == "changed" and change.head is not None:
+            if change.aspect == "type":
+                yield _type(project, change, change.head)
+            elif change.aspect == "default":
+                yield from _default(project, change, change.head)
+
+
+def _type(project: Project, change: Change, at: Location) -> Finding:
+    given = _given(project, change)
+    here = f", {len(given)} of them in this workspace" if given else ""
+    return Finding(
+        at=at,
+        message=(
+            f"the parameter {_name(change)} is {change.after} now, and was {change.before}: launch files and YAML that give it "
+            f"a value of the old type{here} make the node fail; change them with it, and tell those who have their own"
+        ),
+        about=_about(change),
+        related=tuple((place, "it is given a value here") for place in given[:SHOWN]),
+        level=Level.WARNING,
+    )
+
+
+def _default(project: Project, change: Change, at: Location) -> Iterator[Finding]:
+    """A default matters where a launch file starts the node and nobody gives it another value."""
+    names = set(change.names)
+    running = []
+    for system in project.systems:
+        if not system.is_launched or system.name not in change.configurations:
+            continue
+        for node in system.nodes:
+            given = {each.key for each in node.given}
+            for end in node.of("parameters"):
+                if end.name in names and end.raw.location == change.head and end.name.partition(":")[2] not in given:
+                    if not any(unknown.field in ("effective", "name") for unknown in end.raw.unknowns):
+                        running.append((system.name, node))
+    if not running:
+        return
+    systems = sorted({name for name, _ in running})
+    nodes = sorted({node.name for _, node in running})
+    more = f" and {len(systems) - 1} more" if len(systems) > 1 else ""
+    yield Finding(
+        at=at,
+        message=(
+            f"the default of the parameter {_name(change)} is {change.after or 'gone'} now, and was "
+            f"{change.before or 'not there'}: {nodes[0]} of {systems[0]}{more} is given no other value and changes with it"
+        ),
+        about=_about(change),
+        related=tuple(dict.fromkeys((node.location, f"{node} is started here") for _, node in running[:SHOWN])),
+        level=Level.NOTE,
+    )
+
+
+def _given(project: Project, change: Change) -> list[Location]:
+    """Where the parameter is given a value."""
+    names = set(change.names)
+    found = {
+        given.at: None
+        for system in project.systems
+        for given in system.given
+        if f"{given.node.name}:{given.key}" in names
+    }
+    return list(found)
+
+
+def _name(change: Change) -> str:
+    return change.name.partition(":")[2] or change.name
+
+
+def _about(change: Change) -> tuple[str, ...]:
+    return (*change.programs[:SHOWN], _name(change), change.aspect)
+
+
+CHECK = Check(
+    id="parameter-change",
+    summary="A change of a parameter's type or default is meant and known to those who depend on it.",
+    level=Level.WARNING,
+    tags=("parameters", "change"),
+    project=check,
+)

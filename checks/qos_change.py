@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Quality of service that a change makes narrower: ends that it connected before are refused now."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Change,
+    Check,
+    End,
+    Finding,
+    Level,
+    Project,
+    Qos,
+    System,
+    qos_in_words,
+    refused_pairs,
+    refuses,
+    same_end,
+)
+
+GIVERS = ("publishers", "servers")
+POLICIES = ("reliability", "durability", "deadline", "liveliness")
+WORDS = {
+    "publishers": "subscribers that ask for what it offered before, as those with default settings may, get nothing",
+    "subscribers": "publishers that offer only what it asked for before are not heard",
+    "servers": "clients that ask for what it offered before get no answer",
+    "clients": "servers that offer only what it asked for before do not answer",
+}
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for change in project.changes.changes:
+        if change.what == "QoS" and change.action == "changed":
+            yield from _narrowed(project, change)
+
+
+def _narrowed(project: Project, change: Change) -> Iterator[Finding]:
+    for old, new, system in same_end(change, project):
+        policies = [policy for policy in POLICIES if _is_narrower(policy, new, old.qos, new.qos)]
+        if policies and not _is_refused(new, system):
+            yield Finding(
+                at=new.location,
+                message=(
+                    f"the {new.word} of {new.name} in {new.node} is {qos_in_words(new.qos)} now, and was "
+                    f"{qos_in_words(old.qos)}: {WORDS[new.kind]}"
+                ),
+                about=(new.name, new.kind, new.node.type, *policies),
+            )
+            return
+
+
+def _is_narrower(policy: str, end: End, old: Qos | None, new: Qos | None) -> bool:
+    """Whether an end that was as this one is now would be refused by one as it was, but not the other way round."""
+    if old is None or new is None:
+        return False
+    return refuses(policy, new, old) if end.kind in GIVERS else refuses(policy, old, new)
+
+
+def _is_refused(end: End, system: System) -> bool:
+    """Whether an end of the workspace is refused: the checks of mismatches tell that, as an error."""
+    channels = (*system.topics, *system.services)
+    here = [channel for channel in channels if channel.name == end.name and end in channel.ends]
+    return any(
+        end in (pair.giver, pair.taker) for c in here for policy in POLICIES for pair in refused_pairs(c, policy)
+    )
+
+
+CHECK = Check(
+    id="qos-change",
+    summary="A change of quality of service does not shut out ends that were connected before.",
+    level=Level.WARNING,
+    tags=("topics", "qos", "change"),
+    project=check,
+)

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls of ROS libraries in one file, read without the rest of the program: code that no node is known to run.
+
+A plug-in that is loaded by the name that some parameter has, a library for others, a class template: the architecture has nothing of
+them, and still a change of theirs is one of the interface. Names have ``?`` for what only a run knows: ``?.max_speed``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.changes.change import shown
+from haros_ci.changes.endpoints import WORDS
+from haros_ci.changes.names import UNKNOWN
+from haros_ci.model.api import Entry, Row, Template
+from haros_ci.model.location import Location
+from haros_ci.model.program import Program
+
+#: Rows by the last part of the call's name.
+Rows = Mapping[str, tuple[Row, ...]]
+_INDEX = re.compile(r"\d+$")
+#: Conversions that leave a text or number as it is.
+_CONVERSIONS = frozenset(("string", "str", "String", "ParameterValue", "float", "double", "to_string", "move", "Value"))
+#: Code for tests takes no part in a system.
+_TEST = re.compile(r"(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_tests?)\.\w+$")
+MAX_DEPTH = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """What a call in a file makes: *what* as changes call it, *name* with ``?`` in it, *type* or *default* None if not known.
+
+    *has_default* is False where none is given.
+    """
+
+    what: str
+    name: str
+    type: str | None
+    default: str | None
+    has_default: bool
+    location: Location
+
+
+def by_name(rows: Iterable[Row]) -> Rows:
+    """The rows that make what changes are told of, by the last part of the call's name."""
+    found: dict[str, list[Row]] = {}
+    for row in rows:
+        if not row.is_class and any(entry.kind in WORDS and not entry.implicit for entry in row.makes):
+            found.setdefault(_last(row.call), []).append(row)
+    return {name: tuple(each) for name, each in found.items()}
+
+
+def is_test(path: str) -> bool:
+    """Whether the file, by its path, is code for tests."""
+    return _TEST.search(path) is not None
+
+
+def calls_in(path: str, program: Program, rows: Rows) -> tuple[Call, ...]:
+    """What the calls of *program* make whose names are told in part at least, in their order."""
+    found: dict[tuple[int, int, str], Call] = {}
+    for function in program.functions:
+        for part in (function.body, function.inits):
+            for callee, args, types, line, column in _calls(part):
+                for call in _made(path, callee, args, types, line, column, rows):
+                    found.setdefault((line, column, call.what), call)
+    return tuple(found[key] for key in sorted(found))
+
+
+def _calls(value: Any, depth: int = 0) -> Iterator[tuple[Any, Any, Any, int, int]]:
+    """Every call in a block, outer ones first."""
+    if not isinstance(value, (tuple, list)) or depth > MAX_DEPTH:
+        return
+    if len(value) == 6 and value[0] == "call" and isinstance(value[4], int) and isinstance(value[2], (tuple, list)):
+        yield value[1], value[2], value[3], value[4], value[5]
+    for item in value:
+        yield from _calls(item, depth + 1)
+
+
+def _made(path: str, callee: Any, args: Any, types: Any, line: int, column: int, rows: Rows) -> Iterator[Call]:
+    name = _callee(callee)
+    if not name:
+        return
+    fitting = [row for row in rows.get(_last(name), ()) if not row.args or len(args) in row.args]
+    ranked = sorted(((-_rank(row, callee, name), bool(row.when), n) for n, row in enumerate(fitting)))
+    if not ranked or not ranked[0][0]:
+        return
+    for entry in fitting[ranked[0][2]].makes:
+        if entry.kind in WORDS and not entry.implicit and entry.each is None:
+            call = _call(entry, args, types, Location(path, line, column))
+            if call is not None:
+                yield call
+
+
+def _rank(row: Row, callee: Any, name: str) -> int:
+    """How well the call fits the row by who is called: methods are of classes, which begin with a capital."""
+    owner = _last(re.sub(r"(::|\.)[^:.]+$", "", row.call))
+    if _is(callee, "field"):
+        receiver = _last(_callee(callee[1]))
+        return 3 if receiver == owner else 2 if owner[:1].isupper() else 0
+    above = _last(re.sub(r"(::|\.)?[^:.]+$", "", name))
+    return 3 if above == owner else 2 if not above and owner[:1].isupper() else 0 if above else 1
+
+
+def _call(entry: Entry, args: Any, types: Any, at: Location) -> Call | None:
+    given = _argument(entry.values.get("name"), args)
+    name = _text(given) if given is not None else UNKNOWN
+    if not name.strip(UNKNOWN + "./~"):
+        return None
+    is_parameter = entry.kind in ("parameters", "getters")
+    value = _argument(entry.values.get("value"), args) if is_parameter else None
+    return Call(
+        what=WORDS[entry.kind],
+        name=name,
+        type=None if is_parameter else _type(_argument(entry.values.get("type"), args), types),
+        default=None if value is None else _value(value),
+        has_default=value is not None,
+        location=at,
+    )
+
+
+def _type(given: Any, types: Any) -> str | None:
+    """The type as written: the template argument, else the argument that names a class."""
+    if types and isinstance(types[0], (tuple, list)) and types[0]:
+        return str(types[0][0]).replace("::", "/")
+    return _last(_callee(given)) or None if given is not None else None
+
+
+def _argument(template: Template | None, args: Any) -> Any:
+    """The argument that a template selects: by number, or by a Python keyword."""
+    if template is None or len(template.parts) != 1 or isinstance(template.parts[0], str):
+        return None
+    plain = [arg for arg in args if not _is(arg, "kw", "star", "starstar")]
+    for alternative in template.parts[0][0]:
+        if _INDEX.match(alternative):
+            if int(alternative) < len(plain):
+                return plain[int(alternative)]
+        for arg in args:
+            if _is(arg, "kw") and arg[1] == alternative:
+                return arg[2]
+    return None
+
+
+def _is(value: Any, *kinds: str) -> bool:
+    return isinstance(value, (tuple, list)) and bool(value) and value[0] in kinds
+
+
+def _callee(value: Any) -> str:
+    if _is(value, "field"):
+        return str(value[2])
+    return str(value[1]) if _is(value, "name") else ""
+
+
+def _last(name: str) -> str:
+    return name.rpartition("::")[2].rpartition(".")[2]
+
+
+def _text(value: Any, depth: int = 0) -> str:
+    """The text that an expression has, ``?`` for unknown parts."""
+    if depth < MAX_DEPTH:
+        if _is(value, "str"):
+            return str(value[1])
+        if _is(value, "op") and value[1] == "+":
+            return _joined(_text(part, depth + 1) for part in value[2])
+        if _is(value, "format"):
+            return _joined(_text(part, depth + 1) for part in value[1])
+        if _is(value, "cast"):
+            return _text(value[2], depth + 1)
+        if _is(value, "call") and len(value[2]) == 1 and _last(_callee(value[1])) in _CONVERSIONS:
+            return _text(value[2][0], depth + 1)
+    return UNKNOWN
+
+
+def _joined(parts: Iterable[str]) -> str:
+    return re.sub(r"\?+", "?", "".join(parts))
+
+
+def _value(value: Any, depth: int = 0) -> str | None:
+    """A literal as text; None for all else."""
+    if depth > MAX_DEPTH:
+        return None
+    if _is(value, "str", "bool", "num"):
+        return shown(value[1])
+    if _is(value, "op") and value[1] == "-" and len(value[2]) == 1 and _is(value[2][0], "num"):
+        return shown(-value[2][0][1])
+    if _is(value, "cast"):
+        return _value(value[2], depth + 1)
+    if _is(value, "call") and len(value[2]) == 1 and _last(_callee(value[1])) in _CONVERSIONS:
+        return _value(value[2][0], depth + 1)
+    if _is(value, "list"):
+        items = [_value(item, depth + 1) for item in value[1]]
+        return None if None in items else f"[{', '.join(map(str, items))}]"
+    return None
