@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -171,6 +172,39 @@ class CMake:
                     seen.add(other)
                     todo.append(other)
                     yield self.targets[other]
+
+    def awaited(self, name: str) -> frozenset[str]:
+        """The targets that are made before *name*, by add_dependencies of it and of what it is linked with."""
+        names = {name, *(target.name for target in self.linked(name))}
+        found: set[str] = set()
+        todo = list(names)
+        while todo:
+            each = todo.pop()
+            for command in self._dependencies.get(each, ()):
+                todo += [word for word in command.arguments[1:] if word in self._dependencies and word not in found]
+                found.update(command.arguments[1:])
+        return frozenset(found)
+
+    @cached_property
+    def _dependencies(self) -> Mapping[str, list[CMakeCommand]]:
+        found: dict[str, list[CMakeCommand]] = {}
+        for command in self.commands:
+            if command.name == "add_dependencies" and command.arguments:
+                found.setdefault(self.real(command.arguments[0]), []).append(command)
+        return found
+
+    def include_words(self, target: Target) -> tuple[str, ...]:
+        """The include directories of *target* and of its own libraries, and those of the directory that makes it."""
+        names = {target.name, *(each.name for each in self.linked(target.name))}
+        folder = posixpath.dirname(target.location.path)
+        found: list[str] = []
+        for command in self.commands:
+            if command.name == "target_include_directories" and self.real(command.arguments[0]) in names:
+                found += command.arguments[1:]
+            elif command.name == "include_directories":
+                if command.directory in (".", folder) or f"{folder}/".startswith(f"{command.directory}/"):
+                    found += command.arguments
+        return tuple(found)
 
     def destinations(self, name: str) -> tuple[str, ...]:
         """The directories that install(TARGETS) puts a target into."""

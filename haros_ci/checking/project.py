@@ -23,6 +23,7 @@ from haros_ci.model.robot import Description
 from haros_ci.model.workspace import Workspace
 
 if TYPE_CHECKING:
+    from haros_ci.checking.included import Included
     from haros_ci.code.codebase import Codebase
 
 
@@ -75,6 +76,13 @@ class ProjectPackage:
     def cmake(self) -> CMake:
         """What its CMake makes, links, installs and exports."""
         return CMake(self)
+
+    @cached_property
+    def included(self) -> Included:
+        """The headers that its targets include."""
+        from haros_ci.checking.included import Included
+
+        return Included(self)
 
     @cached_property
     def declared(self) -> frozenset[str]:

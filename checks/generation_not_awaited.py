@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Targets that include headers generated in their own package, and are not made after them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, Target
+
+_PARTS = {
+    "msg": ("",),
+    "srv": ("", "Request", "Response"),
+    "action": ("Action", "ActionGoal", "ActionFeedback", "ActionResult", "Goal", "Feedback", "Result"),
+}
+#: Targets that stand for the headers of messages, services and actions (genmsg, rosbuild's name too).
+_MESSAGES = ("generate_messages", "generate_messages_cpp", "gencpp", "genmsg", "EXPORTED_TARGETS")
+_CONFIGS = ("gencfg", "EXPORTED_TARGETS")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        if not package.cmake.is_whole:
+            continue
+        if package.ros == 1:
+            yield from _catkin(package)
+        elif package.ros == 2:
+            yield from _ament(package)
+
+
+def _catkin(package: ProjectPackage) -> Iterator[Finding]:
+    """ROS 1: genmsg and dynamic_reconfigure."""
+    name, kinds = package.name, dict[str, str]()
+    if package.commands("generate_messages"):
+        for each in package.build.interfaces:
+            if each.is_generated:
+                kinds |= {f"{each.name}{part}.h": "messages" for part in _PARTS.get(each.kind, ())}
+    for config in package.build.configs:
+        kinds[f"{name}/{config.name}Config.h"] = "configs"
+    others = _generated_elsewhere(package)
+    said: set[str] = set()
+    for target in _targets(package):
+        awaited = package.cmake.awaited(target.name)
+        if any("${" in word and not word.endswith("_EXPORTED_TARGETS}") for word in awaited):
+            continue
+        included = package.included.of(target)
+        uses: dict[str, Location] = {}
+        for kind, ends in (("messages", _MESSAGES), ("configs", _CONFIGS)):
+            if not any(word.startswith(f"{name}_") and word.endswith(ends) for word in awaited):
+                uses |= {header: place for header, place in included.items() if kinds.get(header) == kind}
+        if uses and not any(other.name in said for other in package.cmake.linked(target.name)):
+            said.add(target.name)
+            yield _finding(package, target, uses, _dependency(package, target))
+        elif "${catkin_EXPORTED_TARGETS}" not in awaited:
+            theirs = {header: place for header, place in included.items() if header in others}
+            waits = {word.strip("${}") for word in awaited}
+            missing = {h: p for h, p in theirs.items() if not any(word.startswith(f"{others[h]}_") for word in waits)}
+            if missing and not any(other.name in said for other in package.cmake.linked(target.name)):
+                said.add(target.name)
+                yield _elsewhere(package, target, others, missing)
+
+
+def _generated_elsewhere(package: ProjectPackage) -> dict[str, str]:
+    """The headers of messages that other packages of the workspace generate and that this one depends on."""
+    found: dict[str, str] = {}
+    for name in package.declared - {package.name}:
+        other = package.project.package(name)
+        if other is not None and other.ros == 1 and other.commands("generate_messages"):
+            for each in other.build.interfaces:
+                if each.is_generated:
+                    found |= {f"{each.name}{part}.h": name for part in _PARTS.get(each.kind, ())}
+    return found
+
+
+def _elsewhere(
+    package: ProjectPackage, target: Target, others: Mapping[str, str], uses: Mapping[str, Location]
+) -> Finding:
+    header, place = next(iter(uses.items()))
+    name = target.name
+    return Finding(
+        at=target.location,
+        message=f"{name} includes {header}, which is generated in {others[header]}, but does not depend on that: where catkin_make "
+        f"builds both, it may compile {name} before it is there; add add_dependencies({name} ${{catkin_EXPORTED_TARGETS}})",
+        about=(package.name, name),
+        apart=(name, header),
+        related=((place, f"includes {header}"),),
+        level=Level.WARNING,
+    )
+
+
+def _targets(package: ProjectPackage) -> Iterator[Target]:
+    """Those that are compiled, and that no command which is not known here may link or order."""
+    for target in package.cmake.targets.values():
+        is_code = target.kind in ("executable", "library", "object") and target.sources and not target.component
+        if is_code and not target.is_conditional and target.name not in package.cmake.mentioned:
+            yield target
+
+
+def _dependency(package: ProjectPackage, target: Target) -> Fix | None:
+    """add_dependencies() on the line behind the one that makes the target, where that is one line."""
+    text = package.project.text(target.location.path)
+    number = target.location.line or 0
+    line = (text.splitlines() or [""])[number - 1] if 0 < number <= len(text.splitlines()) else ""
+    made = re.match(r"([ \t]*)(?:add_executable|add_library)\([^()#]*\)[ \t]*$", line)
+    if made is None or not package.commands("generate_messages", "generate_dynamic_reconfigure_options"):
+        return None
+    end = "\r\n" if "\r\n" in text else "\n"
+    wanted = f"{made[1]}add_dependencies({target.name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}})"
+    point = (number, len(line) + 1)
+    makers = package.commands("generate_messages", "generate_dynamic_reconfigure_options")
+    if any(m.location.path != target.location.path or (m.location.line or 0) > number for m in makers):
+        return None
+    return Fix(
+        f"make {target.name} after the generated headers", (Edit(target.location.path, point, point, end + wanted),)
+    )
+
+
+def _ament(package: ProjectPackage) -> Iterator[Finding]:
+    """ROS 2: rosidl."""
+    made = [each for each in package.commands("rosidl_generate_interfaces") if each.arguments]
+    if not made or any(each.is_conditional for each in made):
+        return
+    generated = {each.arguments[0] for each in made}
+    header = re.compile(rf"{re.escape(package.name)}/(?:msg|srv|action)/\w+\.hp?p?")
+    for target in _targets(package):
+        if _is_supported(package, target, generated):
+            continue
+        uses = {name: place for name, place in package.included.of(target).items() if header.fullmatch(name)}
+        if uses:
+            yield _finding(package, target, uses, None)
+
+
+def _is_supported(package: ProjectPackage, target: Target, generated: set[str]) -> bool:
+    """Whether the target is, or may be, compiled with the generated headers."""
+    cmake = package.cmake
+    names = {target.name, *(each.name for each in cmake.linked(target.name))}
+    if generated & cmake.awaited(target.name) or any("${BUILD}" in word for word in cmake.include_words(target)):
+        return True
+    for name in names:
+        if name in cmake.mentioned:
+            return True
+        for link in cmake.links.get(name, ()):
+            word = link.word
+            if any(word.startswith(each) or word.startswith(f"{package.name}::{each}") for each in generated):
+                return True
+            if "typesupport" in word or (link.is_package and word == package.name) or _is_unknown(word):
+                return True
+    return any(
+        each.arguments[:1] and each.arguments[0] in names for each in package.commands("rosidl_target_interfaces")
+    )
+
+
+def _is_unknown(word: str) -> bool:
+    """Whether a link may bring anything: a variable that is not one of a package's own."""
+    return "${" in word and not re.fullmatch(r"\$\{\w+_(?:LIBRARIES|TARGETS|LIBS|LIBRARY)\}", word)
+
+
+def _finding(package: ProjectPackage, target: Target, uses: Mapping[str, Location], fix: Fix | None) -> Finding:
+    header, place = next(iter(uses.items()))
+    more = f" and {len(uses) - 1} more headers that are" if len(uses) > 1 else ", which is"
+    name = target.name
+    if package.ros == 1:
+        then = "a clean build with several jobs may compile it before they are there"
+        remedy = f"add add_dependencies({name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}}) after the generation"
+    else:
+        then = "the compiler does not find them"
+        remedy = "link it with the target that rosidl_get_typesupport_target() names"
+    return Finding(
+        at=target.location,
+        message=f"{name} includes {header}{more} generated in {package.name}, but does not depend on that: {then}; {remedy}",
+        about=(package.name, name),
+        apart=(name, header),
+        related=((place, f"includes {header}"),),
+        fixes=(fix,) if fix is not None else (),
+    )
+
+
+CHECK = Check(
+    id="generation-not-awaited",
+    summary="Targets that include generated headers of their package are made after them, and find them.",
+    level=Level.ERROR,
+    catalogue="B02",
+    tags=("build",),
+    project=check,
+)
