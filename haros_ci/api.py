@@ -76,6 +76,7 @@ from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.robots import descriptions, lead, place_of
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.checking.transforms import Broadcast, broadcasts
+from haros_ci.checking.using import Using
 from haros_ci.code.body import Body, Call, names_in, nodes
 from haros_ci.code.callbacks import DEFAULT, Callback, callbacks, excludes, given_function, group_name, group_of
 from haros_ci.code.calls import called, callees, callers, calls_of, reached
@@ -240,6 +241,7 @@ __all__ = [
     "TOPIC",
     "Target",
     "Use",
+    "Using",
     "Whole",
     "add_dependency",
     "add_element",
@@ -274,6 +276,8 @@ __all__ = [
     "attribute_values",
     "base_names",
     "broadcasts",
+    "attribute_values",
+    "base_names",
     "build_types",
     "call_place",
     "callbacks",
@@ -281,6 +285,7 @@ __all__ = [
     "callees",
     "callers",
     "calls_of",
+    "can_meet",
     "can_meet",
     "change_in_words",
     "changes_of",
@@ -292,6 +297,9 @@ __all__ = [
     "descriptions",
     "dotted",
     "drop_element",
+    "dotted",
+    "drop_element",
+    "drop_lines",
     "drop_lines",
     "enclave_of",
     "excludes",
@@ -302,7 +310,10 @@ __all__ = [
     "holds",
     "in_callbacks",
     "included_by",
+    "included_by",
     "incompatible",
+    "incompatible",
+    "insert_line",
     "insert_line",
     "install_directory",
     "install_line",
@@ -344,6 +355,7 @@ __all__ = [
     "nodes",
     "own_method",
     "owner",
+    "owner",
     "owner_of",
     "place",
     "qos_in_words",
@@ -352,6 +364,9 @@ __all__ = [
     "reaches",
     "read_policy",
     "place_of",
+    "qos_in_words",
+    "reached",
+    "qos_in_words",
     "qos_in_words",
     "reached",
     "rename_element",
