@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Launch files, configuration, models and headers that something needs and that are not installed, or not to there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from haros_ci.api import (
+    Check,
+    FileUse,
+    Finding,
+    Level,
+    Location,
+    Project,
+    ProjectPackage,
+    install_directory,
+    install_line,
+    install_place,
+    landings,
+)
+
+_LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|[_-]launch\.(?:py|xml|ya?ml)$|^launch/.*\.xml$")
+_ASIDE = re.compile(
+    r"(?:^|[/_-])(?:tests?|testing|examples?|demos?|samples?|benchmarks?|mock|old|deprecated)(?:$|[/_.-])"
+)
+#: Where a model or a page names a file of a package.
+_NAMED = re.compile(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-]+)\)/)([\w./+-]+)")
+_MODELS = (".urdf", ".xacro", ".sdf", ".world", ".rviz", ".srdf")
+_HEADERS = (".h", ".hpp", ".hh", ".hxx", ".ipp", ".tpp")
+
+
+@dataclass(slots=True)
+class _Need:
+    """A directory of a package, or a file beside its manifest, that something needs."""
+
+    places: list[tuple[Location, str]] = field(default_factory=list)
+    wrong: str = ""
+
+
+def check(project: Project) -> Iterator[Finding]:
+    needs: dict[tuple[str, str], _Need] = {}
+    for place, name, inner in _named(project):
+        package = project.package(name)
+        if package is None or not _is_readable(package):
+            continue
+        path = package.inside(inner)
+        if not project.exists(path) or _is_made(package, inner) or _ASIDE.search(place.path.lower()):
+            continue
+        found = landings(package, path)
+        if f"share/{name}/{inner}" in found or any("$" in each for each in found):
+            continue
+        need = needs.setdefault((name, inner.partition("/")[0]), _Need())
+        need.places.append((place, f"needs {inner}"))
+        need.wrong = need.wrong or next(iter(found), "")
+    for package in project.packages:
+        if _is_readable(package):
+            for folder, place in _launch_folders(package):
+                needs.setdefault((package.name, folder), _Need())
+            yield from _headers(package)
+    for (name, thing), need in needs.items():
+        package = project.package(name)
+        if package is not None:
+            yield from _finding(package, thing, need)
+
+
+def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
+    """Places that name a file of a package's share directory: the place, the package, the path in there."""
+    seen: set[tuple[Location, str]] = set()
+    for system in project.systems:
+        for use in system.facts(FileUse):
+            if (
+                use.package
+                and use.inner
+                and use.inner != "."
+                and use.is_found
+                and (use.location, use.inner) not in seen
+            ):
+                seen.add((use.location, use.inner))
+                yield use.location, use.package, use.inner
+    for path in sorted(project.workspace.names):
+        if path.endswith(_MODELS):
+            text = project.text(path)
+            for match in _NAMED.finditer(text):
+                yield Location(path, text.count("\n", 0, match.start()) + 1), match[1] or match[2], match[3]
+
+
+def _is_readable(package: ProjectPackage) -> bool:
+    """Whether all that the package installs is known."""
+    if package.ros is None or package.raw.is_metapackage or re.search(r"(?:^|_)tests?(?:$|_)", package.name):
+        return False
+    if any("computed when setup.py runs" in problem.message for problem in package.build.problems):
+        return False
+    if package.build.commands:
+        things = (thing for each in package.cmake.installs if each.kind != "TARGETS" for thing in each.things)
+        return package.cmake.is_whole and not any("${" in thing.replace("${ROOT}", "") for thing in things)
+    return package.ros == 2 and package.inside("setup.py") in package.project.workspace.names
+
+
+def _is_made(package: ProjectPackage, inner: str) -> bool:
+    """Whether a command that is not known here may install the file: it names it, or its directory."""
+    folder = inner.partition("/")[0]
+    return any(
+        word == folder or word.endswith(f"/{folder}") or word.startswith(f"{folder}/") or f"/{folder}/" in word
+        for word in package.cmake.mentioned
+    )
+
+
+def _launch_folders(package: ProjectPackage) -> Iterator[tuple[str, Location]]:
+    """Directories with launch files of which none is installed (ROS 2: ros2 launch finds none of them)."""
+    if package.ros != 2:
+        return
+    files: dict[str, list[str]] = {}
+    for file in package.files:
+        inner = file.path.removeprefix(f"{package.path}/")
+        if file.language in ("launch", "python", "xml") and _LAUNCH.search(inner) and "/" in inner:
+            if "launch" in inner.partition("/")[0] and not _ASIDE.search(inner.lower()):
+                files.setdefault(inner.partition("/")[0], []).append(file.path)
+    for folder, paths in files.items():
+        if _is_made(package, f"{folder}/"):
+            continue
+        if not any(landings(package, path) for path in paths):
+            yield folder, Location(paths[0], 1)
+
+
+def _headers(package: ProjectPackage) -> Iterator[Finding]:
+    """An exported include directory that is not installed."""
+    root = package.inside("include")
+    headers = [file.path for file in package.files if file.path.startswith(f"{root}/") and file.path.endswith(_HEADERS)]
+    if not headers or _is_made(package, "include/"):
+        return
+    exports = [
+        each
+        for each in package.commands(
+            "ament_export_include_directories", "ament_export_targets", "ament_export_libraries"
+        )
+        if each.name != "ament_export_include_directories" or any(w.startswith("include") for w in each.arguments)
+    ]
+    keywords = ("LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
+    catkin = (c for c in package.commands("catkin_package") if "include" in c.after("INCLUDE_DIRS", *keywords))
+    command = next((each for each in (*exports, *catkin) if not each.is_conditional), None)
+    if command is None or any(landings(package, path) for path in headers):
+        return
+    name = f"include/{package.name}"
+    users = [
+        other.name
+        for other in package.project.packages
+        if other.name != package.name and package.name in other.declared
+        if any(include.startswith(f"{package.name}/") for include in _includes(other))
+    ]
+    is_old = package.ros == 1
+    line = (
+        f"install(DIRECTORY {name}/ DESTINATION ${{CATKIN_PACKAGE_INCLUDE_DESTINATION}})"
+        if is_old
+        else "install(DIRECTORY include/ DESTINATION include/${PROJECT_NAME})"
+    )
+    fix = install_line(package, line, "install the headers")
+    is_usual = (
+        is_old
+        and package.project.exists(package.inside(name))
+        or "include/${PROJECT_NAME}" in package.project.text(package.cmake_path)
+    )
+    if command.name in ("ament_export_targets", "ament_export_libraries") and not users:
+        return  # libraries that are only loaded: plug-ins
+    who = f"{users[0]} includes them" if users else "packages that use it do not find them"
+    yield Finding(
+        at=command.location,
+        message=f"the headers in include are exported, but not installed: {who}",
+        about=(package.name, "include"),
+        level=Level.ERROR if users and not is_old else Level.WARNING,
+        related=((Location(headers[0]), "such a header"),),
+        fixes=(fix,) if fix is not None and is_usual else (),
+    )
+
+
+def _includes(package: ProjectPackage) -> Iterator[str]:
+    for file in package.files:
+        program = package.project.programs.get(file.path) if file.language == "cpp" else None
+        yield from (name.strip('<>"') for name in program.includes) if program is not None else ()
+
+
+def _finding(package: ProjectPackage, thing: str, need: _Need) -> Iterator[Finding]:
+    is_folder = package.inside(thing) in package.project.directories
+    is_old = package.ros == 1
+    what = f"the directory {thing}" if is_folder else f"the file {thing}"
+    fix = None
+    if need.wrong:
+        message = (
+            f"{what} of {package.name} is installed to {need.wrong}, but looked for in share/{package.name}/{thing}"
+        )
+    elif need.places:
+        message = f"{what} of {package.name} is not installed, but {len(need.places)} places need it"
+        message = message.replace("1 places need", "something needs")
+    else:
+        message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files"
+    if not need.wrong and is_folder and package.build.commands:
+        fix = install_directory(package, thing)
+    yield Finding(
+        at=install_place(package),
+        message=message,
+        about=(package.name, thing),
+        apart=(thing,),
+        related=tuple(need.places[:5]),
+        level=Level.ERROR if need.places and not is_old else Level.WARNING,
+        fixes=(fix,) if fix is not None else (),
+    )
+
+
+CHECK = Check(
+    id="directory-not-installed",
+    summary="Launch files, configuration, models and headers that are needed are installed.",
+    level=Level.ERROR,
+    catalogue="B06",
+    aliases=("uninstalled_include_path",),
+    tags=("build",),
+    project=check,
+)

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files and directories that CMake is told to install, and that are not there."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from difflib import get_close_matches
+
+from haros_ci.api import Check, CMakeCommand, Finding, Level, Project, ProjectPackage
+
+_KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
+#: Words that end what install() and its like are told to install.
+_ENDS = re.compile(
+    r"DESTINATION|TYPE|PATTERN|REGEX|RENAME|COMPONENT|PERMISSIONS|\w+_PERMISSIONS|CONFIGURATIONS|FILES_MATCHING|OPTIONAL"
+    r"|MESSAGE_NEVER|EXCLUDE|EXCLUDE_FROM_ALL|INSTALL_TO_SHARE|INSTALL_TO_PATH|USE_SOURCE_PERMISSIONS|CONFIG_EXTRAS\w*"
+)
+#: Commands that bring or make files whose names they do not tell.
+_MAKERS = re.compile(
+    r"externalproject_|fetchcontent_|catkin_download|ament_vendor|execute_process|exec_program|git_submodule|vcs|cpm|.*download"
+)
+_QUIET = frozenset(("install", "catkin_install_python", "ament_auto_package", "autoware_ament_auto_package"))
+_QUIET |= {"cs_install_scripts", "target_include_directories", "include_directories", "find_package", "project"}
+
+
+def check(project: Project) -> Iterator[Finding]:
+    if not project.workspace.names:
+        return
+    modules = tuple(_submodules(project))
+    for package in project.packages:
+        commands = package.build.commands
+        if any(_MAKERS.match(c.name) or (c.name == "file" and "DOWNLOAD" in c.arguments[:1]) for c in commands):
+            continue
+        said: set[str] = set()
+        for command in commands:
+            for word in _things(command):
+                path = command.place(word)
+                if path is None or path in said or project.exists(path) or _may_come(package, path, modules):
+                    continue
+                said.add(path)
+                yield _finding(project, package, command, word, path)
+
+
+def _things(command: CMakeCommand) -> tuple[str, ...]:
+    """What a command surely installs from the sources."""
+    if command.is_conditional or "OPTIONAL" in command.arguments:
+        return ()
+    words = command.arguments
+    if command.name == "install" and words[:1] and words[0] in _KINDS:
+        rest = words[1:]
+    elif command.name == "catkin_install_python":
+        rest = words[1:] if words[:1] in (("PROGRAMS",), ("FILES",)) else words
+    elif command.name in ("ament_auto_package", "autoware_ament_auto_package"):
+        rest = command.after("INSTALL_TO_SHARE")
+    elif command.name == "cs_install_scripts":
+        rest = words
+    else:
+        return ()
+    end = next((at for at, word in enumerate(rest) if _ENDS.fullmatch(word)), len(rest))
+    return tuple(word for word in rest[:end] if "$" not in word.replace("${ROOT}", "") and word)
+
+
+def _may_come(package: ProjectPackage, path: str, modules: tuple[str, ...]) -> bool:
+    """Whether something may make the file: a submodule, a command that names it, or a file that git is told to ignore."""
+    if any(path == module or path.startswith(f"{module}/") for module in modules):
+        return True
+    project, base = package.project, posixpath.basename(path)
+    if any(path.startswith(f"{link}/") or path == link for link, _ in project.workspace.links):
+        return True
+    stem = base.partition(".")[0]
+    for command in package.build.commands:
+        if command.name not in _QUIET and any(base in word or (stem and stem == word) for word in command.arguments):
+            return True
+    folder = path
+    while (folder := folder.rpartition("/")[0]) or path:
+        ignored = project.text(f"{folder}/.gitignore" if folder else ".gitignore")
+        if base and re.search(rf"(?m)^/?(?:[^#\n]*/)?{re.escape(base)}/?\s*$", ignored):
+            return True
+        suffix = posixpath.splitext(base)[1]
+        if suffix and re.search(rf"(?m)^\*\*?/?\*?{re.escape(suffix)}\s*$", ignored):
+            return True
+        if not folder:
+            return False
+    return False
+
+
+def _submodules(project: Project) -> Iterator[str]:
+    for name in project.workspace.names:
+        if posixpath.basename(name) == ".gitmodules":
+            for found in re.finditer(r"(?m)^\s*path\s*=\s*(\S+)\s*$", project.text(name)):
+                yield posixpath.normpath(posixpath.join(posixpath.dirname(name), found[1]))
+
+
+def _finding(project: Project, package: ProjectPackage, command: CMakeCommand, word: str, path: str) -> Finding:
+    shown = path.removeprefix(f"{package.path}/")
+    folder = posixpath.dirname(path)
+    prefix = f"{folder}/" if folder else ""
+    beside = {
+        name[len(prefix) :].partition("/")[0] for name in project.workspace.names if name.startswith(prefix or "")
+    }
+    near = get_close_matches(posixpath.basename(path), sorted(beside), 1, 0.7)
+    if "*" in word or "?" in word:
+        hint = "install() knows no patterns; list the files with file(GLOB), or install the directory"
+    elif near:
+        hint = f"did you mean {near[0]}?"
+    else:
+        hint = "git keeps no empty directories; take it out, or add what is missing"
+    return Finding(
+        at=command.location,
+        message=f"installs {shown} of {package.name}, but there is no such file or directory: installing stops here; {hint}",
+        about=(package.name, shown),
+        apart=(shown,),
+    )
+
+
+CHECK = Check(
+    id="missing-install-source",
+    summary="What a package installs is there.",
+    level=Level.ERROR,
+    catalogue="B07",
+    aliases=("missing_file", "missing_directory"),
+    tags=("build",),
+    project=check,
+)

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Targets, libraries and sets of them that CMake installs, links or exports, and that the package does not make."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from difflib import get_close_matches
+
+from haros_ci.api import OF_TARGETS, Check, CMakeCommand, Finding, Level, Project, ProjectPackage
+
+#: Targets that CMake, catkin and rosidl make by themselves.
+_GIVEN = re.compile(
+    r".*__\w+|.*_(?:generate_messages|gencpp|genpy|geneus|genlisp|gennodejs|gencfg|EXPORTED_TARGETS)\w*"
+    r"|all|clean|install|test|tests|run_tests|doxygen|uninstall|rebuild_cache|.*(?:::|\$|/).*|-.*|"
+)
+_SETTINGS = frozenset(("debug", "optimized", "general"))
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        if not package.cmake.is_whole:
+            continue
+        said: set[str] = set()
+        for command in package.build.commands:
+            if command.is_conditional:
+                continue
+            for name, what in _unknown(package, command):
+                if name not in said:
+                    said.add(name)
+                    yield _finding(package, command, name, what)
+
+
+def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[str, str]]:
+    """The names in *command* that stand for nothing, each with what comes of it."""
+    cmake, words = package.cmake, command.arguments
+    if command.name in OF_TARGETS and words and not command.is_test:
+        end = words.index("PROPERTIES") if "PROPERTIES" in words else 1
+        names = words[:end] if command.name == "set_target_properties" else words[:1]
+        yield from ((name, f"{command.name}() stops the build") for name in names if not _is_made(package, name))
+    elif command.name == "install" and words[:1] == ("TARGETS",) and not command.is_test:
+        install = next(each for each in cmake.installs if each.command == command)
+        yield from ((name, "install() stops the build") for name in install.things if not _is_made(package, name))
+    elif command.name == "ament_export_targets" or command.name == "ament_export_interfaces":
+        sets = {each.export for each in cmake.installs if each.kind == "TARGETS"}
+        for name in words:
+            if name == "NAMESPACE":
+                break
+            if (
+                name != "HAS_LIBRARY_TARGET"
+                and name not in sets
+                and "$" not in name
+                and not any("$" in s for s in sets)
+            ):
+                if not _is_mentioned_otherwise(package, command, name):
+                    yield name, "no install(TARGETS ... EXPORT) puts a target into it, and CMake stops"
+    elif command.name == "catkin_package":
+        keywords = ("INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
+        keywords += ("SKIP_CMAKE_CONFIG_GENERATION", "SKIP_PKG_CONFIG_GENERATION")
+        yield from _exported(package, command.after("LIBRARIES", *keywords))
+        for word in command.after("INCLUDE_DIRS", *keywords):
+            path = command.place(word)
+            if path is not None and not package.project.exists(path) and not _is_named(package, command, word):
+                yield word, "there is no such directory, and catkin_package() stops the build"
+    elif command.name == "ament_export_libraries":
+        yield from _exported(package, words)
+
+
+def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+    """Exported libraries that are neither made here nor, by their names, those of the system."""
+    tokens = {token for token in re.split(r"[_-]", package.name) if len(token) > 2}
+    for name in words:
+        if name in _SETTINGS or _is_made(package, name):
+            continue
+        own = [target.output for target in package.cmake.targets.values() if target.kind in ("library", "interface")]
+        if name in own:
+            continue
+        linked = any(link.word == name for links in package.cmake.links.values() for link in links)
+        if not linked and (name.startswith(package.name) or tokens & set(re.split(r"[_-]", name))):
+            yield name, "packages that use it cannot find the library"
+
+
+def _is_made(package: ProjectPackage, name: str) -> bool:
+    """Whether the target is there, or may be made by what is not known here."""
+    cmake = package.cmake
+    if name in cmake.targets or name in cmake.mentioned or _GIVEN.fullmatch(name):
+        return True
+    return not _is_written(package, name)
+
+
+def _is_written(package: ProjectPackage, name: str) -> bool:
+    """Whether the name comes of the package's own text: as it stands, or with its project's name in it."""
+    texts = [package.project.text(path) for path in {command.location.path for command in package.build.commands}]
+    word = re.compile(rf"(?<![\w.+-]){re.escape(name)}(?![\w.+-])")
+    if any(word.search(text) for text in texts):
+        return True
+    parts = [r"\$\{PROJECT_NAME\}".join(map(re.escape, name.split(package.name)))] if package.name in name else []
+    return any(re.search(rf"(?<![\w.+-]){part}(?![\w.+-])", text) for part in parts for text in texts)
+
+
+def _is_named(package: ProjectPackage, command: CMakeCommand, word: str) -> bool:
+    """Whether a command that may make the directory names it."""
+    base = word.rstrip("/").rpartition("/")[2]
+    makers = (
+        c
+        for c in package.build.commands
+        if c.name in ("file", "execute_process", "add_custom_command", "configure_file")
+    )
+    return any(base in argument for maker in makers for argument in maker.arguments)
+
+
+def _is_mentioned_otherwise(package: ProjectPackage, command: CMakeCommand, name: str) -> bool:
+    return any(name in c.arguments for c in package.build.commands if c.name != command.name and c is not command)
+
+
+def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: str) -> Finding:
+    near = get_close_matches(name, sorted(package.cmake.targets), 1, 0.75)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    return Finding(
+        at=command.location,
+        message=f"{name} is nothing that {package.name} makes: {what}{hint}",
+        about=(package.name, name),
+        apart=(name,),
+    )
+
+
+CHECK = Check(
+    id="unknown-target",
+    summary="The targets and libraries that CMake installs, links and exports are made.",
+    level=Level.ERROR,
+    catalogue="B09",
+    aliases=("undefined_target", "missing_include_path"),
+    tags=("build",),
+    project=check,
+)
