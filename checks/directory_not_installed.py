@@ -90,6 +90,8 @@ def _is_readable(package: ProjectPackage) -> bool:
     """Whether all that the package installs is known."""
     if package.ros is None or package.raw.is_metapackage or re.search(r"(?:^|_)tests?(?:$|_)", package.name):
         return False
+    if "data_files" in package.project.text(package.inside("setup.cfg")):
+        return False
     if any("computed when setup.py runs" in problem.message for problem in package.build.problems):
         return False
     if package.build.commands:

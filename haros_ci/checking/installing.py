@@ -69,15 +69,17 @@ def install_directory(package: ProjectPackage, directory: str) -> Fix | None:
     place = r"share/\$\{PROJECT_NAME\}" if package.ros == 2 else r"\$\{CATKIN_PACKAGE_SHARE_DESTINATION\}"
     for command in package.cmake.installs:
         at, kind = command.command.location, command.kind
-        if kind != "DIRECTORY" or at.path != package.cmake_path or at.line is None or command.command.is_conditional:
+        if kind != "DIRECTORY" or at.path != package.cmake_path or at.line is None:
+            continue
+        if command.command.is_conditional or command.command.is_test:
             continue
         start = sum(map(len, text.splitlines(keepends=True)[: at.line - 1])) + (at.column or 1) - 1
         found = re.compile(
-            rf"install\s*\(\s*DIRECTORY\s+([\w./-]+(?:(\s+)[\w./-]+)*)\s+DESTINATION\s+{place}/?\s*\)"
+            rf"install\s*\(\s*DIRECTORY(\s+)([\w./-]+(?:(\s+)[\w./-]+)*)\s+DESTINATION\s+{place}/?\s*\)"
         ).match(text, start)
-        if found is not None and not any(word.endswith("/") for word in found[1].split()):
-            between = found[2] if found[2] is not None else " "
-            before = text[: found.end(1)]
+        if found is not None and not any(word.endswith("/") for word in found[2].split()):
+            between = found[3] or (found[1] if "\n" in found[1] else " ")
+            before = text[: found.end(2)]
             number = before.count("\n") + 1
             point = (number, len(before) - (before.rfind("\n") + 1) + 1)
             return Fix(f"install {directory}", (Edit(package.cmake_path, point, point, between + directory),))

@@ -79,3 +79,38 @@ def test_python_packages_of_ament() -> None:
         "project(arm)\nament_python_install_package(${PROJECT_NAME})\nament_python_install_package(b PACKAGE_DIR src/b)"
     )
     assert build.python_roots == (("arm", "arm/arm"), ("b", "arm/src/b"))
+
+
+@pytest.mark.parametrize(
+    ("cmake", "expected"),
+    [
+        (
+            "add_message_files(FILES A.msg)\ngenerate_messages()\nadd_dependencies(t ${${PROJECT_NAME}_EXPORTED_TARGETS})",
+            ("t", "arm_generate_messages_cpp"),
+        ),
+        (
+            "generate_dynamic_reconfigure_options(A.cfg)\nadd_service_files(FILES S.srv)\nadd_message_files(FILES A.msg)\n"
+            "add_dependencies(t ${arm_EXPORTED_TARGETS})",
+            ("t", "arm_gencfg", "arm_generate_messages_cpp"),
+        ),
+        ("add_dependencies(t ${arm_EXPORTED_TARGETS})\nadd_message_files(FILES A.msg)", ("t",)),
+        (
+            "find_package(catkin REQUIRED)\nadd_dependencies(t ${catkin_EXPORTED_TARGETS})",
+            ("t", "${catkin_EXPORTED_TARGETS}"),
+        ),
+        (
+            "rosidl_get_typesupport_target(made ${PROJECT_NAME} rosidl_typesupport_cpp)\nadd_dependencies(t ${made})",
+            ("t", "arm__rosidl_typesupport_cpp"),
+        ),
+        ("add_dependencies(t ${CATKIN_DEVEL_PREFIX}/include)", ("t", "${BUILD}/devel/include")),
+    ],
+)
+def test_targets_of_generated_code_have_their_names(cmake: str, expected: tuple[str, ...]) -> None:
+    build = built(f"project(arm)\n{cmake}", msg__A_msg="int32 x", srv__S_srv="---")
+    assert [c.arguments for c in build.commands if c.name == "add_dependencies"] == [expected]
+
+
+def test_ament_auto_package_installs_headers_where_there_are_some() -> None:
+    build = built("ament_auto_package()", include__arm__a_hpp="int a();")
+    assert [(i.path, i.kind, i.destination) for i in build.installed] == [("arm/include", "directory", "include")]
+    assert built("ament_auto_package()", src__a_hpp="int a();").installed == ()
