@@ -78,12 +78,15 @@ from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.checking.transforms import Broadcast, broadcasts
 from haros_ci.checking.using import Using
 from haros_ci.code.body import Body, Call, names_in, nodes
+from haros_ci.code.body import Body, Call, last_part, names_in, nodes
 from haros_ci.code.callbacks import DEFAULT, Callback, callbacks, excludes, given_function, group_name, group_of
 from haros_ci.code.calls import called, callees, callers, calls_of, reached
 from haros_ci.code.classes import base_names, class_named, methods, owner_of, resolved
 from haros_ci.code.clients import Made, client_made, is_node, node_name, own_method
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.code.kinds import attribute_values, class_of, dotted, is_local, type_name, type_of, variable
+from haros_ci.code.kinds import attribute_values, class_of, dotted, is_local, ros_type, type_name, type_of, variable
+from haros_ci.code.paths import undone_ways
+from haros_ci.code.taint import carried, followed
 from haros_ci.code.transforms import ASKED, is_caught, is_lookup
 from haros_ci.code.uses import Use, uses
 from haros_ci.code.ways import Reached, in_callbacks
@@ -289,6 +292,7 @@ __all__ = [
     "can_meet",
     "change_in_words",
     "changes_of",
+    "carried",
     "class_named",
     "class_of",
     "client_made",
@@ -304,6 +308,7 @@ __all__ = [
     "enclave_of",
     "excludes",
     "exports",
+    "followed",
     "given_function",
     "group_name",
     "group_of",
@@ -334,6 +339,7 @@ __all__ = [
     "is_slip",
     "last_dependency",
     "lost_in",
+    "last_part",
     "may_be",
     "meant",
     "methods",
@@ -372,6 +378,7 @@ __all__ = [
     "rename_element",
     "renamed_keyword",
     "resolved",
+    "ros_type",
     "rule_of",
     "set_attribute",
     "refused_pairs",
@@ -385,6 +392,7 @@ __all__ = [
     "type_mismatches",
     "type_name",
     "type_of",
+    "undone_ways",
     "unmet",
     "uses",
     "variable",

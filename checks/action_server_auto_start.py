@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Action servers of ROS 1 that start before they are ready."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from haros_ci.api import (
+    Check,
+    Codebase,
+    Finding,
+    Level,
+    Location,
+    Project,
+    Routine,
+    call_place,
+    calls_of,
+    dotted,
+    owner_of,
+    resolved,
+)
+
+CPP = ("actionlib::SimpleActionServer", "actionlib::ActionServer")
+PYTHON = ("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer")
+WHY = (
+    "the action server starts in its constructor: a goal may arrive before the node has made all that its callback uses, "
+    "or before goal callbacks are registered; "
+)
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    for routine, call in calls_of(code, "SimpleActionServer", "ActionServer"):
+        if not routine.is_python or dotted(code, routine, call.callee) not in PYTHON:
+            continue
+        started = (
+            call.argument(3, "auto_start") if call.name == "SimpleActionServer" else call.argument(4, "auto_start")
+        )
+        if any(each[0] in ("star", "starstar") for each in call.args):
+            continue
+        if started is None:
+            said = "auto_start is True unless it is given; pass auto_start=False, and call start() when all is made"
+        elif started[0] == "bool" and started[1]:
+            said = "pass auto_start=False, and call start() when all is made"
+        else:
+            continue
+        yield Finding(at=call_place(routine, call), message=WHY + said, about=(routine.title, call.name))
+    paths = code.mentioning("ActionServer")
+    for source in code.sources:
+        if source.separator == "::" and source.path in paths:
+            for routine in code.routines(source.path):
+                yield from _cpp(code, routine)
+
+
+def _cpp(code: Codebase, routine: Routine) -> Iterator[Finding]:
+    for name, args, at in _made(code, routine):
+        if _auto_starts(args):
+            yield Finding(
+                at=at,
+                message=f"{WHY}pass false for auto_start, and call start() when all is made",
+                about=(routine.title, name),
+            )
+
+
+def _auto_starts(args: tuple[Any, ...]) -> bool:
+    """Whether the last argument is true: one of (name, auto_start), (name, callback, auto_start), a node handle before them."""
+    return len(args) >= 2 and args[-1][0] == "bool" and bool(args[-1][1])
+
+
+def _made(code: Codebase, routine: Routine) -> Iterator[tuple[str, tuple[Any, ...], Location]]:
+    """The action servers that a routine makes: by member initialisers, variables and ``new``."""
+    owner = owner_of(code, routine)
+    if routine.function.kind == "constructor" and owner is not None:
+        fields = {field.name: field for field in owner[1].fields}
+        for name, _, args, line, column in routine.function.inits:
+            if name in fields and _is_server(code, routine, fields[name].type):
+                yield name, tuple(args), Location(routine.path, line, column)
+    for name, every in code.body(routine).variables.items():
+        for each in every:
+            if each.init is not None and each.init[0] in ("(", "{") and _is_server(code, routine, each.type):
+                yield name, tuple(each.init[1]), Location(routine.path, each.line, each.column)
+    for kind, args, line, column in code.body(routine).news:
+        if _is_server(code, routine, kind):
+            yield kind[0], tuple(args), Location(routine.path, line, column)
+    for call in code.body(routine).calls:
+        if (
+            call.name in ("make_shared", "make_unique")
+            and call.templates
+            and _is_server(code, routine, call.templates[0])
+        ):
+            yield call.name, call.args, call_place(routine, call)
+
+
+def _is_server(code: Codebase, routine: Routine, kind: Any) -> bool:
+    if not isinstance(kind, (tuple, list)) or len(kind) != 3 or not isinstance(kind[0], str):
+        return False
+    found = resolved(code, kind, routine.method.function.name.rpartition("::")[0], routine.source)
+    if found[0] in ("std::shared_ptr", "boost::shared_ptr", "std::unique_ptr", "boost::scoped_ptr"):
+        return False
+    return found[0] in CPP
+
+
+CHECK = Check(
+    id="action-server-auto-start",
+    summary="Action servers of ROS 1 are started when all that they use is made.",
+    level=Level.WARNING,
+    catalogue="C11",
+    tags=("code", "actions"),
+    project=check,
+)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Ways through the execution of an action's goal that end without its outcome."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from haros_ci.api import (
+    Check,
+    Codebase,
+    Decidability,
+    Finding,
+    Level,
+    Location,
+    Project,
+    Routine,
+    called,
+    callbacks,
+    calls_of,
+    dotted,
+    given_function,
+    last_part,
+    nodes,
+    undone_ways,
+)
+
+#: What sets a goal's outcome: rclcpp_action and rclpy (methods of the goal handle), actionlib (methods of the server).
+OUTCOMES = frozenset(
+    "succeed abort canceled setSucceeded setAborted setPreempted setRejected setCanceled set_succeeded set_aborted "
+    "set_preempted terminate terminate_all terminate_current succeeded_current".split()
+)
+HANDLES = ("ServerGoalHandle",)
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    seen: set[int] = set()
+    for routine, why in _executing(code):
+        if id(routine) in seen or routine.is_test:
+            continue
+        seen.add(id(routine))
+        names = frozenset(parameter.name for parameter in routine.function.parameters)
+        if not any(last_part(call.callee) in OUTCOMES for call in code.body(routine).calls):
+            continue
+
+        def does(expression: Any, routine: Routine = routine, names: frozenset[str] = names) -> bool:
+            return _does(code, routine, expression, names)
+
+        function = routine.function
+        ways = undone_ways(function.body or (), does, (function.line, function.column))
+        if ways:
+            yield Finding(
+                at=Location(routine.path, function.line, function.column),
+                message=f"{routine.title} executes an action's goal, and there is a way through it that neither succeeds nor aborts "
+                f"nor cancels the goal: {why}; set the outcome on every way",
+                about=(routine.title,),
+                related=tuple(
+                    (Location(routine.path, *way), "on a way from here it returns without one") for way in ways
+                ),
+            )
+
+
+def _executing(code: Codebase) -> Iterator[tuple[Routine, str]]:
+    """The routines that execute goals, and what becomes of a goal without an outcome."""
+    for callback in callbacks(code):
+        if callback.kind == "action" and callback.maker.is_python and callback.role in ("3", "execute_callback"):
+            yield callback.routine, "rclpy warns, and aborts it"
+    for path in sorted(code.mentioning(*HANDLES, "GoalHandle")):
+        for routine in code.routines(path):
+            if not routine.is_python and routine.function.kind != "lambda" and _takes_handle(code, routine):
+                yield routine, "it ends as canceled, with an empty result"
+    for maker, call in calls_of(code, "SimpleActionServer"):
+        if maker.is_python and dotted(code, maker, call.callee).startswith("actionlib."):
+            value = call.argument(2, "execute_cb")
+            for routine in given_function(code, maker, value) if value is not None else ():
+                yield routine, "actionlib warns, and aborts it"
+
+
+def _takes_handle(code: Codebase, routine: Routine) -> bool:
+    from_types = (parameter.type for parameter in routine.function.parameters)
+    return any("GoalHandle" in repr(kind) and "Client" not in repr(kind) for kind in from_types)
+
+
+def _does(code: Codebase, routine: Routine, expression: Any, names: frozenset[str], depth: int = 2) -> bool:
+    """Whether *expression* sets the outcome, or may: it hands the goal on, or calls what sets it."""
+    for node in nodes(expression):
+        if node[0] == "lambda":
+            return True
+        if node[0] != "call":
+            continue
+        if last_part(node[1]) in OUTCOMES:
+            return True
+        if any(
+            inner[0] == "name" and inner[1] in names
+            for each in node[2]
+            for inner in (each, each[-1])
+            if isinstance(inner, (tuple, list))
+        ):
+            return True
+        for target in called(code, routine, node) if depth else ():
+            if any(_does(code, target, call.whole, frozenset(), depth - 1) for call in code.body(target).calls):
+                return True
+    return False
+
+
+CHECK = Check(
+    id="action-without-result",
+    summary="Every way through the execution of a goal sets its outcome.",
+    level=Level.WARNING,
+    decidability=Decidability.EXACT,
+    tags=("code", "actions"),
+    project=check,
+)

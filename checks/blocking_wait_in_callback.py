@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Callbacks that wait for what only another callback of the same executor can bring."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from haros_ci.api import (
+    Call,
+    Check,
+    Codebase,
+    Finding,
+    Level,
+    Project,
+    Reached,
+    Routine,
+    call_place,
+    client_made,
+    dotted,
+    excludes,
+    in_callbacks,
+    node_name,
+    variable,
+)
+
+SPINS = frozenset(("spin", "spin_some", "spin_all", "spin_once", "spin_until_future_complete"))
+WAITS = frozenset(("get", "wait", "wait_for", "wait_until"))
+KINDS = frozenset(("subscription", "timer", "service", "response", "parameters"))
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    seen: set[int] = set()
+    words = ("spin", "async_send_request", "call_async", ".call(")
+    paths = code.mentioning(*words)
+    for each in in_callbacks(code):
+        if each.callback.ros != 2 or each.callback.kind not in KINDS or each.routine.path not in paths:
+            continue
+        for call in code.body(each.routine).calls:
+            if id(call) not in seen and (
+                said := _python(code, each, call) if each.routine.is_python else _cpp(code, each, call)
+            ):
+                seen.add(id(call))
+                title = each.callback.routine.title
+                yield Finding(
+                    at=call_place(each.routine, call),
+                    message=f"{title} is the callback of a {_kind(each)}, and {said}",
+                    about=(title, each.routine.title, call.name),
+                    flow=each.flow(call, "it waits here"),
+                )
+
+
+def _kind(each: Reached) -> str:
+    names = {"response": "client's response", "parameters": "change of parameters"}
+    return names.get(each.callback.kind, each.callback.kind)
+
+
+DEADLOCK = (
+    "waits here for the response of a service, whose client is in the same mutually exclusive callback group: "
+    "the response is never taken while the callback runs; "
+)
+
+
+def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
+    routine = each.routine
+    if call.name in SPINS and call.callee[0] == "name" and call.callee[1] == f"rclcpp::{call.name}" and call.args:
+        if _is_spun(code, each, call.args[0]):
+            return (
+                "spins its own node here, which an executor spins already: this throws std::runtime_error, the node has been added "
+                "to an executor; give async_send_request a callback, or let a node of its own do the call"
+            )
+    if call.name == "add_node" and call.args and call.receiver is not None and call.receiver[0] == "name":
+        local = variable(code, routine, call.receiver[1])
+        is_new = isinstance(local, tuple) and len(local) == 2 and local[0] is routine
+        if is_new and _is_spun(code, each, call.args[0]) and not code.mentioning("remove_node") & {routine.path}:
+            return "adds its own node to a second executor here: this throws std::runtime_error, as one spins it already; use another node"
+    if call.name in WAITS and call.receiver is not None and not _polls(call):
+        client = _awaited(code, routine, call.receiver)
+        made = client_made(code, routine, client) if client is not None else None
+        if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
+            return DEADLOCK + "give async_send_request a callback, or the client a callback group of its own"
+    return None
+
+
+def _node(code: Codebase, each: Reached) -> str | None:
+    """The node that the callback is of, for code of the same class."""
+    made = each.callback
+    return node_name(code, made.maker, made.call.receiver) if made.maker.owner == each.routine.owner else None
+
+
+def _is_spun(code: Codebase, each: Reached, node: Any) -> bool:
+    """Whether *node* is the one whose executor runs the callback."""
+    own = _node(code, each)
+    return own is not None and own == node_name(code, each.routine, node)
+
+
+def _polls(call: Call) -> bool:
+    """Whether it waits no time at all."""
+    if call.name != "wait_for" or not call.args:
+        return False
+    inner = call.args[0]
+    while inner[0] == "call" and len(inner[2]) == 1:
+        inner = inner[2][0]
+    return bool(inner[0] == "num" and inner[1] == 0)
+
+
+def _awaited(code: Codebase, routine: Routine, future: Any) -> Any:
+    """The client of the request that a future is of: ``client->async_send_request(...)``, through a local variable."""
+    if future[0] == "field" and future[2] == "future":
+        future = future[1]
+    if future[0] == "name":
+        local = variable(code, routine, future[1])
+        if not (isinstance(local, tuple) and len(local) == 2) or local[1].init is None or local[1].init[0] == "each":
+            return None
+        future = (
+            local[1].init[1]
+            if local[1].init[0] == "="
+            else local[1].init[1][0]
+            if len(local[1].init[1]) == 1
+            else future
+        )
+    is_request = future[0] == "call" and future[1][0] == "field" and future[1][2] == "async_send_request"
+    return future[1][1] if is_request and len(future[2]) == 1 else None
+
+
+def _python(code: Codebase, each: Reached, call: Call) -> str | None:
+    routine = each.routine
+    client = None
+    if call.name == "call" and call.receiver is not None:
+        client = call.receiver
+        if any(arg[0] == "kw" for arg in call.args):  # with a time-out it comes back
+            return None
+    elif call.name in ("spin", "spin_until_future_complete") and dotted(code, routine, call.callee).startswith(
+        "rclpy."
+    ):
+        if not call.args or not _is_spun(code, each, call.args[0]) or len(call.args) > 2:
+            return None
+        if call.name == "spin":
+            return "spins its own node here: this does not return, and no callback of its group runs again; remove the call"
+        client = _requested(code, routine, call.args[1]) if len(call.args) == 2 else None
+    made = client_made(code, routine, client) if client is not None else None
+    if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
+        return (
+            DEADLOCK
+            + "await call_async, or give the client a callback group of its own and spin with a MultiThreadedExecutor"
+        )
+    return None
+
+
+def _requested(code: Codebase, routine: Routine, future: Any) -> Any:
+    """The client of ``client.call_async(...)`` that a future is from."""
+    if future[0] in ("name", "field"):
+        values = [value for target, _, value, _ in code.body(routine).sets if list(target) == list(future)]
+        future = values[0] if len(values) == 1 else future
+    is_request = future[0] == "call" and future[1][0] == "field" and future[1][2] == "call_async"
+    return future[1][1] if is_request else None
+
+
+CHECK = Check(
+    id="blocking-wait-in-callback",
+    summary="No callback waits for what only another callback of its group can bring.",
+    level=Level.ERROR,
+    catalogue="C01",
+    tags=("code",),
+    project=check,
+)

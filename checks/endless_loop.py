@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Endless loops that go on after ROS has shut down."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from haros_ci.api import Check, Codebase, Decidability, Finding, Level, Location, Project, Routine
+
+#: Text in a loop's body by which it may end, or by which more may happen than is seen.
+ENDS = re.compile(
+    r"\b(break|return|throw|goto|exit|_exit|quick_exit|abort|raise|terminate|longjmp|ok|is_shutdown|isShuttingDown|isRunning|"
+    r"co_await|co_yield|co_return|yield|await|interruption_point|rethrow_exception|sys|os|pthread_exit|THROW\w*|RETURN\w*|\w*_RETURN\w*|"
+    r"\w*ASSERT\w*|\w*CHECK\w*|BREAK\w*)\b"
+)
+#: Calls in Python that raise an exception once rospy or rclpy has shut down (rospy.sleep: ROSInterruptException).
+RAISES = re.compile(
+    r"\b(rospy|rclpy|rate|executor)\b|(?<!\btime)\.sleep\(|\binput\(|spin|\bnext\(|\.get\(|\.recv|\.accept\(|\.read|\bself\.\w*rate"
+)
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    for path in sorted(code.mentioning("while", "for (;", "for(;")):
+        for routine in code.routines(path):
+            if routine.is_test or not code.body(routine).loops or not _is_of_a_node(code, routine):
+                continue
+            for statement, _ in code.body(routine).loops:
+                if _is_endless(statement) and not _may_end(code, routine, statement):
+                    yield _finding(code, routine, statement)
+
+
+def _is_of_a_node(code: Codebase, routine: Routine) -> bool:
+    program = routine.source.program
+    if routine.is_python:
+        # rclpy leaves KeyboardInterrupt to Python; rospy takes it (rospy/core.py: register_signals)
+        heads = {alias.type[0].partition(".")[0] for alias in program.aliases}
+        return "rospy" in heads and "rclpy" not in heads
+    files = {routine.path, *code.cpp.reach(routine.path)}
+    includes = (each.strip('<>"') for path in files for each in code.by_path[path].program.includes)
+    return any(each.startswith(("rclcpp/", "rclcpp_", "ros/", "nodelet/")) for each in includes)
+
+
+def _is_endless(statement: Any) -> bool:
+    condition = statement[6]
+    if condition is None:
+        return bool(statement[1] == "for")
+    return condition[0] in ("bool", "num") and bool(condition[1])
+
+
+def _may_end(code: Codebase, routine: Routine, statement: Any) -> bool:
+    """Whether there is a way out of the loop, or may be one in what is not seen."""
+    text = _text(code, routine, statement)
+    return text is None or bool(ENDS.search(text)) or (routine.is_python and bool(RAISES.search(text)))
+
+
+def _text(code: Codebase, routine: Routine, statement: Any) -> str | None:
+    """The loop's text without comments and strings; None where it cannot be told."""
+    lines = code.text(routine.path).split("\n")[statement[2] - 1 :]
+    if routine.is_python:
+        indent = statement[3] - 1
+        body = [lines[0]]
+        for line in lines[1:]:
+            if line.strip() and len(line) - len(line.lstrip()) <= indent:
+                break
+            body.append(re.sub(r"#.*|\"[^\"]*\"|'[^']*'", "", line))
+        return "\n".join(body)
+    text = "\n".join([lines[0][statement[3] - 1 :], *lines[1:]])
+    text = re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)*'", " ", text, flags=re.S)
+    start = text.find("{")
+    if start < 0 or ";" in text[:start].replace("(;;)", "").replace("( ; ; )", ""):
+        return None
+    depth = 0
+    for at in range(start, len(text)):
+        depth += {"{": 1, "}": -1}.get(text[at], 0)
+        if depth == 0:
+            return text[start:at]
+    return None
+
+
+def _finding(code: Codebase, routine: Routine, statement: Any) -> Finding:
+    ros = code.ros_of(routine.source)
+    asked = "not rospy.is_shutdown()" if routine.is_python else "ros::ok()" if ros == 1 else "rclcpp::ok()"
+    return Finding(
+        at=Location(routine.path, statement[2], statement[3]),
+        message=f"the loop in {routine.title} has no way out: it goes on after a shutdown, and the process has to be killed; "
+        f"ask {asked} in its condition",
+        about=(routine.title, "endless loop"),
+    )
+
+
+CHECK = Check(
+    id="endless-loop",
+    summary="A loop in a node ends when ROS shuts down.",
+    level=Level.WARNING,
+    catalogue="C06",
+    decidability=Decidability.EXACT,
+    tags=("code",),
+    project=check,
+)

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Stamped messages that are published without a stamp and frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Call,
+    Check,
+    Codebase,
+    Decidability,
+    Finding,
+    Level,
+    Project,
+    Routine,
+    call_place,
+    calls_of,
+    dotted,
+    type_of,
+    uses,
+    variable,
+)
+
+STAMPED = "Accel AccelWithCovariance Point Polygon Pose PoseWithCovariance Quaternion Transform Twist TwistWithCovariance Vector3 Wrench"
+#: Messages of common_interfaces whose coordinates mean nothing without the frame that they are in.
+FRAMED = frozenset(
+    [f"geometry_msgs/{name}Stamped" for name in STAMPED.split()]
+    + ["geometry_msgs/PoseArray", "nav_msgs/GridCells", "nav_msgs/OccupancyGrid", "nav_msgs/Odometry", "nav_msgs/Path"]
+    + [f"sensor_msgs/{name}" for name in "Imu LaserScan MultiEchoLaserScan PointCloud PointCloud2 Range".split()]
+    + ["visualization_msgs/Marker"]
+)
+#: Commands: who takes them knows the frame.
+COMMANDS = frozenset(("geometry_msgs/TwistStamped",))
+#: Others whose stamp or frame their readers need.
+HEADED = FRAMED | frozenset(
+    [f"sensor_msgs/{name}" for name in "Image CompressedImage CameraInfo JointState NavSatFix MagneticField".split()]
+    + ["diagnostic_msgs/DiagnosticArray"]
+)
+MAKERS = frozenset(("make_shared", "make_unique"))
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    seen: set[tuple[int, str]] = set()
+    for routine, call in calls_of(code, "publish"):
+        if routine.is_test or call.receiver is None or len(call.args) != 1:
+            continue
+        name = _given(call.args[0])
+        kind = _made_here(code, routine, name) if name else None
+        if name is None or kind is None or kind not in HEADED:
+            continue
+        said = _missing(code, routine, name, kind) if (id(routine), name) not in seen else None
+        if said:
+            seen.add((id(routine), name))
+            yield Finding(
+                at=call_place(routine, call),
+                message=f"{name}, a {kind}, is published with {said}",
+                about=(routine.title, name, kind),
+                level=Level.WARNING if said.startswith("an empty") else Level.NOTE,
+            )
+
+
+def _given(argument: tuple[object, ...]) -> str | None:
+    """The variable that is published: ``a``, ``*a``, ``std::move(a)``."""
+    node: tuple[object, ...] = argument
+    while True:
+        if node[0] == "*":
+            node = node[1]  # type: ignore[assignment]
+        elif node[0] == "call" and node[1][:2] == ("name", "std::move"):  # type: ignore[index]
+            node = node[2][0]  # type: ignore[index]
+        else:
+            return str(node[1]) if node[0] == "name" else None
+
+
+def _made_here(code: Codebase, routine: Routine, name: str) -> str | None:
+    """The message type of a local variable that is made empty in the routine itself."""
+    if routine.is_python:
+        values = [value for target, operator, value, _ in code.body(routine).sets if list(target) == ["name", name]]
+        if (
+            len(values) != 1
+            or values[0][0] != "call"
+            or values[0][2]
+            or any(p.name == name for p in routine.function.parameters)
+        ):
+            return None
+        return _message(dotted(code, routine, values[0][1]))
+    found = variable(code, routine, name)
+    if not (isinstance(found, tuple) and len(found) == 2) or found[0] is not routine or found[1].is_static:
+        return None
+    init = found[1].init
+    is_empty = init is None or (init[0] in ("{", "(") and not init[1])
+    if init is not None and init[0] == "=":
+        value = init[1]
+        is_empty = value[0] == "call" and not value[2]
+        if is_empty and value[1][0] == "name" and value[1][1].rpartition("::")[2] not in MAKERS:
+            is_empty = value[1][1][:1] != "" and _message(value[1][1]) is not None
+    if not is_empty or any(mark in found[1].type[2] for mark in "&*"):
+        return None
+    kind = type_of(code, routine, ("name", name))
+    while kind is not None and kind[0] in ("std::shared_ptr", "boost::shared_ptr", "std::unique_ptr") and kind[1]:
+        if init is None:  # a pointer to nothing
+            return None
+        kind = kind[1][0]
+    return _message(kind[0]) if kind is not None else None
+
+
+def _message(name: str) -> str | None:
+    parts = [part for part in name.replace(".", "::").split("::") if part]
+    if len(parts) == 3 and parts[1] == "msg":
+        parts.pop(1)
+    return "/".join(parts) if len(parts) == 2 else None
+
+
+def _missing(code: Codebase, routine: Routine, name: str, kind: str) -> str | None:
+    """What of the header is never set; None if it is set, or may be."""
+    set_parts: set[str] = set()
+    filled = False
+    declared = 0
+    for use in uses(code, routine, name):
+        if not use.path:
+            if use.role == "set" and routine.is_python:
+                declared += 1
+                continue
+            is_published = (
+                use.role == "argument"
+                and use.call is not None
+                and use.call[1][0] == "field"
+                and use.call[1][2] == "publish"
+            )
+            if not is_published:
+                return None
+            continue
+        if use.path[0] != "header":
+            filled = filled or use.role != "read"
+            if use.path[0] == "action" and kind.endswith("/Marker"):
+                return None
+        elif use.role != "read":
+            set_parts.add(use.path[1] if len(use.path) > 1 else "header")
+    if not filled or "header" in set_parts or declared > 1:
+        return None
+    if not set_parts:
+        return "an empty header: neither stamp nor frame_id is ever set, so that its readers cannot tell when and where it holds"
+    if "frame_id" not in set_parts and kind in FRAMED - COMMANDS:
+        return "a header without frame_id: its readers cannot tell in which frame its coordinates are"
+    return None
+
+
+CHECK = Check(
+    id="header-not-set",
+    summary="A stamped message is published with its header set.",
+    level=Level.WARNING,
+    catalogue="C08",
+    decidability=Decidability.EXACT,
+    tags=("code", "messages"),
+    project=check,
+)

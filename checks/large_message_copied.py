@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Large messages that components and nodelets copy when they publish them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Call,
+    Check,
+    Codebase,
+    Finding,
+    Level,
+    Project,
+    Routine,
+    call_place,
+    calls_of,
+    is_local,
+    ros_type,
+    type_name,
+    type_of,
+)
+
+LARGE = frozenset(
+    f"sensor_msgs/{name}"
+    for name in "Image CompressedImage PointCloud PointCloud2 LaserScan MultiEchoLaserScan".split()
+) | frozenset(("nav_msgs/OccupancyGrid", "stereo_msgs/DisparityImage"))
+PUBLISHERS = frozenset(("rclcpp::Publisher", "ros::Publisher", "rclcpp_lifecycle::LifecyclePublisher"))
+POINTERS = frozenset(("std::shared_ptr", "boost::shared_ptr", "std::unique_ptr"))
+MACROS = frozenset(("RCLCPP_COMPONENTS_REGISTER_NODE", "PLUGINLIB_EXPORT_CLASS", "PLUGINLIB_DECLARE_CLASS"))
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    owners = _components(code)
+    for routine, call in calls_of(code, "publish"):
+        if (
+            routine.is_python
+            or routine.is_test
+            or routine.owner not in owners
+            or call.receiver is None
+            or len(call.args) != 1
+        ):
+            continue
+        if type_name(code, routine, call.receiver) not in PUBLISHERS:
+            continue
+        kind = _copied(code, routine, call)
+        if kind in LARGE:
+            yield Finding(
+                at=call_place(routine, call),
+                message=f"a {kind} is copied to be published: nodes of the same process could share it; "
+                + (
+                    "publish a shared_ptr to it"
+                    if owners[routine.owner] == 1
+                    else "make it with std::make_unique, and publish std::move of it"
+                ),
+                about=(routine.title, kind or ""),
+            )
+
+
+def _components(code: Codebase) -> dict[str, int]:
+    """The classes that are components (2) or nodelets (1)."""
+    found: dict[str, int] = {}
+    for source in code.sources:
+        for macro, args, _, _ in source.program.registered:
+            if macro not in MACROS or not args:
+                continue
+            if macro == "RCLCPP_COMPONENTS_REGISTER_NODE":
+                found[args[0].strip().removeprefix("::")] = 2
+            elif any("nodelet::Nodelet" in each for each in args):
+                found[
+                    "::".join(each.strip() for each in args[:-1])
+                    if macro == "PLUGINLIB_DECLARE_CLASS"
+                    else args[0].strip()
+                ] = 1
+    return found
+
+
+def _copied(code: Codebase, routine: Routine, call: Call) -> str | None:
+    """The type of the message if it is given by value or as what a pointer points to; None for a pointer itself."""
+    value = call.args[0]
+    inner = value[1] if value[0] == "*" else value
+    if inner[0] not in ("name", "field"):
+        return None
+    if value[0] != "*" and not (inner[0] == "name" and is_local(code, routine, inner[1])):  # a member has to stay
+        return None
+    kind = type_of(code, routine, inner)
+    if kind is None or "*" in kind[2]:
+        return None
+    if kind[0] in POINTERS:
+        if value[0] != "*" or not kind[1]:
+            return None
+        kind = kind[1][0]
+    elif value[0] == "*":
+        return None
+    return ros_type(kind[0])
+
+
+CHECK = Check(
+    id="large-message-copied",
+    summary="Components and nodelets publish large messages without a copy.",
+    level=Level.NOTE,
+    catalogue="C15",
+    profiles=("strict",),
+    tags=("code", "performance"),
+    project=check,
+)

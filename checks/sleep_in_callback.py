@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Callbacks that sleep."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from haros_ci.api import (
+    Call,
+    Callback,
+    Check,
+    Codebase,
+    Decidability,
+    Finding,
+    Level,
+    Project,
+    Routine,
+    call_place,
+    called,
+    dotted,
+    in_callbacks,
+    type_name,
+)
+
+#: Sleeps shorter than this many seconds hold nobody up.
+SHORT = 0.02
+RATES = frozenset(("ros::Rate", "ros::WallRate", "rclcpp::Rate", "rclcpp::WallRate", "rclcpp::GenericRate"))
+DURATIONS = frozenset(("ros::Duration", "ros::WallDuration"))
+PYTHON_RATES = frozenset(("rclpy.timer.Rate",))
+#: Seconds of one unit, by C++ literal suffix and by type.
+UNITS = {"h": 3600.0, "min": 60.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
+TYPES = {
+    "hours": 3600.0,
+    "minutes": 60.0,
+    "seconds": 1.0,
+    "milliseconds": 1e-3,
+    "microseconds": 1e-6,
+    "nanoseconds": 1e-9,
+}
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    seen: set[int] = set()
+    for each in in_callbacks(code):
+        if not _holds_up(code, each.callback):
+            continue
+        for call in code.body(each.routine).calls:
+            if id(call) in seen or "sleep" not in call.name:
+                continue
+            seconds = sleeps(code, each.routine, call)
+            if seconds is None or 0 <= seconds < SHORT:
+                continue
+            seen.add(id(call))
+            kind, title = each.callback.kind, each.callback.routine.title
+            long = f"for {seconds:g} s" if seconds >= 0 else ""
+            yield Finding(
+                at=call_place(each.routine, call),
+                message=f"{' '.join(filter(None, ('the thread sleeps', long)))} in {title}, the callback of a {kind}: until then no other callback of the "
+                "node's default group runs, and messages wait or are lost; use a timer, or a callback group of its own"
+                if each.callback.ros == 2
+                else f"{' '.join(filter(None, ('the thread sleeps', long)))} in {title}, the callback of a {kind}: until then the spinner calls no "
+                "other callback, and messages wait or are lost; use a timer",
+                about=(title, each.routine.title, "sleep"),
+                flow=each.flow(call, "it sleeps here"),
+            )
+
+
+def _holds_up(code: Codebase, callback: Callback) -> bool:
+    """Whether other callbacks wait for this one, as far as is known."""
+    if callback.kind not in ("subscription", "timer", "service"):
+        return False
+    if callback.ros == 2:
+        return callback.group == ""
+    if callback.maker.is_python:  # rospy calls the callbacks of each topic in a thread of their own
+        return False
+    package = callback.maker.source.package
+    several = code.mentioning("AsyncSpinner", "MultiThreadedSpinner", "MTNodeHandle")
+    return not any(code.by_path[path].package == package for path in several)
+
+
+def sleeps(code: Codebase, routine: Routine, call: Call) -> float | None:
+    """The seconds that a call sleeps, -1 for an unknown time; None if it is no sleep."""
+    if called(code, routine, call.whole):
+        return None
+    if routine.is_python:
+        if dotted(code, routine, call.callee) in ("time.sleep", "rospy.sleep"):
+            return _number(call.args[0]) if call.args else -1
+        is_rate = call.name == "sleep" and call.receiver is not None
+        return -1 if is_rate and type_name(code, routine, call.receiver) in PYTHON_RATES else None
+    if call.callee[0] == "name":
+        name = call.callee[1].removeprefix("::")
+        if name in ("sleep", "usleep", "nanosleep"):
+            seconds = _number(call.args[0]) if call.args else -1
+            return (
+                seconds * {"sleep": 1.0, "usleep": 1e-6}.get(name, 0.0) if seconds > 0 and name != "nanosleep" else -1
+            )
+        if name.endswith(("this_thread::sleep_for", "rclcpp::sleep_for", "this_thread::sleep")):
+            return _chrono(call.args[0]) if call.args else -1
+        return -1 if name.endswith("this_thread::sleep_until") else None
+    if call.receiver is None or call.name != "sleep":
+        return None
+    kind = type_name(code, routine, call.receiver)
+    if kind in DURATIONS:
+        made = call.receiver
+        return _number(made[2][0]) if made[0] == "call" and len(made[2]) == 1 else -1
+    return -1 if kind in RATES else None
+
+
+def _number(expression: Any) -> float:
+    return float(expression[1]) if expression[0] == "num" else -1
+
+
+def _chrono(expression: Any) -> float:
+    """The seconds of ``100ms`` or ``std::chrono::milliseconds(100)``."""
+    if expression[0] != "call" or expression[1][0] != "name" or len(expression[2]) != 1:
+        return -1
+    name, number = expression[1][1], _number(expression[2][0])
+    unit = (
+        UNITS.get(name.removeprefix('operator""'))
+        if name.startswith("operator")
+        else TYPES.get(name.rpartition("::")[2])
+    )
+    return number * unit if unit is not None and number >= 0 else -1
+
+
+CHECK = Check(
+    id="sleep-in-callback",
+    summary="No callback of a subscription, timer or service sleeps.",
+    level=Level.WARNING,
+    catalogue="C02",
+    decidability=Decidability.EXACT,
+    tags=("code",),
+    project=check,
+)

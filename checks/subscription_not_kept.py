@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Subscriptions, services and timers of C++ that end with the function that makes them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Call,
+    Check,
+    Codebase,
+    Finding,
+    Level,
+    Project,
+    Routine,
+    call_place,
+    called,
+    calls_of,
+    is_node,
+    own_method,
+)
+
+#: What they are made by, and what that makes.
+MADE = {
+    "create_subscription": "subscription",
+    "create_generic_subscription": "subscription",
+    "create_service": "service",
+    "create_wall_timer": "timer",
+    "create_timer": "timer",
+    "subscribe": "subscription",
+    "advertiseService": "service",
+    "createTimer": "timer",
+    "createWallTimer": "timer",
+    "createSteadyTimer": "timer",
+}
+#: Calls that keep a function running while callbacks are called elsewhere.
+STAYS = re.compile(
+    r"\b(\w*(spin|sleep|wait|run|exec|join|call\w*Available|getNumPublishers|get)\w*)\s*\(|\b(while|for|do)\b|\bgoto\b"
+)
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    for routine, call in calls_of(code, *sorted(MADE)):
+        if routine.is_python or routine.is_test or routine.function.name == "main":
+            continue
+        if (
+            not is_node(code, routine, call.receiver)
+            or called(code, routine, call.whole)
+            or own_method(code, routine, call)
+        ):
+            continue
+        what = MADE[call.name]
+        if call.is_bare:
+            yield _finding(
+                routine,
+                call,
+                what,
+                f"nobody keeps the {what} that {call.name} returns: it ends at once, and its callback is never called",
+            )
+        else:
+            name = _dropped(code, routine, call)
+            if name:
+                yield _finding(
+                    routine,
+                    call,
+                    what,
+                    f"the {what} is kept in {name} alone, a local variable of {routine.title}: it ends when that returns, and its callback is called no more",
+                )
+
+
+def _finding(routine: Routine, call: Call, what: str, said: str) -> Finding:
+    return Finding(
+        at=call_place(routine, call),
+        message=f"{said}; keep it in a member of the class",
+        about=(routine.title, call.name, _topic(call)),
+    )
+
+
+def _topic(call: Call) -> str:
+    return next((str(each[1]) for each in call.args if each[0] == "str"), "")
+
+
+def _dropped(code: Codebase, routine: Routine, call: Call) -> str | None:
+    """The local variable that alone keeps what a call makes, in a function that just goes on and returns."""
+    for name, every in code.body(routine).variables.items():
+        for each in every:
+            if each.init is None or each.init[0] == "each" or each.is_static or len(every) > 1:
+                continue
+            value = each.init[1] if each.init[0] == "=" else each.init[1][0] if len(each.init[1]) == 1 else None
+            if value is not call.whole or "&" in each.type[2]:
+                continue
+            if routine.function.kind == "lambda" or any(place.kind == "loop" for place in each.around):
+                return None
+            rest = code.lines(routine, each.line)
+            if len(re.findall(rf"\b{re.escape(name)}\b", rest)) != 1 or STAYS.search(rest.replace(".get()", "")):
+                return None
+            return name
+    return None
+
+
+CHECK = Check(
+    id="subscription-not-kept",
+    summary="What a node subscribes to, serves and times outlives the function that makes it.",
+    level=Level.ERROR,
+    catalogue="C03",
+    tags=("code",),
+    project=check,
+)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Look-ups of transforms whose exception nobody catches."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import ASKED, Check, Finding, Level, Project, call_place, in_callbacks, is_caught, is_lookup
+
+FILTERS = ("tf2_ros::MessageFilter", "tf::MessageFilter", "tf2_ros/message_filter")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    seen: set[int] = set()
+    paths = code.mentioning("lookupTransform", "lookup_transform", "tf_buffer", "tf2_ros")
+    filtered = code.mentioning(*FILTERS)
+    for each in in_callbacks(code):
+        made = each.callback
+        if each.routine.path not in paths or (made.ros == 1 and made.maker.is_python):
+            continue
+        if made.call.name == "registerCallback" and made.maker.path in filtered:
+            continue
+        if any(is_caught(call.around) for _, call in each.path):
+            continue
+        calls = code.body(each.routine).calls
+        on_the_way = (call.name for routine, _ in each.path for call in code.body(routine).calls)
+        if ASKED.intersection(call.name for call in calls) or ASKED.intersection(on_the_way):
+            continue
+        for call in calls:
+            if id(call) in seen or is_caught(call.around) or not is_lookup(code, each.routine, call):
+                continue
+            seen.add(id(call))
+            title = made.routine.title
+            yield Finding(
+                at=call_place(each.routine, call),
+                message=f"{call.name} throws where the transform is not there yet or no more, and nothing between it and {title}, "
+                f"the callback of a {made.kind}, catches that: the node ends; catch tf2::TransformException"
+                if not each.routine.is_python
+                else f"{call.name} raises where the transform is not there yet or no more, and nothing between it and {title}, "
+                f"the callback of a {made.kind}, catches that: the exception leaves spin; catch tf2_ros.TransformException",
+                about=(title, each.routine.title, call.name),
+                flow=each.flow(call, "it looks up a transform here"),
+            )
+
+
+CHECK = Check(
+    id="transform-not-caught",
+    summary="The exceptions of transform look-ups in callbacks are caught.",
+    level=Level.WARNING,
+    catalogue="C04",
+    tags=("code", "tf"),
+    project=check,
+)

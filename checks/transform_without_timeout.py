@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Transforms at a message's time, asked for without waiting for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    ASKED,
+    Check,
+    Decidability,
+    Finding,
+    Level,
+    Project,
+    call_place,
+    in_callbacks,
+    is_lookup,
+    nodes,
+    type_name,
+)
+
+LOOKUPS = frozenset(("lookupTransform", "lookup_transform"))
+FILTERS = ("tf2_ros::MessageFilter", "tf::MessageFilter", "tf2_ros/message_filter")
+OLD = frozenset(("tf::TransformListener", "tf::Transformer", "tf.TransformListener"))
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    seen: set[int] = set()
+    paths = code.mentioning("lookupTransform", "lookup_transform")
+    filtered = code.mentioning(*FILTERS)
+    for each in in_callbacks(code):
+        made = each.callback
+        if each.routine.path not in paths or made.kind != "subscription" or made.maker.path in filtered:
+            continue
+        calls = code.body(each.routine).calls
+        if ASKED.intersection(call.name for call in calls):
+            continue
+        for call in calls:
+            if id(call) in seen or call.name not in LOOKUPS or len(call.args) not in (3, 4) or call.receiver is None:
+                continue
+            if not is_lookup(code, each.routine, call):
+                continue
+            is_old = type_name(code, each.routine, call.receiver) in OLD
+            at_stamp = any(node[0] == "field" and node[2] == "stamp" for node in nodes(call.args[2]))
+            if not at_stamp or (len(call.args) == 4 and not is_old):
+                continue
+            seen.add(id(call))
+            yield Finding(
+                at=call_place(each.routine, call),
+                message=f"the transform at the time of a message is looked up without a timeout in {made.routine.title}: the transform mostly "
+                "arrives after the message, which is then lost; give a timeout, or use a tf2_ros::MessageFilter",
+                about=(made.routine.title, each.routine.title, call.name),
+                flow=each.flow(call, "it looks up a transform here"),
+            )
+
+
+CHECK = Check(
+    id="transform-without-timeout",
+    summary="A transform at a message's time is waited for.",
+    level=Level.NOTE,
+    decidability=Decidability.HEURISTIC,
+    profiles=("strict",),
+    tags=("code", "tf"),
+    project=check,
+)
