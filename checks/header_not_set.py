@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import (
-    Call,
     Check,
     Codebase,
     Decidability,

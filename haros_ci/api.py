@@ -33,10 +33,6 @@ from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
-from haros_ci.checking.manifests import BUILD, EXEC, EXPORTED, applying, build_types, exports, holds, needs, place, word
-from haros_ci.checking.message_fields import Missing as MissingField
-from haros_ci.checking.message_fields import missing_fields
-from haros_ci.checking.manifests import BUILD, EXEC, EXPORTED, applying, build_types, exports, holds, is_nested, needs, place, word
 from haros_ci.checking.manifests import (
     BUILD,
     EXEC,
@@ -52,6 +48,8 @@ from haros_ci.checking.manifests import (
     reaches,
     word,
 )
+from haros_ci.checking.message_fields import Missing as MissingField
+from haros_ci.checking.message_fields import missing_fields
 from haros_ci.checking.needs import Need, needs_of
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.plugins import (
@@ -77,7 +75,6 @@ from haros_ci.checking.robots import descriptions, lead, place_of
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.checking.transforms import Broadcast, broadcasts
 from haros_ci.checking.using import Using
-from haros_ci.code.body import Body, Call, names_in, nodes
 from haros_ci.code.body import Body, Call, last_part, names_in, nodes
 from haros_ci.code.callbacks import DEFAULT, Callback, callbacks, excludes, given_function, group_name, group_of
 from haros_ci.code.calls import called, callees, callers, calls_of, reached
