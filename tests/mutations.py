@@ -150,10 +150,16 @@ UNINITIALISED = WALKER.replace("  first += 2 * goal;\n", "  int speed;\n  first 
 ROS2_MANIFEST = MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
 CMAKE = """\
 project(walker)
+find_package(ament_cmake REQUIRED)
 find_package(rclcpp REQUIRED)
+find_package(std_msgs REQUIRED)
 add_executable(first src/first.cpp)
 add_executable(second src/second.cpp)
+target_link_libraries(first rclcpp::rclcpp ${std_msgs_TARGETS})
+target_link_libraries(second rclcpp::rclcpp ${std_msgs_TARGETS})
 install(TARGETS first second DESTINATION lib/walker)
+install(DIRECTORY launch DESTINATION share/walker)
+ament_package()
 """
 TALK = """\
 #include <rclcpp/rclcpp.hpp>

@@ -37,7 +37,6 @@ MANIFEST = """<package format="3">
   <description>An arm.</description>
   <maintainer email="arm@example.org">Arm</maintainer>
   <license>Apache-2.0</license>
-  <export><build_type>ament_python</build_type></export>
 </package>
 """
 KNOWN = '''"""Joints of the arm."""
