@@ -11,7 +11,7 @@ from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, exports
 #: Words in names of packages that lists leave out on purpose.
 LEFT_OUT = re.compile(
     r"(?:^|_)(?:tests?|testing|testsuite|test\w*|demos?|examples?|tutorials?|samples?|benchmarks?|deprecated|legacy|experimental|dev|devel|docs?|documentation|"
-    r"internal|ci|docker|template|playground|sandbox|simulat\w+|sim|gazebo\w*|ignition|gz|webots|tools?|utils?|dummy|mock)(?:_|$)"
+    r"internal|ci|docker|template|playground|sandbox|simulat\w+|sim|gazebo\w*|ignition|gz|webots|tools?|utils?|dummy|mock|rqt|minimal|py)(?:_|$)"
 )
 _OF_A_LIST = {"buildtool_depend", "exec_depend", "test_depend"}
 #: A list of fewer packages tells nothing about what it is a list of.
@@ -22,15 +22,18 @@ SHARE = 0.75
 
 def check(project: Project) -> Iterator[Finding]:
     lists = [package for package in project.packages if _is_list(package)]
+    everywhere = {need.name for meta in lists for need in needs(meta)}
     for meta in lists:
         beside = _beside(project, meta, lists)
         listed = {need.name for need in needs(meta)}
         known = [package for package in beside if package.name in listed]
-        wanted = [package for package in beside if not _left_out(package)]
+        wanted = [package for package in beside if not _left_out(package, known)]
         if len(known) >= LEAST and len(known) >= SHARE * len(wanted):
             brought = _brought(project, listed)
+            told = project.text(meta.manifest_path)
             for package in wanted:
-                if package.name not in brought and not any(package.name in {n.name for n in needs(m)} for m in lists):
+                is_named = re.search(rf"\b{re.escape(package.name)}\b", told) is not None
+                if package.name not in brought and package.name not in everywhere and not is_named:
                     yield _missing(meta, package)
         if len(known) >= LEAST:
             yield from _unknown(project, meta, beside, listed)
@@ -53,8 +56,12 @@ def _beside(project: Project, meta: ProjectPackage, lists: list[ProjectPackage])
     return [p for p in project.packages if p.path.startswith(prefix) and p not in lists]
 
 
-def _left_out(package: ProjectPackage) -> bool:
-    return LEFT_OUT.search(package.name) is not None or bool(exports(package, "deprecated"))
+def _left_out(package: ProjectPackage, known: list[ProjectPackage]) -> bool:
+    """Whether *package* is not for everybody: by its name, where no listed one is called so, or as it says itself."""
+    if exports(package, "deprecated"):
+        return True
+    mark = LEFT_OUT.search(package.name)
+    return mark is not None and not any(mark[0].strip("_") in each.name.split("_") for each in known)
 
 
 def _brought(project: Project, names: set[str]) -> set[str]:
@@ -95,13 +102,14 @@ def _unknown(
                 at=place(meta, need),
                 message=f"the metapackage {meta} lists {need.name}, which does not exist; {near} does, and is not on the list",
                 about=(meta.name, need.name),
+                level=Level.WARNING,
             )
 
 
 CHECK = Check(
     id="incomplete-metapackage",
     summary="A metapackage that lists the packages of its repository lists all of them.",
-    level=Level.WARNING,
+    level=Level.NOTE,
     catalogue="M05",
     tags=("packages",),
     project=check,

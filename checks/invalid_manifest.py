@@ -27,7 +27,7 @@ from haros_ci.api import (
 
 VERSIONS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
 #: The tags of each format with their attributes (REP 127, 140, 149).
-OF_ALL = {
+OF_ALL: dict[str, tuple[str, ...]] = {
     "name": (),
     "version": ("compatibility",),
     "description": (),
@@ -41,7 +41,7 @@ OF_ALL = {
 OF_2 = dict.fromkeys(
     ("build_export_depend", "buildtool_export_depend", "depend", "exec_depend", "doc_depend"), VERSIONS
 )
-OF_3 = {"group_depend": (), "member_of_group": ()}
+OF_3: dict[str, tuple[str, ...]] = {"group_depend": (), "member_of_group": ()}
 #: What stands in the export section (REP 127, 149 and common plug-ins): it does nothing beside it.
 OF_EXPORT = ("build_type", "metapackage", "architecture_independent", "deprecated", "message_generator")
 EMAIL = re.compile(r"[-\w%+]+(?:\.[-\w%+]+)*@[-a-zA-Z0-9%]+(?:\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}", re.A)
@@ -71,7 +71,7 @@ def known_tags(format: int) -> dict[str, tuple[str, ...]]:
         return tags
     tags |= OF_3
     with_condition = {tag: (*names, "condition") for tag, names in tags.items() if "depend" in tag}
-    others = {"member_of_group": ("condition",), "license": ("file",)}
+    others: dict[str, tuple[str, ...]] = {"member_of_group": ("condition",), "license": ("file",)}
     others |= {tag: (*VERSIONS, "condition") for tag in ("conflict", "replace")}
     return {**tags, **with_condition, **others}
 
@@ -171,11 +171,13 @@ def _dependencies(package: ProjectPackage, root: Element) -> Iterator[Finding]:
                 fix = drop_element(package, child, f"drop the dependency on {package.name}")
                 what = f"the package has a <{child.tag}> on itself"
                 yield _finding(package, child, what, f"{child.tag} itself", () if fix is None else (fix,))
-    if package.raw.format == 1:
-        whole, parts = ("test_depend",), ("build_depend", "run_depend")
-    else:
-        whole, parts = ("depend",), ("build_depend", "build_export_depend", "exec_depend")
-    wider = {_key(each): each for each in root.all(*whole)}
+    whole = "test_depend" if package.raw.format == 1 else "depend"
+    parts = (
+        ["build_depend", "run_depend"]
+        if whole == "test_depend"
+        else ["build_depend", "build_export_depend", "exec_depend"]
+    )
+    wider = {_key(each): each for each in root.all(whole)}
     for child in root.all(*parts):
         other = wider.get(_key(child))
         if other is None or word(child) == package.name:
@@ -217,7 +219,7 @@ def _plugins(package: ProjectPackage, root: Element) -> Iterator[Finding]:
     for export in root.all("export"):
         for each in export.children:
             path = each.attributes.get("plugin", "")
-            if path and not path.startswith(("${prefix}", "/", "$(")):
+            if path.endswith(".xml") and not path.startswith(("${prefix}", "/", "$(")):
                 fix = set_attribute(package, each, "plugin", "${prefix}/" + path, "say where it lies")
                 yield Finding(
                     at=place(package, each),

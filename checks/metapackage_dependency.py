@@ -21,11 +21,11 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def is_metapackage(project: Project, package: ProjectPackage, name: str) -> bool:
-    """Whether a dependency of *package* is certainly a metapackage."""
+    """Whether a dependency of *package* is certainly a metapackage: here, or among the released packages of ROS 1."""
     target = project.package(name)
     if target is not None:
         return target.raw.is_metapackage
-    return False
+    return package.ros == 1 and project.knowledge.is_metapackage(name, 1) is True
 
 
 def _finding(project: Project, package: ProjectPackage, name: str, needed: list[Dependency]) -> Finding:

@@ -19,6 +19,7 @@ from haros_ci.api import (
     add_dependency,
     add_export,
     build_types,
+    exports,
     is_nested,
     is_slip,
     needs,
@@ -100,9 +101,9 @@ def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]
     ):
         message = f"{package} has the build type ament_python and no setup.py: its build fails"
         yield _finding(package, at, message, "no setup.py")
-    elif kind == "ament_cmake" and catkin is not None and ament is None:
+    elif kind == "ament_cmake" and catkin is not None and ament is None and not _is_for_both(package):
         yield _other(package, at, kind, catkin, "catkin")
-    elif kind == "catkin" and ament is not None and catkin is None:
+    elif kind == "catkin" and ament is not None and catkin is None and not _is_for_both(package):
         yield _other(package, at, kind, ament, "ament_cmake")
     elif kind == "ament_python" and (ament or catkin) is not None and package.has("setup.py"):
         call = ament or catkin
@@ -117,6 +118,11 @@ def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]
                 ((made.location, f"{made.name} is made here"),),
                 level=Level.WARNING,
             )
+
+
+def _is_for_both(package: ProjectPackage) -> bool:
+    """Whether the manifest tells one ROS from the other: so does its CMake, somehow."""
+    return any("ROS_VERSION" in each.attributes.get("condition", "") for each in exports(package, "build_type"))
 
 
 def _other(package: ProjectPackage, at: Location, kind: str, call: CMakeCommand, meant: str) -> Finding:
@@ -142,8 +148,9 @@ def _build_tool(project: Project, package: ProjectPackage) -> Iterator[Finding]:
         and "buildtool_depend" not in kinds
     ):
         is_built = bool(kinds & {"build_depend", "depend"})
-        effect = "which works with a warning" if is_built else f"and {catkin.name}() refuses that"
-        if is_built or catkin.name == "catkin_package" or package.raw.is_metapackage:
+        stops = catkin.name == "catkin_package" and not is_built
+        effect = "and catkin_package() stops without" if stops else "of which catkin warns"
+        if is_built or stops or package.raw.is_metapackage:
             yield _finding(
                 package,
                 place(package, next((n for n in needs(package) if n.name == "catkin"), None)),
@@ -151,7 +158,7 @@ def _build_tool(project: Project, package: ProjectPackage) -> Iterator[Finding]:
                 "catkin",
                 ((catkin.location, f"{catkin.name}() is called"),),
                 _only(add_dependency(package, "buildtool_depend", "catkin")),
-                None if catkin.name == "catkin_package" and not is_built else Level.WARNING,
+                None if stops else Level.WARNING,
             )
     found = _finds(package, "ament_cmake_auto") or _finds(package, "ament_cmake_ros") or _finds(package, "ament_cmake")
     if package.ros == 2 and found is not None and [word(e) for e in build_types(package)] == ["ament_cmake"]:

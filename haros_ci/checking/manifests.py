@@ -86,7 +86,6 @@ def brings(package: ProjectPackage, names: Iterable[str], *wanted: str) -> bool 
     ROS of *package*.
     """
     project = package.project
-    knowledge = getattr(project, "knowledge", None)
     seen: set[str] = set()
     rest = list(names)
     is_known = True
@@ -101,7 +100,7 @@ def brings(package: ProjectPackage, names: Iterable[str], *wanted: str) -> bool 
         if other is not None:
             rest += [need.name for need in needs(other, *EXPORTED)]
         else:
-            brought = knowledge.depends(name, package.ros) if knowledge is not None else None
-            is_known = is_known and brought is not None
+            brought = project.knowledge.depends(name, package.ros)
+            is_known = is_known and brought is not None and project.knowledge.is_whole(name)
             rest += sorted(brought or ())
     return False if is_known else None
