@@ -15,6 +15,7 @@ from haros_ci.api import (
     Project,
     ProjectPackage,
     holds,
+    is_nested,
     needs,
     place,
 )
@@ -29,8 +30,9 @@ ORDERING = (*BUILD, "test_depend")
 
 def check(project: Project) -> Iterator[Finding]:
     told: set[tuple[str, ...]] = set()
+    built = [package for package in project.packages if not is_nested(package)]
     for tool, ros in (("colcon", 2), ("catkin", 1)):
-        packages = {package.name: package for package in project.packages if package.ros in (ros, None)}
+        packages = {package.name: package for package in built if package.ros in (ros, None)}
         edges = {name: _edges(packages, package) for name, package in packages.items()}
         for group in _circles({name: tuple(needed) for name, needed in edges.items()}):
             if tool == "colcon" and not any(packages[name].ros == 2 for name in group):

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Dependency, Finding, Level, Location, Project, ProjectPackage, needs, place
+from haros_ci.api import Check, Dependency, Finding, Level, Location, Project, ProjectPackage, is_nested, needs, place
 
 
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
-        if package.raw.is_metapackage:
+        if package.raw.is_metapackage or is_nested(package):
             continue
         found: dict[str, list[Dependency]] = {}
         for need in needs(package):

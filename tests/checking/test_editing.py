@@ -7,7 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from haros_ci.checking.editing import add_dependency, add_element, add_export, drop_element, rename_element, set_text
+from haros_ci.checking.editing import (
+    add_dependency,
+    add_element,
+    add_export,
+    drop_element,
+    rename_element,
+    set_attribute,
+    set_text,
+)
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.results.fix import Fix, applied
 from haros_ci.workspace.discover import discover
@@ -194,3 +202,18 @@ def test_a_manifest_that_is_none_is_not_edited(tmp_path: Path) -> None:
     assert blind is not None
     assert add_element(blind, "depend", "a", "") is None
     assert add_dependency(blind, "depend", "a") is None
+
+
+@pytest.mark.parametrize(
+    ("head", "expected"),
+    [
+        ("<package>", '<package format="3">'),
+        ('<package format="2">', '<package format="3">'),
+        ("<package xmlns:xi='x'\n   format = '2' >", "<package xmlns:xi='x'\n   format = \"3\" >"),
+    ],
+)
+def test_an_attribute_is_set(head: str, expected: str, tmp_path: Path) -> None:
+    package = package_of(f"{head}\n  <name>demo</name>\n</package>\n", tmp_path)
+    assert package.manifest is not None
+    text = after(package, set_attribute(package, package.manifest, "format", "3", ""))
+    assert text == f"{expected}\n  <name>demo</name>\n</package>\n"
