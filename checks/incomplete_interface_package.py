@@ -131,7 +131,7 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
             "where only what manifests name is installed, there is no generator",
             Level.ERROR if is_missing else Level.WARNING,
         )
-    if not {need.name for need in needs(package, *EXPORTED)} & set(runtimes):
+    if not {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
         effect = "its interfaces may not load where only what manifests name is installed"
         yield _missing(package, call, runtimes[0], "exec_depend", effect, Level.WARNING)
 
