@@ -147,7 +147,11 @@ BOTH = WALKER.replace("  announce(", '  sprintf(label, "%d", second);\n  announc
 UNINITIALISED = WALKER.replace("  first += 2 * goal;\n", "  int speed;\n  first += speed;\n").replace(LINE, "")
 
 
-ROS2_MANIFEST = MANIFEST.replace("catkin", "ament_cmake").replace("roscpp", "rclcpp")
+ROS2_MANIFEST = (
+    MANIFEST.replace("catkin", "ament_cmake")
+    .replace("roscpp", "rclcpp")
+    .replace("</package>", "  <export><build_type>ament_cmake</build_type></export>\n</package>")
+)
 CMAKE = """\
 project(walker)
 find_package(ament_cmake REQUIRED)
