@@ -1,22 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """Python code that asks a message for a field: which message it is for certain, and whether it has the field.
 
-An object is known where it is the parameter of a callback that is registered for one type, or a local variable that is assigned once,
-from a constructor. Generated classes have ``__slots__``: reading or writing any other attribute raises AttributeError.
+An object is known where it is the parameter of a callback that is registered for one type, or a local variable or attribute of
+``self`` that is never assigned anything but what one constructor makes. Generated classes have ``__slots__``: reading or writing any other attribute raises AttributeError.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from haros_ci.checking.interface_users import defined_in
 from haros_ci.checking.project import Project
 from haros_ci.code.body import nodes
 from haros_ci.code.callbacks import Callback, callbacks
+from haros_ci.code.classes import owner_of
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.code.kinds import dotted
+from haros_ci.code.kinds import attribute_values, dotted
 from haros_ci.interfaces.definitions import Definitions
 from haros_ci.interfaces.structs import Struct, Structs
 from haros_ci.model.location import Location
@@ -87,6 +88,7 @@ def _in_routine(code: Codebase, routine: Routine, structs: Structs, parameters: 
                 yield Missing(struct, argument[1], f"{struct.name}({argument[1]}=…)", routine, at)
     typed = {**parameters, **_locals(code, routine, structs)}
     typed = {name: struct for name, struct in typed.items() if not _is_asked(code, routine, name)}
+    typed.update(_attributes(code, routine, structs))
     if not typed:
         return
     for expression in _expressions(routine.function.body or ()):
@@ -103,9 +105,10 @@ def _lacking(node: Expression, typed: dict[str, Struct], structs: Structs) -> tu
     while node[0] == "field":
         chain.append(str(node[2]))
         node = node[1]
-    if not chain or node[0] != "name":
+    if not chain or node[0] not in ("name", "this"):
         return None
-    struct, written = typed.get(str(node[1])), str(node[1])
+    written = str(node[1]) if node[0] == "name" else f"self.{chain.pop()}"
+    struct = typed.get(written)
     for name in reversed(chain):
         if struct is None:
             return None
@@ -117,7 +120,7 @@ def _lacking(node: Expression, typed: dict[str, Struct], structs: Structs) -> tu
 
 
 def _locals(code: Codebase, routine: Routine, structs: Structs) -> dict[str, Struct]:
-    """Local variables that are assigned once, from a constructor."""
+    """Local variables that are assigned nothing but what one constructor makes."""
     body = code.body(routine)
     values: dict[str, list[Expression | None]] = {each.name.lstrip("*"): [None] for each in routine.function.parameters}
     for target, operator, value, _ in body.sets:
@@ -129,14 +132,43 @@ def _locals(code: Codebase, routine: Routine, structs: Structs) -> dict[str, Str
     for name, variables in body.variables.items():
         for each in variables:
             values.setdefault(name, []).append(each.init[1] if each.init is not None and each.init[0] == "=" else None)
-    made = {}
-    for name, given in values.items():
-        value = given[0]
-        if len(given) == 1 and value is not None and value[0] == "call":
-            struct = structs.named(dotted(code, routine, value[1]))
-            if struct is not None:
-                made[name] = struct
-    return made
+    found = {name: _made(code, structs, [(routine, each) for each in given]) for name, given in values.items()}
+    return {name: struct for name, struct in found.items() if struct is not None}
+
+
+def _attributes(code: Codebase, routine: Routine, structs: Structs) -> dict[str, Struct]:
+    """Attributes of ``self``, as ``self.name``, that all methods of the class and of its bases fill with one constructor."""
+    owner = owner_of(code, routine) if routine.owner else None
+    if owner is None:
+        return {}
+    key = ("message attributes", id(owner[1]), structs.known.ros)
+    if key not in code.kept:
+        made: dict[str, Struct] = {}
+        names = {str(t[2]) for each in code.routines(routine.path) for t, *_ in code.body(each).sets if t[0] == "field"}
+        for name in sorted(names):
+            struct = _made(code, structs, list(attribute_values(code, owner, name)))
+            if struct is not None and not _is_shared(code, routine.path, f"{owner[1].name}.{name}"):
+                made[f"self.{name}"] = struct
+        code.kept[key] = made
+    found: dict[str, Struct] = code.kept[key]  # type: ignore[assignment]
+    return found
+
+
+def _is_shared(code: Codebase, path: str, name: str) -> bool:
+    """Whether other code than the class's may set the attribute, or it is a method or property."""
+    text = code.text(path)
+    last = name.rpartition(".")[2]
+    receivers = re.findall(rf"(\w*)\]?\)?\.{re.escape(last)}\s*(?:=(?!=)|,[^\n]*=(?!=))", _NO_CODE.sub("", text))
+    functions = code.by_path[path].program.functions
+    return any(each != "self" for each in receivers) or "setattr(" in text or any(f.name == name for f in functions)
+
+
+def _made(code: Codebase, structs: Structs, values: Sequence[tuple[Routine, Expression | None]]) -> Struct | None:
+    """What all of *values* make, if each is a call of one and the same constructor."""
+    made = set()
+    for routine, value in values:
+        made.add(dotted(code, routine, value[1]) if value is not None and value[0] == "call" else "")
+    return structs.named(made.pop()) if len(made) == 1 else None
 
 
 def _is_asked(code: Codebase, routine: Routine, name: str) -> bool:
