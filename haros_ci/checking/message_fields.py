@@ -24,6 +24,8 @@ from haros_ci.model.location import Location
 from haros_ci.model.program import Block, Expression
 
 _INTERFACE = re.compile(r"\.(?:msg|srv|action)(?:\.|\Z)")
+#: Code that asks which ROS it runs in is for both.
+_EITHER = re.compile(r"ros_version|ros_distro", re.I)
 #: Comments, and texts in one line.
 _NO_CODE = re.compile(r"#[^\n]*|\"[^\"\n]*\"|'[^'\n]*'")
 #: Functions by which code finds out what an object has, or gives it more.
@@ -55,13 +57,15 @@ def missing_fields(project: Project) -> Iterator[Missing]:
     hidden = _handmade(project)
     structs = {ros: Structs(Definitions((i for i, of in found if of in (ros, None)), ros), hidden) for ros in (1, 2)}
     parameters = _parameters(code, structs)
+    conditions = {p.name: [each.condition or "" for each in p.raw.dependencies] for p in project.packages}
+    both = {name for name, each in conditions.items() if any("ROS_VERSION" in condition for condition in each)}
     for source in code.sources:
         if source.program.language != "python" or source.path.endswith(".pyi"):
             continue
         if not any(_INTERFACE.search(str(alias.type[0])) for alias in source.program.aliases):
             continue
         ros = code.ros_of(source)
-        if ros not in structs:
+        if ros not in structs or source.package in both or _EITHER.search(project.text(source.path)):
             continue
         for routine in code.routines(source.path):
             yield from _in_routine(code, routine, structs[ros], parameters.get(id(routine), {}))
