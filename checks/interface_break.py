@@ -89,9 +89,9 @@ def _at(project: Project, change: InterfaceChange, places: tuple[Place, ...]) ->
     commands = package.commands(*GENERATE) if package is not None else ()
     if commands:
         return commands[0].location
-    if places:
-        return places[0][0]
-    return package.at("name") if package is not None else None
+    if package is None:
+        return None  # it may come from elsewhere now
+    return places[0][0] if places else package.at("name")
 
 
 def _users(project: Project, users: InterfaceUsers, change: InterfaceChange) -> Iterator[Place]:
@@ -113,7 +113,7 @@ def _users(project: Project, users: InterfaceUsers, change: InterfaceChange) -> 
 def _still_there(project: Project, users: InterfaceUsers, changes: list[InterfaceChange]) -> Iterator[Place]:
     """Code that uses what is gone: the interface itself, or one of its constants by its name."""
     first = changes[0]
-    if first.what in ("removed", "renamed"):
+    if first.what in ("removed", "renamed") and project.package(first.name.partition("/")[0]) is not None:
         yield from (
             (each.location, f"{each.how}") for each in users.of(first.kind, first.name) if each.how.endswith(" it")
         )
