@@ -9,6 +9,7 @@ from typing import Any
 
 from haros_ci.model.build import Interface, InterfaceField
 from haros_ci.model.workspace import Problem
+from haros_ci.workspace.idl import read_idl
 
 MAX_FIELDS = 5_000
 
@@ -27,7 +28,7 @@ def read_interface(path: str, text: str, package: str, *, is_generated: bool = T
     """
     stem, _, kind = path.rpartition("/")[2].rpartition(".")
     if kind == "idl":
-        return _of_idl(path, stem, package, is_generated), []
+        return _of_idl(path, text, stem, package, is_generated), []
     sections: list[list[InterfaceField]] = [[]]
     problems: list[Problem] = []
     count = 0
@@ -63,13 +64,19 @@ def read_interface(path: str, text: str, package: str, *, is_generated: bool = T
     return made, problems
 
 
-def _of_idl(path: str, stem: str, package: str, is_generated: bool) -> Interface:
-    """An .idl by its name alone; its directory, ``msg``, ``srv`` or ``action``, tells its kind (rosidl_adapter)."""
+def _of_idl(path: str, text: str, stem: str, package: str, is_generated: bool) -> Interface:
+    """An .idl; its directory, ``msg``, ``srv`` or ``action``, tells its kind (rosidl_adapter)."""
     above = path.rpartition("/")[0].rpartition("/")[2]
     kind = above if above in _SECTIONS else "msg"
-    parts = ((),) * _SECTIONS[kind]
-    name = f"{package}/{stem}"
-    return Interface(name=name, kind=kind, path=path, sections=parts, is_generated=is_generated, is_whole=False)
+    read = read_idl(text, stem, kind)
+    return Interface(
+        name=f"{package}/{stem}",
+        kind=kind,
+        path=path,
+        sections=read or ((),) * _SECTIONS[kind],
+        is_generated=is_generated,
+        is_whole=read is not None,
+    )
 
 
 def _field(line: str, package: str, number: int) -> InterfaceField | None:
