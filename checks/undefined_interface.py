@@ -22,6 +22,7 @@ from haros_ci.api import (
 )
 
 GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
+ENDINGS = (".msg", ".srv", ".action", ".idl")
 #: Made by dynamic_reconfigure of a .cfg.
 OF_A_CONFIG = "config"
 
@@ -62,10 +63,14 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _is_known(package: ProjectPackage) -> bool:
-    """Whether CMake tells all that the package generates."""
+    """Whether CMake tells all that the package generates, and the files are there."""
     commands = package.commands(*GENERATE)
-    is_told = not any(each.is_conditional or "$" in argument for each in commands for argument in each.arguments)
-    return bool(commands) and is_told
+    arguments = [argument for each in commands for argument in each.arguments]
+    if not commands or any(each.is_conditional for each in commands) or any("$" in each for each in arguments):
+        return False
+    there = {(each.name.partition("/")[2], each.path.rpartition(".")[2]) for each in package.build.interfaces}
+    files = (each.rpartition("/")[2].rpartition(".") for each in arguments if each.endswith(ENDINGS))
+    return all((stem, ending) in there for stem, _, ending in files)
 
 
 def _in_interfaces(project: Project, defining: Mapping[str, Defining]) -> Iterator[Finding]:

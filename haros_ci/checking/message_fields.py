@@ -80,16 +80,17 @@ def _handmade(project: Project) -> frozenset[str]:
 
 
 def _in_routine(code: Codebase, routine: Routine, structs: Structs, parameters: dict[str, Struct]) -> Iterator[Missing]:
-    seen = set()
+    seen: set[tuple[str, str]] = set()
     for call in code.body(routine).calls:
         struct = structs.named(dotted(code, routine, call.callee))
         if struct is None or any(place.kind == "try" for place in call.around):
             continue
-        for argument in call.args:
-            if argument[0] == "kw" and not struct.has(argument[1]) and (struct.name, argument[1]) not in seen:
-                seen.add((struct.name, argument[1]))
-                at = Location(routine.path, call.line, call.column)
-                yield Missing(struct, argument[1], f"{struct.name}({argument[1]}=…)", routine, at)
+        given = [str(each[1]) for each in call.args if each[0] == "kw"]
+        lacking = [each for each in given if not struct.has(each) and (struct.name, each) not in seen]
+        seen.update((struct.name, each) for each in lacking)
+        if lacking:
+            written = f"{struct.name}({', '.join(f'{each}=…' for each in lacking)})"
+            yield Missing(struct, lacking[0], written, routine, Location(routine.path, call.line, call.column))
     typed = {**parameters, **_locals(code, routine, structs)}
     typed = {name: struct for name, struct in typed.items() if not _is_asked(code, routine, name)}
     typed.update(_attributes(code, routine, structs))
@@ -97,10 +98,10 @@ def _in_routine(code: Codebase, routine: Routine, structs: Structs, parameters: 
         return
     for expression in _expressions(routine.function.body or ()):
         for node in nodes(expression):
-            lacking = _lacking(node, typed, structs)
-            if lacking is not None and (lacking[0].name, lacking[1]) not in seen:
-                seen.add((lacking[0].name, lacking[1]))
-                yield Missing(*lacking, routine, _location(code, routine, lacking[2]))
+            found = _lacking(node, typed, structs)
+            if found is not None and (found[0].name, found[1]) not in seen:
+                seen.add((found[0].name, found[1]))
+                yield Missing(*found, routine, _location(code, routine, found[2]))
 
 
 def _lacking(node: Expression, typed: dict[str, Struct], structs: Structs) -> tuple[Struct, str, str] | None:
