@@ -84,7 +84,7 @@ def _elsewhere(
         about=(package.name, name),
         apart=(name, header),
         related=((place, f"includes {header}"),),
-        level=Level.WARNING,
+        level=Level.NOTE,
     )
 
 

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, CMakeCommand, Finding, Level, Project, ProjectPackage
+from haros_ci.api import Check, CMakeCommand, Finding, Level, Project, ProjectPackage, may_appear
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
 #: Words that end what install() and its like are told to install.
@@ -27,7 +27,6 @@ _QUIET |= {"cs_install_scripts", "target_include_directories", "include_director
 def check(project: Project) -> Iterator[Finding]:
     if not project.workspace.names:
         return
-    modules = tuple(_submodules(project))
     for package in project.packages:
         commands = package.build.commands
         if any(_MAKERS.match(c.name) or (c.name == "file" and "DOWNLOAD" in c.arguments[:1]) for c in commands):
@@ -36,7 +35,7 @@ def check(project: Project) -> Iterator[Finding]:
         for command in commands:
             for word in _things(command):
                 path = command.place(word)
-                if path is None or path in said or project.exists(path) or _may_come(package, path, modules):
+                if path is None or path in said or project.exists(path) or may_appear(package, path, _QUIET):
                     continue
                 said.add(path)
                 yield _finding(project, package, command, word, path)
@@ -44,8 +43,8 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _things(command: CMakeCommand) -> tuple[str, ...]:
     """What a command surely installs from the sources."""
-    if command.is_conditional or "OPTIONAL" in command.arguments:
-        return ()
+    if command.is_conditional or "OPTIONAL" in command.arguments or "FILES_MATCHING" in command.arguments:
+        return ()  # CMake takes a directory that is not there for one without files that match
     words = command.arguments
     if command.name == "install" and words[:1] and words[0] in _KINDS:
         rest = words[1:]
@@ -59,37 +58,6 @@ def _things(command: CMakeCommand) -> tuple[str, ...]:
         return ()
     end = next((at for at, word in enumerate(rest) if _ENDS.fullmatch(word)), len(rest))
     return tuple(word for word in rest[:end] if "$" not in word.replace("${ROOT}", "") and word)
-
-
-def _may_come(package: ProjectPackage, path: str, modules: tuple[str, ...]) -> bool:
-    """Whether something may make the file: a submodule, a command that names it, or a file that git is told to ignore."""
-    if any(path == module or path.startswith(f"{module}/") for module in modules):
-        return True
-    project, base = package.project, posixpath.basename(path)
-    if any(path.startswith(f"{link}/") or path == link for link, _ in project.workspace.links):
-        return True
-    stem = base.partition(".")[0]
-    for command in package.build.commands:
-        if command.name not in _QUIET and any(base in word or (stem and stem == word) for word in command.arguments):
-            return True
-    folder = path
-    while (folder := folder.rpartition("/")[0]) or path:
-        ignored = project.text(f"{folder}/.gitignore" if folder else ".gitignore")
-        if base and re.search(rf"(?m)^/?(?:[^#\n]*/)?{re.escape(base)}/?\s*$", ignored):
-            return True
-        suffix = posixpath.splitext(base)[1]
-        if suffix and re.search(rf"(?m)^\*\*?/?\*?{re.escape(suffix)}\s*$", ignored):
-            return True
-        if not folder:
-            return False
-    return False
-
-
-def _submodules(project: Project) -> Iterator[str]:
-    for name in project.workspace.names:
-        if posixpath.basename(name) == ".gitmodules":
-            for found in re.finditer(r"(?m)^\s*path\s*=\s*(\S+)\s*$", project.text(name)):
-                yield posixpath.normpath(posixpath.join(posixpath.dirname(name), found[1]))
 
 
 def _finding(project: Project, package: ProjectPackage, command: CMakeCommand, word: str, path: str) -> Finding:

@@ -137,7 +137,7 @@ def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[
 
 def _executables(package: ProjectPackage, uses: _Uses) -> Iterator[Finding]:
     cmake = package.cmake
-    for target in cmake.targets.values():
+    for target in cmake.targets.values() if package.raw.build_type != "cmake" else ():
         if target.kind != "executable" or target.is_test or target.is_conditional or target.component:
             continue
         use = uses.get((package.name, target.output))
@@ -222,7 +222,7 @@ def _scripts(package: ProjectPackage, uses: _Uses, told: _Uses) -> Iterator[Find
         if use is None and not is_aside:
             use = told.get((package.name, name))
             how = "is run here"
-        if use is None and not is_aside and re.search(r"__name__\s*==\s*['\"]__main__['\"]", text):
+        if use is None and not is_aside and _is_node(package, text):
             beside = (each for each in listed.values() if posixpath.dirname(each.path) == posixpath.dirname(path))
             other = next((each for each in beside if each.kind == "program"), None)
             use, how = (other.location, "installs the other scripts there") if other is not None else (None, how)
@@ -238,6 +238,13 @@ def _scripts(package: ProjectPackage, uses: _Uses, told: _Uses) -> Iterator[Find
             related=((use, how),),
             fix=install_line(package, _install_script(package, shown), f"install {shown}"),
         )
+
+
+def _is_node(package: ProjectPackage, text: str) -> bool:
+    """Whether a script is a node of the package's own ROS, to be run as it stands."""
+    client = "rospy" if package.ros == 1 else "rclpy"
+    is_main = re.search(r"__name__\s*==\s*['\"]__main__['\"]", text)
+    return bool(is_main) and re.search(rf"(?m)^\s*(?:import|from)\s+{client}\b", text) is not None
 
 
 def _install_script(package: ProjectPackage, shown: str) -> str:

@@ -7,12 +7,18 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import OF_TARGETS, Check, CMakeCommand, Finding, Level, Project, ProjectPackage
+from haros_ci.api import OF_TARGETS, Check, CMakeCommand, Finding, Level, Project, ProjectPackage, may_appear
 
 #: Targets that CMake, catkin and rosidl make by themselves.
 _GIVEN = re.compile(
     r".*__\w+|.*_(?:generate_messages|gencpp|genpy|geneus|genlisp|gennodejs|gencfg|EXPORTED_TARGETS)\w*"
     r"|all|clean|install|test|tests|run_tests|doxygen|uninstall|rebuild_cache|.*(?:::|\$|/).*|-.*|"
+)
+_QUIET = frozenset(("catkin_package", "include_directories", "install", "target_include_directories"))
+#: Those of catkin_package().
+_KEYWORDS = (
+    *("INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"),
+    *("SKIP_CMAKE_CONFIG_GENERATION", "SKIP_PKG_CONFIG_GENERATION"),
 )
 _SETTINGS = frozenset(("debug", "optimized", "general"))
 
@@ -55,12 +61,10 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
                 if not _is_mentioned_otherwise(package, command, name):
                     yield name, "no install(TARGETS ... EXPORT) puts a target into it, and CMake stops"
     elif command.name == "catkin_package":
-        keywords = ("INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
-        keywords += ("SKIP_CMAKE_CONFIG_GENERATION", "SKIP_PKG_CONFIG_GENERATION")
-        yield from _exported(package, command.after("LIBRARIES", *keywords))
-        for word in command.after("INCLUDE_DIRS", *keywords):
+        yield from _exported(package, command.after("LIBRARIES", *_KEYWORDS))
+        for word in command.after("INCLUDE_DIRS", *_KEYWORDS):
             path = command.place(word)
-            if path is not None and not package.project.exists(path) and not _is_named(package, command, word):
+            if path is not None and not package.project.exists(path) and not may_appear(package, path, _QUIET):
                 yield word, "there is no such directory, and catkin_package() stops the build"
     elif command.name == "ament_export_libraries":
         yield from _exported(package, words)
@@ -98,17 +102,6 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
     return any(re.search(rf"(?<![\w.+-]){part}(?![\w.+-])", text) for part in parts for text in texts)
 
 
-def _is_named(package: ProjectPackage, command: CMakeCommand, word: str) -> bool:
-    """Whether a command that may make the directory names it."""
-    base = word.rstrip("/").rpartition("/")[2]
-    makers = (
-        c
-        for c in package.build.commands
-        if c.name in ("file", "execute_process", "add_custom_command", "configure_file")
-    )
-    return any(base in argument for maker in makers for argument in maker.arguments)
-
-
 def _is_mentioned_otherwise(package: ProjectPackage, command: CMakeCommand, name: str) -> bool:
     return any(name in c.arguments for c in package.build.commands if c.name != command.name and c is not command)
 
@@ -121,6 +114,7 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
         message=f"{name} is nothing that {package.name} makes: {what}{hint}",
         about=(package.name, name),
         apart=(name,),
+        level=Level.WARNING if command.name == "ament_export_libraries" else None,  # they are told, and go on
     )
 
 

@@ -24,6 +24,8 @@ class Using:
         self.package = package
         self.cmake = package.cmake
         self._brought: dict[str, frozenset[str] | None] = {}
+        finds = package.commands("find_package")
+        self._found = {package.name, *package.declared, *(c.arguments[0] for c in finds if c.arguments)}
 
     def of(self, target: Target) -> frozenset[str] | None:
         """What *target* is compiled with: packages by name, those included that others bring."""
@@ -65,7 +67,7 @@ class Using:
         for word in self.cmake.include_words(target):
             if "$" in word and not word.startswith(("${ROOT}", "${BUILD}")) and "$<" not in word:
                 found = _VARIABLE.fullmatch(word)
-                yield found[1] if found is not None else None
+                yield found[1] if found is not None and found[1] in self._found else None
             elif word.startswith("/"):
                 yield None
         for command in self.package.commands("rosidl_target_interfaces"):
@@ -79,7 +81,7 @@ class Using:
         if colons and "$" not in name:
             yield name
         elif variable is not None:
-            yield variable[1]
+            yield variable[1] if variable[1] in self._found else None
         elif "__rosidl" in word:
             yield from self._declared()
         elif "$" in word or not _SYSTEM.fullmatch(word):
