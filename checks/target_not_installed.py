@@ -91,13 +91,7 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
     if package.ros == 2:
         for each in package.build.plugins:
             places = cmake.destinations(each.library) if each.base == "rclcpp_components::NodeFactory" else ()
-            target = cmake.targets.get(each.library)
-            if (
-                target is None
-                or not places
-                or any("$" in p or p in ("lib", "") for p in places)
-                or each.library in said
-            ):
+            if not places or any("$" in p or p in ("lib", "") for p in places) or each.library in said:
                 continue
             said.add(each.library)
             yield _finding(
