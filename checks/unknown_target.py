@@ -7,7 +7,17 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import OF_TARGETS, Check, CMakeCommand, Finding, Level, Project, ProjectPackage, may_appear
+from haros_ci.api import (
+    OF_TARGETS,
+    Check,
+    CMakeCommand,
+    Finding,
+    Level,
+    Project,
+    ProjectPackage,
+    add_dependency,
+    may_appear,
+)
 
 #: Targets that CMake, catkin and rosidl make by themselves.
 _GIVEN = re.compile(
@@ -15,6 +25,10 @@ _GIVEN = re.compile(
     r"|all|clean|install|test|tests|run_tests|doxygen|uninstall|rebuild_cache|.*(?:::|\$|/).*|-.*|"
 )
 _QUIET = frozenset(("catkin_package", "include_directories", "install", "target_include_directories"))
+#: What find_package() finds that sets variables of its own name alone, in small letters.
+_ALONE = frozenset(
+    ("catkin", "boost", "pkgconfig", "threads", "opencv", "pythonlibs", "cmake_modules", "roslint", "rostest")
+)
 #: Those of catkin_package().
 _KEYWORDS = (
     *("INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"),
@@ -35,6 +49,8 @@ def check(project: Project) -> Iterator[Finding]:
                 if name not in said:
                     said.add(name)
                     yield _finding(package, command, name, what)
+            if command.name == "catkin_package":
+                yield from _dependencies(package, command)
 
 
 def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[str, str]]:
@@ -47,19 +63,9 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
     elif command.name == "install" and words[:1] == ("TARGETS",) and not command.is_test:
         install = next(each for each in cmake.installs if each.command == command)
         yield from ((name, "install() stops the build") for name in install.things if not _is_made(package, name))
-    elif command.name == "ament_export_targets" or command.name == "ament_export_interfaces":
-        sets = {each.export for each in cmake.installs if each.kind == "TARGETS"}
-        for name in words:
-            if name == "NAMESPACE":
-                break
-            if (
-                name != "HAS_LIBRARY_TARGET"
-                and name not in sets
-                and "$" not in name
-                and not any("$" in s for s in sets)
-            ):
-                if not _is_mentioned_otherwise(package, command, name):
-                    yield name, "no install(TARGETS ... EXPORT) puts a target into it, and CMake stops"
+    elif command.name in ("ament_export_targets", "ament_export_interfaces"):
+        for name in _sets(package, command):
+            yield name, "no install(TARGETS ... EXPORT) puts a target into it, and CMake stops"
     elif command.name == "catkin_package":
         yield from _exported(package, command.after("LIBRARIES", *_KEYWORDS))
         for word in command.after("INCLUDE_DIRS", *_KEYWORDS):
@@ -68,6 +74,79 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
                 yield word, "there is no such directory, and catkin_package() stops the build"
     elif command.name == "ament_export_libraries":
         yield from _exported(package, words)
+
+
+def _sets(package: ProjectPackage, command: CMakeCommand) -> Iterator[str]:
+    """The sets of targets that *command* exports and that nothing is put into."""
+    sets = {each.export for each in package.cmake.installs if each.kind == "TARGETS"}
+    if any("$" in name for name in sets):
+        return
+    words = (
+        command.arguments[: command.arguments.index("NAMESPACE")]
+        if "NAMESPACE" in command.arguments
+        else command.arguments
+    )
+    for name in words:
+        others = (each for each in package.build.commands if each.name != command.name)
+        if name != "HAS_LIBRARY_TARGET" and name not in sets and "$" not in name:
+            if not any(name in each.arguments for each in others):
+                yield name
+
+
+def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Finding]:
+    """What catkin_package() exports and that is not found, or that nobody who installs the package has."""
+    kinds = ("depend", "exec_depend", "run_depend", "build_export_depend")
+    there = {each.name for each in package.raw.dependencies if each.kind in kinds}
+    for name in dict.fromkeys(command.after("CATKIN_DEPENDS", *_KEYWORDS)):
+        if name not in there and "$" not in name and package.manifest is not None:
+            tag = "exec_depend" if package.raw.format > 1 else "run_depend"
+            fix = add_dependency(package, "exec_depend", name)
+            yield Finding(
+                at=command.location,
+                message=f"catkin_package() exports {name}, which is no <{tag}> of {package.name}: it stops the build",
+                about=(package.name, name),
+                apart=(name,),
+                fixes=(fix,) if fix is not None else (),
+            )
+    lost = [name for name in dict.fromkeys(command.after("DEPENDS", *_KEYWORDS)) if not _is_found(package, name)]
+    if lost:
+        yield Finding(
+            at=command.location,
+            message=f"catkin_package() exports {' and '.join(lost)}, but no find_package() finds that: packages that use {package.name} "
+            "get neither its headers nor its libraries",
+            about=(package.name, "DEPENDS"),
+            level=Level.WARNING,
+        )
+
+
+def _is_found(package: ProjectPackage, name: str) -> bool:
+    """Whether CMake may set ``<name>_INCLUDE_DIRS`` or ``<name>_LIBRARIES``; upper and lower case are not told apart."""
+    finds = [
+        each
+        for each in package.build.commands
+        if each.name in ("find_package", "pkg_check_modules", "pkg_search_module")
+    ]
+    named = {
+        word.lower()
+        for each in finds
+        for word in (each.arguments[:1] if each.arguments[:1] != ("catkin",) else each.arguments)
+    }
+    if (
+        "$" in name
+        or " " in name
+        or name.lower() in named
+        or not named <= _ALONE | {word.lower() for word in _components(finds)}
+    ):
+        return True
+    texts = (package.project.text(path) for path in {each.location.path for each in package.build.commands})
+    return any(re.search(rf"(?i)\b{re.escape(name)}_(?:INCLUDE_DIRS?|LIBRARIES)\s+\S", text) for text in texts)
+
+
+def _components(finds: list[CMakeCommand]) -> Iterator[str]:
+    """What is found by catkin, and the prefixes of pkg-config: they set variables of no other name."""
+    for each in finds:
+        yield from each.arguments if each.arguments[:1] == ("catkin",) else ()
+        yield from each.arguments[:1] if each.name != "find_package" else ()
 
 
 def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:
@@ -100,10 +179,6 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
         return True
     parts = [r"\$\{PROJECT_NAME\}".join(map(re.escape, name.split(package.name)))] if package.name in name else []
     return any(re.search(rf"(?<![\w.+-]){part}(?![\w.+-])", text) for part in parts for text in texts)
-
-
-def _is_mentioned_otherwise(package: ProjectPackage, command: CMakeCommand, name: str) -> bool:
-    return any(name in c.arguments for c in package.build.commands if c.name != command.name and c is not command)
 
 
 def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: str) -> Finding:
