@@ -169,7 +169,6 @@ CHECK = Check(
     summary="Targets are compiled and linked with the packages whose headers they include.",
     level=Level.ERROR,
     catalogue="B03",
-    aliases=("unused_catkin_include_dirs",),
     tags=("build",),
     project=check,
 )

@@ -214,7 +214,6 @@ CHECK = Check(
     summary="Launch files, configuration, models and headers that are needed are installed.",
     level=Level.ERROR,
     catalogue="B06",
-    aliases=("uninstalled_include_path",),
     tags=("build",),
     project=check,
 )

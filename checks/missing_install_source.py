@@ -87,7 +87,6 @@ CHECK = Check(
     summary="What a package installs is there.",
     level=Level.ERROR,
     catalogue="B07",
-    aliases=("missing_file", "missing_directory"),
     tags=("build",),
     project=check,
 )

@@ -193,21 +193,7 @@ def _scripts(package: ProjectPackage, uses: _Uses, told: _Uses) -> Iterator[Find
     for path in package.build.scripts:
         shown, name = path.removeprefix(f"{package.path}/"), posixpath.basename(path)
         use, how = uses.get((package.name, name)), "is started here"
-        row = listed.get(path)
         text = package.project.text(path)
-        if row is not None and row.kind == "file" and row.destination == f"lib/{package.name}":
-            if _has_permissions(package, row.location) or not text.startswith("#!"):
-                continue
-            yield _finding(
-                package,
-                shown,
-                f"the script {shown} is installed by install(FILES), which makes it not executable: "
-                f"{'ros2 run and launch do' if package.ros == 2 else 'rosrun and roslaunch do'} not find it; use install(PROGRAMS)",
-                level=Level.ERROR if use is not None and package.ros == 2 else Level.WARNING,
-                at=row.location,
-                related=((use, "is started here"),) if use is not None else (),
-            )
-            continue
         if landings(package, path) or _is_module(package, path) or name in package.cmake.mentioned:
             continue
         if any(word == name or word.endswith(f"/{name}") for word in package.cmake.mentioned):
@@ -256,12 +242,6 @@ def _is_module(package: ProjectPackage, path: str) -> bool:
     return f"{posixpath.dirname(path)}/__init__.py" in package.project.workspace.names
 
 
-def _has_permissions(package: ProjectPackage, location: Location) -> bool:
-    return any(
-        each.command.location == location and "PERMISSIONS" in each.command.arguments for each in package.cmake.installs
-    )
-
-
 def _may_be_installed(package: ProjectPackage, target: Target) -> bool:
     return target.is_installed or target.name in package.cmake.mentioned or target.is_test
 
@@ -307,7 +287,6 @@ CHECK = Check(
     summary="What runs, and what that is linked with, is installed to where it is looked for.",
     level=Level.ERROR,
     catalogue="B05",
-    aliases=("uninstalled_target", "uninstalled_depend", "uninstalled_export_lib", "wrong_bin_install_destination"),
     tags=("build",),
     project=check,
 )

@@ -198,7 +198,6 @@ CHECK = Check(
     summary="The targets and libraries that CMake installs, links and exports are made.",
     level=Level.ERROR,
     catalogue="B09",
-    aliases=("undefined_target", "missing_include_path"),
     tags=("build",),
     project=check,
 )
