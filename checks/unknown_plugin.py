@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters and code that name a plug-in which no description of its package exports."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from haros_ci.api import Build, Check, Element, Finding, Level, Location, Project, is_slip
+
+_NAME = r"[A-Za-z_]\w*(?:(?:::|/)[A-Za-z_]\w*)+"
+_PAIR = re.compile(rf"""(?:^|[\s,{{\[])["']?([\w.]+)["']?\s*:\s*(["']?)({_NAME})\2\s*(?=[,}}\]]|\s#|$)""")
+_ITEM = re.compile(rf"""^(\s*)-\s+(["']?)({_NAME})\2\s*(?:\s#.*)?$""")
+_INLINE = re.compile(r"""^(\s*)(?:-\s+)?["']?([\w.]+)["']?\s*:\s*\[(.*)\]\s*(?:\s#.*)?$""")
+_HEAD = re.compile(r"""^(\s*)(?:-\s+)?["']?([\w.]+)["']?\s*:\s*(?:#.*)?$""")
+_WORD = re.compile(rf"""(?:^|,)\s*(["']?)({_NAME})\1\s*(?=,|$)""")
+_CREATE = re.compile(rf'\bcreate(?:Unique|Shared|Unmanaged)?Instance\s*\(\s*"({_NAME})"')
+#: Keys whose values are look-up names: of navigation, moveit, costmaps, ros2_control.
+_SURE = re.compile(
+    r"(?:\w*_)?plugins?|base_(?:global|local)_planner|kinematics_solver|planning_plugins?|(?:request|response)_adapters|capabilities"
+)
+#: Keys whose values are look-up names at times.
+_PERHAPS = re.compile(r"type|class|class_name|\w*_class")
+
+
+@dataclass(frozen=True, slots=True)
+class _Use:
+    """A name where a plug-in's is given; *is_sure* if nothing else can stand there."""
+
+    name: str
+    location: Location
+    key: str
+    is_sure: bool
+
+
+@dataclass(slots=True)
+class _Known:
+    """The look-up names of the workspace: each with its place; by their namespaces; and the packages that export them."""
+
+    names: dict[str, Location]
+    spaces: dict[str, list[str]]
+    owners: dict[str, set[str]]
+
+    @classmethod
+    def of(cls, project: Project) -> _Known:
+        names: dict[str, Location] = {}
+        spaces: dict[str, list[str]] = {}
+        owners: dict[str, set[str]] = {}
+        for package in project.packages:
+            for each in package.build.plugins:
+                for name in {each.name, each.type} if "NodeFactory" in each.base else {each.name}:
+                    names.setdefault(name, each.location)
+                    space = _plain(name).rpartition("::")[0]
+                    spaces.setdefault(space, []).append(name)
+                    owners.setdefault(space, set()).add(package.name)
+        return cls(names, spaces, owners)
+
+
+def check(project: Project) -> Iterator[Finding]:
+    known = _Known.of(project)
+    vague = {package.name for package in project.packages if _is_vague(package.build)}
+    by_plain = {_plain(name): name for name in known.names}
+    told: set[tuple[Location, str]] = set()
+    for use in _uses(project):
+        if use.name in known.names or (use.location, use.name) in told:
+            continue
+        meant = _meant(use, known, by_plain)
+        if meant is None or known.owners.get(_plain(meant or use.name).rpartition("::")[0], set()) & vague:
+            continue
+        told.add((use.location, use.name))
+        yield _finding(use, meant, known)
+
+
+def _meant(use: _Use, known: _Known, by_plain: Mapping[str, str]) -> str | None:
+    """The exported name that is meant, "" if none is like it; None if the name may be right, or none of a plug-in.
+
+    Separators are part of a look-up name. Otherwise its namespace has to be a package's that exports plug-ins, all of which
+    are known then; where the key does not say that a plug-in is named, it has to be a slip for an exported one, too.
+    """
+    plain = _plain(use.name)
+    if plain in by_plain:
+        return by_plain[plain]
+    space, _, last = plain.rpartition("::")
+    inside = known.spaces.get(space, [])
+    alike = sorted(name for name in inside if is_slip(_plain(name).rpartition("::")[2], last))
+    if alike:
+        return alike[0]
+    if use.is_sure and space in known.owners.get(space, ()):
+        return ""
+    return None
+
+
+def _finding(use: _Use, meant: str, known: _Known) -> Finding:
+    owners = sorted(known.owners.get(_plain(meant or use.name).rpartition("::")[0], ()))
+    if meant and _plain(meant) == _plain(use.name):
+        hint = f"it is exported as {meant}, and the names have to be the same text"
+    elif meant:
+        hint = f"{meant} is meant, perhaps"
+    else:
+        names = sorted(known.spaces[_plain(use.name).rpartition("::")[0]])
+        hint = f"there are {', '.join(names[:3])}" + (" and more" if len(names) > 3 else "")
+    return Finding(
+        at=use.location,
+        message=f"no description of package {owners[0]} exports a plug-in {use.name}: what {use.key} loads is not found; {hint}",
+        about=(use.name, use.key),
+        related=((known.names[meant], f"{meant} is exported here"),) if meant else (),
+        apart=(use.name,),
+    )
+
+
+def _plain(name: str) -> str:
+    return name.replace("/", "::")
+
+
+def _is_vague(build: Build) -> bool:
+    """Whether a package has descriptions that could not be read."""
+    words = ("plug-in description", "its classes are missing", "the component is missing", "<class> without type")
+    return any(word in problem.message for problem in build.problems for word in words)
+
+
+def _uses(project: Project) -> Iterator[_Use]:
+    """Where plug-ins are named: YAML files, parameters of launch files, hardware of robots, calls of loaders."""
+    for file in project.workspace.files:
+        if file.language == "yaml":
+            yield from _in_yaml(file.path, project.text(file.path))
+    for system in project.systems:
+        for each in system.parameters:
+            key = each.name.replace("/", ".").rpartition(".")[2]
+            if each.origin is None and each.location is not None and isinstance(each.value, str):
+                if re.fullmatch(_NAME, each.value) and (_SURE.fullmatch(key) or _PERHAPS.fullmatch(key)):
+                    yield _Use(each.value, each.location, key, bool(_SURE.fullmatch(key)))
+    for package in project.packages:
+        if "pluginlib" in package.declared:
+            for file in package.files:
+                if file.language == "cpp":
+                    text = project.text(file.path)
+                    for match in _CREATE.finditer(text):
+                        place = Location(file.path, text.count("\n", 0, match.start(1)) + 1)
+                        yield _Use(match[1], place, "the loader", True)
+        for file in package.files:
+            if file.path.endswith((".urdf", ".xacro")) and "<hardware>" in project.text(file.path):
+                root = project.element(file.path)
+                yield from _in_robot(file.path, root) if root is not None else ()
+
+
+def _in_yaml(path: str, text: str) -> Iterator[_Use]:
+    """Values and items of lists on one line each, which look-up names are; a key's list is what is indented below it."""
+    if "::" not in text and "/" not in text:
+        return
+    heads: list[tuple[int, str]] = []
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        place = Location(path, number)
+        head, item, inline = _HEAD.match(line), _ITEM.match(line), _INLINE.match(line)
+        if head is not None:
+            indent = len(head[1])
+            heads = [each for each in heads if each[0] < indent] + [(indent, head[2])]
+        elif item is not None:
+            above = [each for each in heads if each[0] <= len(item[1])]
+            key = above[-1][1] if above else ""
+            if _SURE.fullmatch(key.rpartition(".")[2]):
+                yield _Use(item[3], place, key, True)
+        elif inline is not None and "{" not in inline[3]:
+            key = inline[2]
+            if _SURE.fullmatch(key.rpartition(".")[2]):
+                for match in _WORD.finditer(inline[3]):
+                    yield _Use(match[2], place, key, True)
+        else:
+            for match in _PAIR.finditer(line):
+                key = match[1].rpartition(".")[2]
+                if _SURE.fullmatch(key) or _PERHAPS.fullmatch(key):
+                    yield _Use(match[3], place, match[1], bool(_SURE.fullmatch(key)))
+
+
+def _in_robot(path: str, root: Element) -> Iterator[_Use]:
+    """``<hardware><plugin>package/Class</plugin></hardware>`` of ros2_control."""
+    waiting = [root]
+    while waiting:
+        element = waiting.pop()
+        for child in element.all("plugin") if element.tag == "hardware" else ():
+            name = child.text.strip()
+            if re.fullmatch(_NAME, name):
+                yield _Use(name, Location(path, child.line), "<hardware>", True)
+        waiting += element.children
+
+
+CHECK = Check(
+    id="unknown-plugin",
+    summary="The plug-ins that parameters and code name are exported by their packages.",
+    level=Level.ERROR,
+    catalogue="P13",
+    tags=("parameters", "plugins"),
+    project=check,
+)
