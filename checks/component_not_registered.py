@@ -21,14 +21,16 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         targets = {target.name: target for target in package.build.targets}
         everywhere = _found([file.path for file in package.files if file.language == "cpp"], project)
+        wrong: set[str] = set()
         for each in components:
             target = targets.get(each.library)
             if target is None or not _is_known(target, package):
                 continue
             here = _registered(_sources(target, targets), project)
             if here is not None and each.type not in here:
+                wrong.add(target.name)
                 yield _missing(each, target, package, here, everywhere)
-        yield from _unnamed(package, components, targets, project)
+        yield from _unnamed(package, [each for each in components if each.library not in wrong], targets, project)
 
 
 def _missing(
@@ -69,7 +71,7 @@ def _unnamed(
     for target in targets.values():
         if target.name in libraries and not target.is_test and not target.is_conditional:
             for name, where in (_registered(list(target.sources), project) or {}).items():
-                if name not in named and where.path not in target.conditional_sources and not _is_meant(name, named):
+                if name not in named and where.path not in target.conditional_sources:
                     yield Finding(
                         at=where,
                         message=(
@@ -79,12 +81,6 @@ def _unnamed(
                         about=(package.name, name),
                         level=Level.WARNING,
                     )
-
-
-def _is_meant(name: str, named: set[str]) -> bool:
-    """Whether CMake has the class under another spelling, which is reported there."""
-    last = name.rpartition("::")[2]
-    return any(each.rpartition("::")[2] == last for each in named)
 
 
 def _is_known(target: Target, package: ProjectPackage) -> bool:
