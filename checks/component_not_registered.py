@@ -10,6 +10,7 @@ from haros_ci.api import Check, Finding, Level, Location, PluginClass, Project, 
 _MACRO = "RCLCPP_COMPONENTS_REGISTER_NODE"
 _FACTORY = "rclcpp_components::NodeFactory"
 _COMMANDS = ("rclcpp_components_register_node", "rclcpp_components_register_nodes")
+_SOURCES = (".cpp", ".cc", ".cxx", ".c++", ".C")
 #: Where a class is registered in code: its name as written, which is the name it gets.
 Registered = dict[str, Location]
 
@@ -27,6 +28,9 @@ def check(project: Project) -> Iterator[Finding]:
             if target is None or not _is_known(target, package):
                 continue
             here = _registered(_sources(target, targets), project)
+            other = everywhere.get(each.type)
+            if other is not None and not other.path.endswith(_SOURCES):
+                continue  # a header, which one of its sources may include
             if here is not None and each.type not in here:
                 wrong.add(target.name)
                 yield _missing(each, target, package, here, everywhere)
