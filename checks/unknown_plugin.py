@@ -36,11 +36,13 @@ class _Use:
 
 @dataclass(slots=True)
 class _Known:
-    """The look-up names of the workspace: each with its place; by their namespaces; and the packages that export them."""
+    """The look-up names of the workspace: each with its place; by their namespaces; the packages that export them."""
 
     names: dict[str, Location]
     spaces: dict[str, list[str]]
     owners: dict[str, set[str]]
+    #: Those of released packages that are not here.
+    outside: dict[str, list[str]]
 
     @classmethod
     def of(cls, project: Project) -> _Known:
@@ -54,7 +56,12 @@ class _Known:
                     space = _plain(name).rpartition("::")[0]
                     spaces.setdefault(space, []).append(name)
                     owners.setdefault(space, set()).add(package.name)
-        return cls(names, spaces, owners)
+        outside: dict[str, list[str]] = {}
+        for name in project.knowledge.plugin_names():
+            space = _plain(name).rpartition("::")[0]
+            if space not in spaces:
+                outside.setdefault(space, []).append(name)
+        return cls(names, spaces, owners, outside)
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -64,6 +71,11 @@ def check(project: Project) -> Iterator[Finding]:
     told: set[tuple[Location, str]] = set()
     for use in _uses(project):
         if use.name in known.names or (use.location, use.name) in told:
+            continue
+        released = _released(use, known)
+        if released:
+            told.add((use.location, use.name))
+            yield _of_elsewhere(use, released)
             continue
         meant = _meant(use, known, by_plain)
         if meant is None or known.owners.get(_plain(meant or use.name).rpartition("::")[0], set()) & vague:
@@ -89,6 +101,32 @@ def _meant(use: _Use, known: _Known, by_plain: Mapping[str, str]) -> str | None:
     if use.is_sure and space in known.owners.get(space, ()):
         return ""
     return None
+
+
+def _released(use: _Use, known: _Known) -> str:
+    """The plug-in of a released package for which *use* is a slip; "" if it is none of any, or one itself.
+
+    The list of released ones may lack new ones, and packages changed separators: only a slip in the last part counts.
+    """
+    space, _, last = _plain(use.name).rpartition("::")
+    names = known.outside.get(space, [])
+    if any(_plain(name) == _plain(use.name) for name in names):
+        return ""
+    alike = {_plain(name): name for name in sorted(names) if is_slip(_plain(name).rpartition("::")[2], last)}
+    if len(alike) != 1:
+        return ""
+    meant = next(iter(alike))
+    return meant.replace("::", "/") if "/" in use.name and meant.replace("::", "/") in names else alike[meant]
+
+
+def _of_elsewhere(use: _Use, meant: str) -> Finding:
+    return Finding(
+        at=use.location,
+        message=f"no released package is known to export a plug-in {use.name}: what {use.key} loads is not found; is {meant} meant?",
+        about=(use.name, use.key),
+        level=Level.WARNING,
+        apart=(use.name,),
+    )
 
 
 def _finding(use: _Use, meant: str, known: _Known) -> Finding:

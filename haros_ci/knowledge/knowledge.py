@@ -135,6 +135,10 @@ class Knowledge:
             return None
         return frozenset((word.partition("|")[0], word.partition("|")[2]) for word in words)
 
+    def plugin_names(self) -> tuple[str, ...]:
+        """All look-up names and C++ types of plug-ins that are known, of any distribution."""
+        return tuple(self.facts.section("plugins"))
+
     def _is_plain(self, name: str) -> bool:
         return bool(self.is_package(name)) and not self.is_metapackage(name)
 
