@@ -60,6 +60,7 @@ def check(project: Project) -> Iterator[Finding]:
         own = registrations(package)
         if exports or own:
             found.append(_Package(package, own, exports, libraries))
+    classes = _classes(project) if found else set()
     others = {macro.type for each in found for macro in each.registered}
     for each in found:
         wrong = tuple(_described(each, others))
@@ -67,7 +68,7 @@ def check(project: Project) -> Iterator[Finding]:
         yield from _exported(each, loading, {name for finding in wrong for name in finding.apart})
         yield from _not_exported(each)
         yield from _in_two(each)
-        yield from _unknown_classes(each)
+        yield from _unknown_classes(each, classes)
 
 
 def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
@@ -267,17 +268,15 @@ def _in_two(found: _Package) -> Iterator[Finding]:
             )
 
 
-def _unknown_classes(found: _Package) -> Iterator[Finding]:
-    """Macros for classes of the package's own namespaces that the workspace does not define."""
+def _unknown_classes(found: _Package, classes: Container[str]) -> Iterator[Finding]:
+    """Macros for classes of the package's own namespaces that the workspace, whose *classes* are given by their last parts, lacks."""
     built = {path for target in found.package.build.targets for path in target.sources}
     for each in found.registered:
-        if each.location.path not in built:
-            continue
         space, _, last = each.type.removeprefix("::").rpartition("::")
-        if not space or not re.fullmatch(r"[\w:]+", each.type):
+        if each.location.path not in built or last in classes or not re.fullmatch(r"[\w:]+::\w+", each.type):
             continue
-        names, is_sure = _names(found.package)
-        if is_sure and last not in names and any(name.startswith(f"{space}::") for name in names):
+        own = _own_classes(found.package)
+        if any(name.startswith(f"{space}::") for name in own):
             yield Finding(
                 at=each.location,
                 message=f"{each.macro} names {each.type}, and there is no such class: this does not compile",
@@ -285,19 +284,27 @@ def _unknown_classes(found: _Package) -> Iterator[Finding]:
             )
 
 
-def _names(package: ProjectPackage) -> tuple[set[str], bool]:
-    """The classes and aliases of the package, in full and by their last parts; whether they are all."""
+def _classes(project: Project) -> set[str]:
+    """The last parts of the names of all classes and aliases in C++."""
+    found: set[str] = set()
+    for program in project.programs.values():
+        if program.language == "cpp":
+            found.update(each.name.rpartition("::")[2] for each in program.classes)
+            found.update(each.name.rpartition("::")[2] for each in program.aliases)
+    return found
+
+
+def _own_classes(package: ProjectPackage) -> set[str]:
+    """The full names of the package's classes; none where macros may make more, or a file was not read whole."""
     names: set[str] = set()
-    for path, program in package.project.programs.items():
-        if program.language != "cpp":
+    for file in package.files:
+        program = package.project.programs.get(file.path)
+        if program is None or file.language != "cpp":
             continue
-        names.update(part for each in program.classes for part in (each.name.rpartition("::")[2],))
-        names.update(each.name.rpartition("::")[2] for each in program.aliases)
-        if path.startswith(f"{package.path}/") or package.path == ".":
-            names.update(each.name for each in program.classes)
-            if program.problems or any("class" in body or "struct" in body for _, _, body in program.macros):
-                return names, False
-    return names, True
+        if program.problems or any("class" in body or "struct" in body for _, _, body in program.macros):
+            return set()
+        names.update(each.name for each in program.classes)
+    return names
 
 
 def _is_source(path: str) -> bool:

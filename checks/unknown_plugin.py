@@ -173,7 +173,7 @@ def _uses(project: Project) -> Iterator[_Use]:
             for file in package.files:
                 if file.language == "cpp":
                     text = project.text(file.path)
-                    for match in _CREATE.finditer(text):
+                    for match in _CREATE.finditer(text) if "Instance" in text else ():
                         place = Location(file.path, text.count("\n", 0, match.start(1)) + 1)
                         yield _Use(match[1], place, "the loader", True)
         for file in package.files:
