@@ -51,7 +51,7 @@ def conflict(pairs: list[tuple[Broadcast, Broadcast]], system: System) -> Findin
     more = f" (and {len(pairs) - 1} more frames)" if len(pairs) > 1 else ""
     return Finding(
         at=other.at,
-        message=f"the frame {one.child!r}{more} is broadcast {how}; leave it to one of them",
+        message=f"the frame {one.child!r}{more} is broadcast {how}; leave it to one of them, or give them frames of their own",
         about=(one.child, one.node, other.node),
         related=(
             (one.at, one.what),

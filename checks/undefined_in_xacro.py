@@ -13,19 +13,23 @@ def check(project: Project) -> Iterator[Finding]:
         faults = [each for each in description.robot.faults if each.certain]
         for fault in (each for each in faults if not (description.ros == 1 and each.defined_later)):
             said = message(fault, description)
-            if said and not any(is_same_call(fault, each) for each in faults[: faults.index(fault)]):
+            if said and not any(is_same(fault, each, description) for each in faults[: faults.index(fault)]):
+                is_given = fault.kind == "argument" and description.location is not None
                 yield Finding(
-                    at=fault.location,
+                    at=description.location if is_given and description.location else fault.location,
                     message=said,
                     about=(description.package or description.robot.path, fault.kind, fault.name),
-                    flow=flow(fault, description),
+                    related=((fault.location, f"reads $(arg {fault.name})"),) if is_given else (),
+                    flow=() if is_given else flow(fault, description),
                     apart=(fault.kind, fault.name),
                     level=Level.WARNING if fault.kind == "unprefixed" and description.ros == 1 else None,
                 )
 
 
-def is_same_call(one: Fault, other: Fault) -> bool:
-    """Whether both say that one call does not fit its macro."""
+def is_same(one: Fault, other: Fault, description: Description) -> bool:
+    """Whether both are one defect: a call that does not fit its macro, or a command that gives too few arguments."""
+    if one.kind == other.kind == "argument":
+        return bool(description.command) or one.name == other.name
     kinds = ("parameter", "extra")
     return one.kind in kinds and other.kind in kinds and (one.location, one.of) == (other.location, other.of)
 
@@ -41,6 +45,10 @@ def message(fault: Fault, description: Description) -> str:
     if fault.kind == "property":
         return f"the property {name!r} is not defined here: xacro stops with an error{hint}"
     if fault.kind == "argument":
+        if description.command:
+            names = [each.name for each in description.robot.faults if each.certain and each.kind == "argument"]
+            every = ", ".join(dict.fromkeys(names))
+            return f"{description.robot.path} reads the argument{'s' if ',' in every else ''} {every}, not given here and without a default: xacro stops with an error"
         return f"$(arg {name}) is read, but no xacro:arg declares {name!r} before: xacro stops unless whoever runs it gives it"
     if fault.kind == "macro":
         return f"calls the macro {name!r}, which is not defined here: xacro stops with an error{hint}"

@@ -112,9 +112,11 @@ def _of_robot(project: Project, system: System, node: SystemNode) -> Iterator[Br
 def _prefix(system: System, node: SystemNode) -> str | None:
     """What robot_state_publisher puts before all names; None if that is not known."""
     found = ""
-    for name in ("frame_prefix", "tf_prefix"):
+    around = node.name.split("/")
+    above = {f"{'/'.join(around[:count])}/tf_prefix" for count in range(1, len(around) + 1)}
+    for name, places in (("frame_prefix", {f"{node.name}:frame_prefix"}), ("tf_prefix", above)):
         for parameter in system.parameters:
-            if parameter.name in (f"{node.name}:{name}", f"{node.name}/{name}", f"/{name}"):
+            if parameter.name in places:
                 if not isinstance(parameter.value, str) or parameter.unknowns:
                     return None
                 found = parameter.value if name == "frame_prefix" else f"{parameter.value.rstrip('/')}/".lstrip("/")
@@ -133,16 +135,15 @@ def robot_of(project: Project, system: System, node: SystemNode) -> Robot | None
         texts = (each.robot for each in project.descriptions if project.text(each.robot.path) == parameter.value)
         return next(texts, None)
     reasons = " ".join(unknown.reason for unknown in parameter.unknowns)
-    for use in system.facts(CommandUse):
-        at_tag = use.ros == 1 and use.location == parameter.location
-        if (
-            at_tag
-            or (use.ros == 2 and use.location in (parameter.location, parameter.origin))
-            or _shown(use.text) in reasons
-        ):
-            described = project.described(use.text)
-            return None if described is None else described.robot
-    return None
+    commands = {
+        use.text
+        for use in system.facts(CommandUse)
+        if (use.location == parameter.location if use.ros == 1 else _shown(use.text) in reasons)
+    }
+    described = (
+        project.described(commands.pop()) if len(commands) == 1 else None
+    )  # one launch file may be included twice
+    return None if described is None else described.robot
 
 
 def _shown(text: str) -> str:

@@ -37,11 +37,12 @@ def xacro_command(command: str) -> XacroCommand | None:
         words = words[3 if words[0] == "ros2" else 2 :]
     elif words and words[0].rpartition("/")[2].startswith("python"):
         words = words[1:]
-    if not words or words[0].rpartition("/")[2] not in ("xacro", "xacro.py") or {"|", ";", "&&", "?"} & set(words):
+    program = words.pop(0).rpartition("/")[2] if words else ""
+    if program not in ("xacro", "xacro.py", "?") or {"|", ";", "&&", "?"} & set(words):
         return None
     files: list[str] = []
     arguments: dict[str, str | Unknown] = {}
-    for word in words[1:]:
+    for word in words:
         name, sign, value = word.partition(":=")
         if sign:
             if "?" in name:
@@ -50,5 +51,7 @@ def xacro_command(command: str) -> XacroCommand | None:
         elif not word.startswith("-"):
             files.append(word)
     if len(files) != 1 or "?" in files[0]:
+        return None
+    if program == "?" and "xacro" not in files[0].rpartition("/")[2]:  # FindExecutable: where it is, nobody knows
         return None
     return XacroCommand(files[0], arguments)
