@@ -110,6 +110,7 @@ class Sources:
         start = self._directory(folder, base)
         if start is None:
             return ()
+        start = "" if start == "." else start
         inside = (path for path in self.names if path.rpartition("/")[0] == start)
         return tuple(sorted(path for path in inside if fnmatch.fnmatchcase(posixpath.basename(path), pattern)))
 

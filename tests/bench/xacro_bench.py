@@ -114,10 +114,14 @@ def main() -> int:
                 if given.show:
                     print(f"part    {root.name}/{file.path}: {len(ours[0])} of {len(links)} links")
             else:
-                print(f"differs {root.name}/{file.path}: {sorted(map(str, ours[0] ^ links))[:4]} {len(ours[1] ^ joints)}")
+                print(
+                    f"differs {root.name}/{file.path}: {sorted(map(str, ours[0] ^ links))[:4]} {len(ours[1] ^ joints)}"
+                )
     worker.stdin.close()
     worker.wait()
-    print(f"{files} files with links that xacro expands: {equal} equal ({equal / max(files, 1):.1%}), {part} known in part")
+    print(
+        f"{files} files with links that xacro expands: {equal} equal ({equal / max(files, 1):.1%}), {part} known in part"
+    )
     print(f"{false} of them with a fault that is none; {told} of {refused} refused files told; {spent:.1f} s of ours")
     return 0 if not false and equal >= 0.95 * files else 1
 
