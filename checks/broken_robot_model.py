@@ -33,7 +33,8 @@ def check(project: Project) -> Iterator[Finding]:
                 yield from limits(description, joint)
         twice = list(doubles(description))
         yield from twice
-        if robot.is_whole and robot.links and not twice and all(link.name for link in robot.links):
+        is_part = not description.is_named and not robot.path.endswith(".urdf")
+        if robot.is_whole and robot.links and not (twice or is_part) and all(link.name for link in robot.links):
             yield from tree(description)
 
 

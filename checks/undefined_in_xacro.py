@@ -5,12 +5,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Description, Fault, Finding, Level, Location, Project, descriptions, lead, meant
+from haros_ci.api import (
+    Check,
+    Description,
+    Fault,
+    Finding,
+    Level,
+    Location,
+    Project,
+    descriptions,
+    is_by_itself,
+    lead,
+    meant,
+)
+
+#: What whoever includes a file may define.
+_FROM_OUTSIDE = ("property", "argument", "macro", "block")
 
 
 def check(project: Project) -> Iterator[Finding]:
     for description in descriptions(project):
-        faults = [each for each in description.robot.faults if each.certain]
+        own = is_by_itself(description)
+        faults = [each for each in description.robot.faults if each.certain and is_for_us(each, description, own)]
         for fault in (each for each in faults if not (description.ros == 1 and each.defined_later)):
             said = message(fault, description)
             if said and not any(is_same(fault, each, description) for each in faults[: faults.index(fault)]):
@@ -24,6 +40,13 @@ def check(project: Project) -> Iterator[Finding]:
                     apart=(fault.kind, fault.name),
                     level=Level.WARNING if fault.kind == "unprefixed" and description.ros == 1 else None,
                 )
+
+
+def is_for_us(fault: Fault, description: Description, own: bool) -> bool:
+    """Whether nobody else can mend it: of files that nobody names, what they include may be put beside them later."""
+    if fault.kind == "include":
+        return description.is_named
+    return own or fault.kind not in _FROM_OUTSIDE
 
 
 def is_same(one: Fault, other: Fault, description: Description) -> bool:

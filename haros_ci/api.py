@@ -72,7 +72,7 @@ from haros_ci.checking.provision import (
     others_of,
 )
 from haros_ci.checking.remapping import named_at, rule_of, way_to
-from haros_ci.checking.robots import descriptions, lead, place_of
+from haros_ci.checking.robots import descriptions, is_by_itself, lead, place_of
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.checking.transforms import Broadcast, broadcasts
 from haros_ci.checking.using import Using
@@ -284,6 +284,7 @@ __all__ = [
     "install_directory",
     "install_line",
     "install_place",
+    "is_by_itself",
     "is_caught",
     "is_common",
     "is_local",

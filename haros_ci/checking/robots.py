@@ -34,3 +34,14 @@ def lead(description: Description, way: Way) -> Way:
     if description.location is None:
         return way
     return ((description.location, f"xacro makes it of {description.robot.path}"), *way)
+
+
+def is_by_itself(description: Description) -> bool:
+    """Whether it is meant to be a whole robot: somebody names it, or its joints and links are one tree, of more than one link."""
+    robot = description.robot
+    if description.is_named:
+        return True
+    links = {link.name for link in robot.links}
+    children = {joint.child for joint in robot.joints}
+    ends = {end for joint in robot.joints for end in (joint.parent, joint.child)}
+    return bool(robot.joints) and None not in links | ends and ends <= links and len(links - children) == 1

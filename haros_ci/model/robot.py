@@ -112,7 +112,8 @@ class Robot:
 class Description:
     """A robot as some run of xacro makes it: *command* is the one of a launch file, at *location*; "" for the file as it is.
 
-    Then arguments that launch files pass to it are taken for unknown, all of them if none names it.
+    Then arguments that launch files pass to it are taken for unknown, all of them if none names it. *is_named* says that a launch
+    file, a program or a build names it; one that nobody names may be a part for files elsewhere, which define what it uses.
     """
 
     robot: Robot
@@ -120,3 +121,4 @@ class Description:
     ros: int | None
     command: str = ""
     location: Location | None = None
+    is_named: bool = True

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from haros_ci.link.launch_facts.files import Finder
 from haros_ci.model.build import Build
@@ -14,7 +15,6 @@ from haros_ci.model.package import Package
 from haros_ci.model.robot import Description, Robot
 from haros_ci.model.workspace import Workspace
 from haros_ci.robot.commands import xacro_command
-from haros_ci.robot.nodes import Node
 from haros_ci.robot.places import by_builds, found
 from haros_ci.robot.sources import Sources
 from haros_ci.robot.unknown import UNKNOWN, Unknown
@@ -48,20 +48,16 @@ class Descriptions:
         included = self._included()
         callers = "\n".join(self._callers())
         passed = {name for pair in _PASSED.findall(callers) for name in pair if name}
-        left = MAX_FILES
-        for file in self.workspace.files:
-            base = file.path.rpartition("/")[2]
-            if file.language != "xml" or base.endswith((".srdf", ".sdf")) or included.search(f"\n{base}\n"):
-                continue
-            root = self._root(file.path)
-            if root is None or root.tag != "robot" or left <= 0:
-                continue
-            left -= 1
-            is_called = re.search(rf"(?<![\w.-]){re.escape(base)}", callers) is not None
-            arguments = dict.fromkeys(passed, UNKNOWN) if is_called else {}
-            robot = self._robot(file.path, arguments, is_open=not is_called)
-            if robot is not None and (is_called or ("name" in root.attributes and robot.links)):
-                yield self._description(robot)
+        tops = [path for path in self._candidates() if not included.search(f"\n{path.rpartition('/')[2]}\n")]
+        names = Counter(path.rpartition("/")[2] for path in tops)
+        for path in tops[:MAX_FILES]:
+            base = path.rpartition("/")[2]
+            told = base if names[base] == 1 else self._inside(path)
+            is_named = re.search(rf"(?<![\w.-]){re.escape(told)}", callers) is not None
+            arguments = dict.fromkeys(passed, UNKNOWN) if is_named else {}
+            robot = self._robot(path, arguments, is_open=not is_named)
+            if robot is not None and (is_named or (robot.name != "" and robot.links)):
+                yield replace(self._description(robot), is_named=is_named)
 
     def of_command(self, command: str, location: Location | None = None) -> Description | None:
         """What xacro makes for a launch file's *command*; None if it is another command, or its file is not here."""
@@ -97,9 +93,23 @@ class Descriptions:
             self._owners[folder] = max(around, key=lambda package: len(package.path), default=None)
         return self._owners[folder]
 
-    def _root(self, path: str) -> Node | None:
-        """The root of an XML file that mentions a robot."""
-        return self.sources.read(path) if "<robot" in self.workspace.text(path) else None
+    def _inside(self, path: str) -> str:
+        """The path inside its package."""
+        owner = self._owner(path)
+        return path if owner is None or owner.path == "." else path[len(owner.path) + 1 :]
+
+    def _candidates(self) -> Iterator[str]:
+        """The XML files whose root is a robot, but those for SRDF."""
+        for file in self.workspace.files:
+            if (
+                file.language != "xml"
+                or file.path.endswith((".srdf", ".sdf"))
+                or "<robot" not in self.workspace.text(file.path)
+            ):
+                continue
+            root = self.sources.read(file.path)
+            if root is not None and root.tag == "robot":
+                yield file.path
 
     def _callers(self) -> Iterator[str]:
         for file in self.workspace.files:

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Transforms that code sends: frames from literals, constants and parameters; nothing that may not be sent."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.checking.broadcasts import Frame, sent
+from haros_ci.extract.cpp.read import read_cpp
+from haros_ci.extract.python.read import read_python
+
+
+def frames(program: object) -> list[tuple[object, object]]:
+    return [(each.child, each.parent) for each in sent(program)]  # type: ignore[arg-type]
+
+
+CPP = """
+class Odom : public rclcpp::Node {
+public:
+  Odom() : Node("odom") {
+    declare_parameter("base_frame", "base_link");
+    get_parameter("base_frame", base_frame_);
+  }
+  void tick() {
+    geometry_msgs::msg::TransformStamped t;
+    t.header.frame_id = "odom";
+    t.child_frame_id = CHILD;
+    SEND
+  }
+  std::string base_frame_;
+  const std::string fixed_{"fixed"};
+  std::string name_ = "named";
+  std::unique_ptr<tf2_ros::TransformBroadcaster> br_;
+};
+"""
+
+
+@pytest.mark.parametrize(
+    ("child", "send", "expected"),
+    [
+        ('"base_link"', "br_->sendTransform(t);", [(Frame("base_link"), Frame("odom"))]),
+        ("base_frame_", "br_->sendTransform(t);", [(Frame(parameter="base_frame"), Frame("odom"))]),
+        ("name_", "br_->sendTransform(t);", [(Frame("named"), Frame("odom"))]),
+        ("msg->child", "br_->sendTransform(t);", [(None, Frame("odom"))]),
+        ('"a"', "while (ok()) { br_->sendTransform(t); }", [(Frame("a"), Frame("odom"))]),
+        ('"a"', "if (!msg) { return; } br_->sendTransform(t);", [(Frame("a"), Frame("odom"))]),
+        ('"a"', "if (publish_tf_) { br_->sendTransform(t); }", []),
+        ('"a"', "if (!publish_tf_) { return; } br_->sendTransform(t);", []),
+        ('"a"', 't.child_frame_id = "b"; br_->sendTransform(t);', [(None, Frame("odom"))]),
+        ('"a"', "t.header = msg->header; br_->sendTransform(t);", [(Frame("a"), None)]),
+        ('"a"', "br_->sendTransform(all_);", [(None, None)]),
+        ('"a"', 'br_->sendTransform(tf::StampedTransform(x, now, "p", "c"));', [(Frame("c"), Frame("p"))]),
+    ],
+)
+def test_cpp(child: str, send: str, expected: object) -> None:
+    assert frames(read_cpp(CPP.replace("CHILD", child).replace("SEND", send))) == expected
+
+
+PYTHON = """
+import rclpy
+class Odom(Node):
+    def __init__(self):
+        self.frame = self.declare_parameter("base_frame", "base_link").value
+        self.other = self.get_parameter("other").get_parameter_value().string_value
+        self.br = TransformBroadcaster(self)
+        CALL
+    def send(self):
+        t = TransformStamped()
+        t.header.frame_id = "odom"
+        t.child_frame_id = CHILD
+        self.br.sendTransform(t)
+"""
+
+
+@pytest.mark.parametrize(
+    ("child", "call", "expected"),
+    [
+        ("'a'", "self.send()", [(Frame("a"), Frame("odom"))]),
+        ("self.frame", "self.send()", [(Frame(parameter="base_frame"), Frame("odom"))]),
+        ("self.other", "self.send()", [(Frame(parameter="other"), Frame("odom"))]),
+        ("name", "self.send()", [(None, Frame("odom"))]),
+        ("'a' + x", "self.send()", [(None, Frame("odom"))]),
+        ("'a'", "if self.publish_tf: self.send()", []),
+    ],
+)
+def test_python(child: str, call: str, expected: object) -> None:
+    assert frames(read_python(PYTHON.replace("CHILD", child).replace("CALL", call))) == expected
+
+
+def test_tf_of_ros_1() -> None:
+    program = read_python('br = tf.TransformBroadcaster()\nbr.sendTransform(a, b, now(), "c", "p")\n')
+    assert frames(program) == [(Frame("c"), Frame("p"))]
