@@ -5,28 +5,49 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, PackageUse, System, included_by, is_slip
+from haros_ci.api import Check, Decidability, Finding, Level, PackageUse, System, included_by, is_slip, knowledge
 
 #: How many packages of a workspace begin alike where that is their prefix.
 COMMON = 4
+#: Shorter names are too much alike.
+LONG = 7
 
 
 def check(system: System) -> Iterator[Finding]:
     known = {dependency.name for package in system.packages.values() for dependency in package.dependencies}
+    alone: bool | None = None
     for use in system.facts(PackageUse):
         if use.is_here or use.package in known:
             continue
-        meant = _meant(use.package, system)
-        if meant is None:
+        meant = _meant(use.package, system) or _misspelt(use.package)
+        if meant is None and alone is None:
+            alone = _stands_alone(known, system)
+        if meant is None and not (alone and knowledge().is_package(use.package) is False):
             continue
+        hint = f"; did you mean {meant!r}?" if meant else ": it is not in the workspace, nor in any distribution of ROS"
         yield Finding(
             at=use.location,
-            message=f"there is no package {use.package!r}; did you mean {meant!r}?",
+            message=f"there is no package {use.package!r}{hint}",
             about=(use.package,),
             flow=included_by(use),
             apart=(use.package,),
+            level=None if meant else Level.WARNING,
             presence=use.presence,
         )
+
+
+def _misspelt(name: str) -> str | None:
+    """The package of a distribution that is meant by a name that no package has."""
+    if len(name) < LONG or knowledge().is_package(name) is not False:
+        return None
+    return next(
+        (other for other in knowledge().packages() if abs(len(other) - len(name)) < 3 and is_slip(name, other)), None
+    )
+
+
+def _stands_alone(declared: set[str], system: System) -> bool:
+    """Whether all that the workspace declares is known: where it is not, there are packages that nobody here knows."""
+    return all(name in system.packages or knowledge().is_known(name) for name in declared)
 
 
 def _meant(name: str, system: System) -> str | None:

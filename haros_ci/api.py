@@ -91,7 +91,7 @@ from haros_ci.code.ways import Reached, in_callbacks
 from haros_ci.code.ways import place as call_place
 from haros_ci.interfaces.references import Reference as InterfaceReference
 from haros_ci.interfaces.references import references_to
-from haros_ci.knowledge.knowledge import Knowledge
+from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.architecture import Condition, Endpoint, Parameter, Qos, RemapRule
 from haros_ci.model.build import (
     Build,
@@ -293,6 +293,11 @@ __all__ = [
     "is_moved",
     "is_nested",
     "is_node",
+    "is_slip",
+    "knowledge",
+    "landings",
+    "loaders",
+    "lead",
     "is_of_ros",
     "is_slip",
     "landings",

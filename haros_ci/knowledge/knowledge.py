@@ -44,6 +44,11 @@ class Knowledge:
             return None
         return bool(int(mask, 16) >> names.index(distribution) & 1)
 
+    def is_known(self, name: str) -> bool:
+        """Whether there is anything of this name: a package, a repository that may have one, a key of rosdep."""
+        sections = ("packages", "others", "keys")
+        return any(name in self.facts.section(each) for each in sections) or "-" in name  # REP 144: no package has that
+
     def is_in(self, name: str, ros: int | None) -> bool:
         """Whether a distribution of *ros* 1 or 2 (None: of either) has the package, or rosdep the key."""
         mask = self.facts.section("packages").get(name)
