@@ -50,10 +50,13 @@ def main() -> None:
     index = read_index(options.rosdistro)
     system = read_system(options.rosdistro)
     found = clones(options.clones)
+    names = {repository: _package_names(clone) for repository, clone in found.items()}
+    _moved(index, found, names)
     trees = _trees(index, found)
     used = {repository for repository, _, _ in trees}
     earlier = [package for repository in sorted(used) for package in older(found[repository])]
-    index.repositories |= _names(found)
+    # such packages exist, whether they are in the index or not
+    index.repositories |= {name for each in names.values() for name in each}
     table = yaml.safe_load(_TABLE.read_text(encoding="utf-8"))
     sections = _sections(index, system, trees, table, list(overlay_rows(options.overlay)), earlier)
     sources = {
@@ -71,17 +74,21 @@ def main() -> None:
     )
 
 
-def _names(found: dict[str, Path]) -> set[str]:
-    """The names of all packages of all clones: such packages exist, whether they are in the index or not."""
-    names = set[str]()
-    for clone in found.values():
-        files = paths(clone, "HEAD")
-        manifests = [sha for path, sha in files.items() if path.rpartition("/")[2] == "package.xml"]
-        for text in texts(clone, manifests):
-            match = re.search(r"<name>\s*([A-Za-z]\w*)\s*</name>", text)
-            if match:
-                names.add(match[1])
-    return names
+def _package_names(clone: Path) -> set[str]:
+    """The names of the packages of a clone."""
+    files = paths(clone, "HEAD")
+    manifests = [sha for path, sha in files.items() if path.rpartition("/")[2] == "package.xml"]
+    matches = (re.search(r"<name>\s*([A-Za-z]\w*)\s*</name>", text) for text in texts(clone, manifests))
+    return {match[1] for match in matches if match}
+
+
+def _moved(index: Index, found: dict[str, Path], names: dict[str, set[str]]) -> None:
+    """Repositories change owners: one of the same name with packages of the row's is the row's."""
+    for source in index.sources:
+        if source.repository not in found:
+            name = source.repository.partition("/")[2]
+            same = (each for each in found if each.endswith(f"/{name}") and names.get(each, set()) & source.packages)
+            source.repository = next(same, source.repository)
 
 
 def _trees(index: Index, found: dict[str, Path]) -> dict[tuple[str, str, int], Tree]:

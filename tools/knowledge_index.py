@@ -25,11 +25,12 @@ _NAME = re.compile(r"/(?:release|rpm|debian)/\w+/([\w-]+)/|pname = \"ros-\w+?-([
 
 @dataclass(slots=True)
 class Source:
-    """A repository of one distribution: ``owner/name`` on GitHub, the branch, and its packages as the index has them."""
+    """A repository of one distribution: ``owner/name`` on GitHub, the branch, and a name or two of its packages."""
 
     repository: str
     branch: str
     distribution: str
+    packages: frozenset[str] = frozenset()
 
 
 @dataclass(slots=True)
@@ -60,7 +61,9 @@ def read_index(rosdistro: Path) -> Index:
                 url = str((row.get(part) or {}).get("url", ""))
                 match = re.match(r"(?:https?://|git@|git://)github\.com[/:]([^/]+/[^/]+?)(?:\.git)?/?$", url)
                 if match:
-                    found.sources.append(Source(match[1].lower(), str(row[part].get("version", "")), distribution))
+                    branch = str(row[part].get("version", ""))
+                    packages = frozenset(release.get("packages") or [name])
+                    found.sources.append(Source(match[1].lower(), branch, distribution, packages))
                     break
     found.repositories -= set(found.packages)
     return found

@@ -51,7 +51,7 @@ def includes(path: str, text: str) -> Iterator[Include]:
         elif word == "include" and depth == 0:
             target = _TARGET.match(rest)
             if target is not None:
-                column = match.start() - (plain.rfind("\n", 0, match.start()) + 1) + 1
+                column = match[0].index("#") + 1
                 yield Include(target[2].strip(), target[1] == '"', Location(path, line, column))
         is_first = False
 
