@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages that a package uses by itself, and gets only because others that it declares need them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Check,
+    Finding,
+    Level,
+    Need,
+    Project,
+    ProjectPackage,
+    Provisions,
+    Sources,
+    add_dependency,
+    imports_of,
+    is_of_ros,
+    last_dependency,
+    needs_of,
+)
+
+_SHOWN = 3
+
+
+def check(project: Project) -> Iterator[Finding]:
+    provisions, sources = Provisions(project), Sources(project)
+    for package in project.packages:
+        uses = [*needs_of(package, sources), *imports_of(package)] if package.manifest is not None else []
+        provided = provisions.of(package).names if uses else frozenset()
+        indirect: dict[str, list[Need]] = {}
+        for use in uses:
+            names = [name for name in use.providers & provided if is_of_ros(name, project)]
+            if not use.providers & package.declared and len(names) == 1 and names[0] != package.name:
+                indirect.setdefault(names[0], []).append(use)
+        for name, found in indirect.items():
+            yield _finding(package, name, found)
+
+
+def _finding(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
+    is_built = any(use.is_header or use.what.startswith("find_package") for use in uses)
+    kind = "depend" if is_built else "exec_depend"
+    fix = add_dependency(package, kind, name)
+    return Finding(
+        at=last_dependency(package),
+        message=f"{package.name} uses {name} ({uses[0].what}) and has it only through its other dependencies; add <{kind}>{name}</{kind}>",
+        about=(package.name, name),
+        related=tuple((use.location, f"uses {name}: {use.what}") for use in uses[:_SHOWN]),
+        apart=(name,),
+        fixes=() if fix is None else (fix,),
+    )
+
+
+CHECK = Check(
+    id="indirect-dependency",
+    summary="What a package uses by itself is among its own dependencies.",
+    level=Level.NOTE,
+    project=check,
+    tags=("packages", "build"),
+    profiles=("strict",),
+)

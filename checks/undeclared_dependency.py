@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages whose headers or CMake configuration a build needs, and that no declared dependency brings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Check,
+    Finding,
+    Level,
+    Need,
+    Project,
+    ProjectPackage,
+    Provisions,
+    Sources,
+    add_dependency,
+    first_provider,
+    is_of_ros,
+    last_dependency,
+    needs_of,
+    others_of,
+)
+
+#: The beginnings of names of packages that only the build needs.
+_TOOLS = (
+    "ament_cmake",
+    "rosidl_default_generators",
+    "catkin",
+    "message_generation",
+    "cmake_modules",
+    "eigen3_cmake_module",
+)
+_SHOWN = 3
+
+
+def check(project: Project) -> Iterator[Finding]:
+    provisions, sources = Provisions(project), Sources(project)
+    for package in project.packages:
+        needs = list(needs_of(package, sources)) if package.manifest is not None else []
+        provided = provisions.of(package) if needs else None
+        missing: dict[frozenset[str], list[Need]] = {}
+        for need in needs:
+            if provided is not None and provisions.lacks(provided, need.providers):
+                missing.setdefault(need.providers, []).append(need)
+        for uses in missing.values():
+            yield _finding(package, uses)
+
+
+def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
+    name = first_provider(uses[0].providers, package)
+    others = others_of(uses[0].providers, name, package)
+    is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
+    kind = "buildtool_depend" if is_tool else "depend"
+    is_certain = not others and is_of_ros(name, package.project)
+    fix = add_dependency(package, kind, name) if is_certain else None
+    alternative = f" (or {', '.join(others)})" if others else ""
+    return Finding(
+        at=last_dependency(package),
+        message=f"{package.name} needs {name} to build ({uses[0].what}), and nothing that it declares brings it; "
+        f"add <{kind}>{name}</{kind}>{alternative}",
+        about=(package.name, name),
+        related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
+        apart=(name,),
+        fixes=() if fix is None else (fix,),
+    )
+
+
+CHECK = Check(
+    id="undeclared-dependency",
+    summary="The packages that a build needs come with the dependencies of package.xml.",
+    level=Level.ERROR,
+    project=check,
+    catalogue="M01",
+    tags=("packages", "build"),
+)

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages whose Python modules installed files import, and that no declared dependency brings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import (
+    Check,
+    Finding,
+    Level,
+    Need,
+    Project,
+    ProjectPackage,
+    Provisions,
+    add_dependency,
+    first_provider,
+    imports_of,
+    is_of_ros,
+    last_dependency,
+    others_of,
+)
+
+_SHOWN = 3
+
+
+def check(project: Project) -> Iterator[Finding]:
+    provisions = Provisions(project)
+    for package in project.packages:
+        needs = list(imports_of(package)) if package.manifest is not None else []
+        provided = provisions.of(package) if needs else None
+        missing: dict[frozenset[str], list[Need]] = {}
+        for need in needs:
+            if provided is not None and provisions.lacks(provided, need.providers):
+                missing.setdefault(need.providers, []).append(need)
+        for uses in missing.values():
+            yield _finding(package, uses)
+
+
+def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
+    name = first_provider(uses[0].providers, package)
+    others = others_of(uses[0].providers, name, package)
+    kind = "exec_depend" if package.raw.format > 1 else "run_depend"
+    is_certain = not others and is_of_ros(name, package.project)
+    fix = add_dependency(package, "exec_depend", name) if is_certain else None
+    alternative = f" (or {', '.join(others)})" if others else ""
+    return Finding(
+        at=last_dependency(package),
+        message=f"{package.name} imports {name} ({uses[0].what}), and nothing that it declares brings it; "
+        f"add <{kind}>{name}</{kind}>{alternative}",
+        about=(package.name, name),
+        related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
+        apart=(name,),
+        fixes=() if fix is None else (fix,),
+    )
+
+
+CHECK = Check(
+    id="undeclared-import",
+    summary="The Python modules that installed files import come with the dependencies of package.xml.",
+    level=Level.ERROR,
+    project=check,
+    catalogue="M02",
+    tags=("packages", "python"),
+)
