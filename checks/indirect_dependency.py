@@ -27,7 +27,7 @@ _SHOWN = 3
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), Sources(project)
     for package in project.packages:
-        uses = [*needs_of(package, sources), *imports_of(package)] if package.manifest is not None else []
+        uses = [*needs_of(package, sources), *imports_of(package, sources)] if package.manifest is not None else []
         provided = provisions.of(package).names if uses else frozenset()
         indirect: dict[str, list[Need]] = {}
         for use in uses:

@@ -13,6 +13,7 @@ from haros_ci.api import (
     Project,
     ProjectPackage,
     Provisions,
+    Sources,
     add_dependency,
     first_provider,
     imports_of,
@@ -25,9 +26,9 @@ _SHOWN = 3
 
 
 def check(project: Project) -> Iterator[Finding]:
-    provisions = Provisions(project)
+    provisions, sources = Provisions(project), Sources(project)
     for package in project.packages:
-        needs = list(imports_of(package)) if package.manifest is not None else []
+        needs = list(imports_of(package, sources)) if package.manifest is not None else []
         provided = provisions.of(package) if needs else None
         missing: dict[frozenset[str], list[Need]] = {}
         for need in needs:

@@ -194,8 +194,8 @@ def _requires(
     there = {(distribution, package) for distribution, package, _ in overlay}
     by_nix: dict[str, set[str]] = defaultdict(set)
     useful = {key for row in direct.values() for key in row}
-    for key, names in system.nix.items():
-        for name in names if key in useful else ():
+    for key, attributes in system.nix.items():
+        for name in attributes if key in useful else ():
             by_nix[name].add(key)
     found: dict[int, Rows] = {1: defaultdict(set), 2: defaultdict(set)}
     for distribution, package, names in overlay:
@@ -210,8 +210,8 @@ def _requires(
                 row.add(plain[name])
             row |= by_nix.get(general, set())
     for (_, _, ros), tree in trees.items():
-        for name, package in tree.packages.items():
-            found[ros][name].update(each for each in brought(package) if each in packages or each in keys)
+        for made in tree.packages.values():
+            found[ros][made.name].update(each for each in brought(made) if each in packages or each in keys)
     return found
 
 
@@ -229,8 +229,8 @@ def _provided(trees: dict[tuple[str, str, int], Tree], packages: dict[str, int])
     tables: list[Rows] = [defaultdict(set) for _ in range(5)]
     headers, cmake, found_modules, interfaces, plugins = tables
     listed = {pair for tree in every for pair in tree.headers}
-    for name, row in shortened(listed, packages).items():
-        headers[name] |= set(row)
+    for name, names in shortened(listed, packages).items():
+        headers[name] |= set(names)
     seen = {name for tree in every for name in tree.packages}
     generated = {name for tree in every for name, _, _ in tree.interfaces}
     for name, row in headers.items():

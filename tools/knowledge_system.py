@@ -60,7 +60,7 @@ def modules(system: System, given: dict[str, list[str]]) -> Iterator[tuple[str, 
     """``(module, key)``: what *given* says of Debian's packages, else a module that is named as the package."""
     for key in system.keys:
         names = {match[1] for name in (*system.keys[key], key) if (match := _PYTHON.match(name))} | system.pip[key]
-        found = set()
+        found = set[str]()
         for name in names:
             plain = _PYTHON.sub(r"\1", name).lower()
             row = given.get(f"python3-{plain}")

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator, Mapping
-from functools import cache
+from collections.abc import Iterator
 
 from haros_ci.checking.needs import Need
-from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.provision import Sources, exists
 from haros_ci.model.location import Location
 from haros_ci.model.program import Program
 
@@ -27,10 +27,9 @@ _LAUNCHING = frozenset(
 _TEST = re.compile(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(test_[^/]*|[^/]*_test|conftest|setup)\.py$")
 
 
-def imports_of(package: ProjectPackage) -> Iterator[Need]:
+def imports_of(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
     """What is imported at the outermost level, outside of ``try`` and ``if``, and whose providers are known."""
     project = package.project
-    modules = _of_workspace(project)
     own = _own(package)
     for path, is_launch in _installed(package):
         program = project.programs.get(path)
@@ -39,10 +38,12 @@ def imports_of(package: ProjectPackage) -> Iterator[Need]:
                 continue
             if is_launch and module in _LAUNCHING:
                 continue
-            names = frozenset(modules.get(module, ())) | (project.knowledge.provider_of_module(module) or frozenset())
+            names = frozenset(sources.modules.get(module, ())) | (
+                project.knowledge.provider_of_module(module) or frozenset()
+            )
             if project.package(module) is not None:
                 names |= {module}
-            if names and any(_is_usable(name, package) for name in names):
+            if exists(names, package):
                 yield Need(names, location, f"import {module}", False)
 
 
@@ -91,27 +92,3 @@ def _own(package: ProjectPackage) -> frozenset[str]:
     ):
         found.update(command.arguments[:1])
     return frozenset(found)
-
-
-@cache
-def _of_workspace(project: Project) -> Mapping[str, frozenset[str]]:
-    """Which packages of the workspace install a module, by its name."""
-    found: dict[str, set[str]] = {}
-    for package in project.packages:
-        for root, directory in package.build.python_roots:
-            names = {root.partition(".")[0]} if root else _below(package, directory)
-            for name in names:
-                found.setdefault(name, set()).add(package.name)
-    return {name: frozenset(names) for name, names in found.items()}
-
-
-def _below(package: ProjectPackage, directory: str) -> set[str]:
-    base = "" if directory == "." else f"{directory}/"
-    inner = (
-        file.path[len(base) :] for file in package.files if file.path.startswith(base) and file.path.endswith(".py")
-    )
-    return {path.partition("/")[0].removesuffix(".py") for path in inner}
-
-
-def _is_usable(name: str, package: ProjectPackage) -> bool:
-    return package.project.package(name) is not None or package.project.knowledge.is_in(name, package.ros)

@@ -46,18 +46,18 @@ def needs_of(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
     """What every build of *package* needs whose providers are known; nothing for one that is not built by CMake alone."""
     if package.raw.is_metapackage or package.raw.build_type == "ament_python" or package.commands(*_FETCHING):
         return
-    yield from _found(package)
+    yield from _found(package, sources)
     yield from _included(package, sources)
 
 
-def _found(package: ProjectPackage) -> Iterator[Need]:
+def _found(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
     """The packages that CMake does not go on without."""
     project = package.project
     for command in package.commands("find_package"):
         if command.is_conditional or command.is_test or not command.arguments:
             continue
         for name in _required(command):
-            if "$" in name or name == package.name or _brings_module(package, name):
+            if "$" in name or name == package.name or _brings_module(sources, name):
                 continue
             names = project.knowledge.provider_of_cmake(name) or frozenset()
             if project.package(name) is not None:
@@ -86,10 +86,10 @@ def _required(command: CMakeCommand) -> Iterator[str]:
     yield from command.after("COMPONENTS", "REQUIRED", "QUIET", "OPTIONAL_COMPONENTS")
 
 
-def _brings_module(package: ProjectPackage, name: str) -> bool:
-    """Whether a package of the workspace has ``FindName.cmake`` or ``NameConfig.cmake`` for CMake to find."""
-    ends = (f"/Find{name}.cmake", f"/{name}Config.cmake", f"/{name}-config.cmake", f"/{name}Config.cmake.in")
-    return any(path.endswith(ends) for path in package.project.workspace.names)
+def _brings_module(sources: Sources, name: str) -> bool:
+    """Whether the workspace has ``FindName.cmake`` or ``NameConfig.cmake`` for CMake to find."""
+    ends = (f"Find{name}.cmake", f"{name}Config.cmake", f"{name}-config.cmake", f"{name}Config.cmake.in")
+    return not sources.file_names.isdisjoint(ends)
 
 
 def _included(package: ProjectPackage, sources: Sources) -> Iterator[Need]:

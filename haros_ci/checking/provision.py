@@ -150,7 +150,7 @@ def _is_name(name: str, project: Project) -> bool:
 
 
 class Sources:
-    """Which packages of the workspace have a header, by the end of its path."""
+    """Which packages of the workspace have a header, by the end of its path, or a Python module."""
 
     def __init__(self, project: Project) -> None:
         self.project = project
@@ -164,6 +164,21 @@ class Sources:
                     found.setdefault(file.path.rpartition("/")[2], []).append((file.path, package.name))
         return found
 
+    @cached_property
+    def file_names(self) -> frozenset[str]:
+        """The names of all files of the workspace, without their folders."""
+        return frozenset(path.rpartition("/")[2] for path in self.project.workspace.names)
+
+    @cached_property
+    def modules(self) -> Mapping[str, frozenset[str]]:
+        """Which packages of the workspace install a top-level Python module, by its name."""
+        found: dict[str, set[str]] = {}
+        for package in self.project.packages:
+            for root, directory in package.build.python_roots:
+                for name in {root.partition(".")[0]} if root else _below(package, directory):
+                    found.setdefault(name, set()).add(package.name)
+        return {name: frozenset(names) for name, names in found.items()}
+
     def ending(self, header: str) -> list[tuple[str, str]]:
         """The files, with their packages, that ``#include <header>`` may mean."""
         end = f"/{header}"
@@ -172,3 +187,9 @@ class Sources:
             for path, package in self._by_name.get(header.rpartition("/")[2], ())
             if path.endswith(end) or path == header
         ]
+
+
+def _below(package: ProjectPackage, directory: str) -> set[str]:
+    base = "" if directory == "." else f"{directory}/"
+    inner = (f.path[len(base) :] for f in package.files if f.path.startswith(base) and f.path.endswith(".py"))
+    return {path.partition("/")[0].removesuffix(".py") for path in inner}
