@@ -22,6 +22,7 @@ from haros_ci.api import (
     given_function,
     last_part,
     nodes,
+    type_name,
     undone_ways,
 )
 
@@ -30,7 +31,7 @@ OUTCOMES = frozenset(
     "succeed abort canceled setSucceeded setAborted setPreempted setRejected setCanceled set_succeeded set_aborted "
     "set_preempted terminate terminate_all terminate_current succeeded_current".split()
 )
-HANDLES = ("ServerGoalHandle",)
+HANDLES = ("rclcpp_action::ServerGoalHandle", "rclcpp_action::ServerGoalHandleBase")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -66,7 +67,7 @@ def _executing(code: Codebase) -> Iterator[tuple[Routine, str]]:
     for callback in callbacks(code):
         if callback.kind == "action" and callback.maker.is_python and callback.role in ("3", "execute_callback"):
             yield callback.routine, "rclpy warns, and aborts it"
-    for path in sorted(code.mentioning(*HANDLES, "GoalHandle")):
+    for path in sorted(code.mentioning("GoalHandle")):
         for routine in code.routines(path):
             if not routine.is_python and routine.function.kind != "lambda" and _takes_handle(code, routine):
                 yield routine, "it ends as canceled, with an empty result"
@@ -78,30 +79,33 @@ def _executing(code: Codebase) -> Iterator[tuple[Routine, str]]:
 
 
 def _takes_handle(code: Codebase, routine: Routine) -> bool:
-    from_types = (parameter.type for parameter in routine.function.parameters)
-    return any("GoalHandle" in repr(kind) and "Client" not in repr(kind) for kind in from_types)
+    """Whether it is given a goal handle of rclcpp_action, and is not the one that accepts or cancels goals."""
+    if routine.function.returns[0].rpartition("::")[2] in ("CancelResponse", "GoalResponse"):
+        return False
+    parameters = (parameter for parameter in routine.function.parameters if parameter.name)
+    return any(type_name(code, routine, ("name", each.name)) in HANDLES for each in parameters)
 
 
 def _does(code: Codebase, routine: Routine, expression: Any, names: frozenset[str], depth: int = 2) -> bool:
     """Whether *expression* sets the outcome, or may: it hands the goal on, or calls what sets it."""
     for node in nodes(expression):
-        if node[0] == "lambda":
+        if node[0] == "lambda" or (node[0] == "set" and _is_handed(node[3], names)):
             return True
         if node[0] != "call":
             continue
-        if last_part(node[1]) in OUTCOMES:
-            return True
-        if any(
-            inner[0] == "name" and inner[1] in names
-            for each in node[2]
-            for inner in (each, each[-1])
-            if isinstance(inner, (tuple, list))
-        ):
+        if last_part(node[1]) in OUTCOMES or any(_is_handed(each, names) for each in node[2]):
             return True
         for target in called(code, routine, node) if depth else ():
             if any(_does(code, target, call.whole, frozenset(), depth - 1) for call in code.body(target).calls):
                 return True
     return False
+
+
+def _is_handed(value: Any, names: frozenset[str]) -> bool:
+    """Whether *value* is the goal or its handle itself: *names* are the function's parameters."""
+    while value[0] in ("*", "&", "kw", "cast", "star"):
+        value = value[-1]
+    return value[0] == "name" and value[1] in names
 
 
 CHECK = Check(

@@ -129,16 +129,14 @@ def _python(code: Codebase, each: Reached, call: Call) -> str | None:
     client = None
     if call.name == "call" and call.receiver is not None:
         client = call.receiver
-        if any(arg[0] == "kw" for arg in call.args):  # with a time-out it comes back
-            return None
     elif call.name in ("spin", "spin_until_future_complete") and dotted(code, routine, call.callee).startswith(
         "rclpy."
     ):
-        if not call.args or not _is_spun(code, each, call.args[0]) or len(call.args) > 2:
+        if not call.args or not _is_spun(code, each, call.args[0]):
             return None
         if call.name == "spin":
             return "spins its own node here: this does not return, and no callback of its group runs again; remove the call"
-        client = _requested(code, routine, call.args[1]) if len(call.args) == 2 else None
+        client = _requested(code, routine, call.args[1]) if len(call.args) > 1 else None
     made = client_made(code, routine, client) if client is not None else None
     if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
         return (

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import Check, Codebase, Decidability, Finding, Level, Location, Project, Routine
+from haros_ci.api import Check, Codebase, Decidability, Finding, Level, Location, Project, Routine, callees
 
 #: Text in a loop's body by which it may end, or by which more may happen than is seen.
 ENDS = re.compile(
@@ -53,7 +53,13 @@ def _is_endless(statement: Any) -> bool:
 def _may_end(code: Codebase, routine: Routine, statement: Any) -> bool:
     """Whether there is a way out of the loop, or may be one in what is not seen."""
     text = _text(code, routine, statement)
-    return text is None or bool(ENDS.search(text)) or (routine.is_python and bool(RAISES.search(text)))
+    if text is None or ENDS.search(text):
+        return True
+    if not routine.is_python:
+        return False
+    calls = {call.name for call in code.body(routine).calls if statement[2] <= call.line}
+    called = (code.lines(each, each.function.line) for call, each in callees(code, routine) if call.name in calls)
+    return any(RAISES.search(each) for each in (text, *called))
 
 
 def _text(code: Codebase, routine: Routine, statement: Any) -> str | None:

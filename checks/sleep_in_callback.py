@@ -25,9 +25,13 @@ from haros_ci.api import (
 
 #: Sleeps shorter than this many seconds hold nobody up.
 SHORT = 0.02
+#: Calls of a routine that ends the node: nobody waits any more.
+ENDS = frozenset(("exit", "_exit", "quick_exit", "shutdown", "destroy_node", "signal_shutdown", "requestShutdown"))
 RATES = frozenset(("ros::Rate", "ros::WallRate", "rclcpp::Rate", "rclcpp::WallRate", "rclcpp::GenericRate"))
 DURATIONS = frozenset(("ros::Duration", "ros::WallDuration"))
-PYTHON_RATES = frozenset(("rclpy.timer.Rate",))
+PYTHON_  #: Calls of a routine that ends the node: nobody waits any more.
+ENDS = frozenset(("exit", "_exit", "quick_exit", "shutdown", "destroy_node", "signal_shutdown", "requestShutdown"))
+RATES = frozenset(("rclpy.timer.Rate",))
 #: Seconds of one unit, by C++ literal suffix and by type.
 UNITS = {"h": 3600.0, "min": 60.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 TYPES = {
@@ -44,9 +48,12 @@ def check(project: Project) -> Iterator[Finding]:
     code = project.code
     seen: set[int] = set()
     for each in in_callbacks(code):
-        if not _holds_up(code, each.callback):
+        if each.routine.is_test or each.callback.maker.is_test or not _holds_up(code, each.callback):
             continue
-        for call in code.body(each.routine).calls:
+        calls = code.body(each.routine).calls
+        if ENDS.intersection(call.name for call in calls):
+            continue
+        for call in calls:
             if id(call) in seen or "sleep" not in call.name:
                 continue
             seconds = sleeps(code, each.routine, call)

@@ -87,7 +87,7 @@ class Variable:
 
 @dataclass(slots=True)
 class Body:
-    """What a function does, in the order of the text."""
+    """What a function does, in the order of the text; of calls in one another the outer one first."""
 
     calls: list[Call] = field(default_factory=list)
     variables: dict[str, list[Variable]] = field(default_factory=dict)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from haros_ci.code import classes, kinds
@@ -43,15 +44,20 @@ def node_name(code: Codebase, routine: Routine, expression: Expression | None) -
 
 
 def client_made(code: Codebase, routine: Routine, expression: Expression) -> Made | None:
-    """How the service client that an expression is was made: a member that has one origin; None if that is not known."""
-    if expression[0] == "field" and expression[1][0] == "this":
-        member = expression[2]
-    elif expression[0] == "name" and not routine.is_python and not kinds.is_local(code, routine, expression[1]):
-        member = expression[1]
+    """How the service client that an expression is was made: a member or local variable that has one origin; None if that is not known."""
+    values: Sequence[tuple[Routine, Expression]] = ()
+    if expression[0] == "name" and kinds.is_local(code, routine, expression[1]) and not routine.is_python:
+        found = kinds.variable(code, routine, expression[1])
+        if isinstance(found, tuple) and len(found) == 2 and found[1].init is not None and found[1].init[0] == "=":
+            values = ((found[0], found[1].init[1]),)
+    elif expression[0] == "name" and routine.is_python:
+        values = [
+            (routine, value) for target, _, value, _ in code.body(routine).sets if list(target) == list(expression)
+        ]
     else:
-        return None
-    owner = classes.owner_of(code, routine)
-    values = kinds.attribute_values(code, owner, member) if owner is not None else ()
+        is_member = expression[0] == "field" and expression[1][0] == "this"
+        owner = classes.owner_of(code, routine) if is_member or expression[0] == "name" else None
+        values = kinds.attribute_values(code, owner, expression[-1]) if owner is not None else ()
     made: set[Made | None] = set()
     for where, value in values:
         if value[0] != "call" or last_part(value[1]) != "create_client" or where.owner != routine.owner:

@@ -125,7 +125,8 @@ def _loop(statement: Any, done: bool, does: Callable[[Expression], bool], ways: 
     if over:
         ways.on.add(True)  # it ends with a shutdown, or is left by a break
     elif not endless:
-        ways.on |= {done} | inner.on | inner.continues
+        once = statement[0] == "loop" and statement[1] == "do"
+        ways.on |= (set() if once else {done}) | inner.on | inner.continues
 
 
 def _switch(statement: Any, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
