@@ -29,9 +29,7 @@ SHORT = 0.02
 ENDS = frozenset(("exit", "_exit", "quick_exit", "shutdown", "destroy_node", "signal_shutdown", "requestShutdown"))
 RATES = frozenset(("ros::Rate", "ros::WallRate", "rclcpp::Rate", "rclcpp::WallRate", "rclcpp::GenericRate"))
 DURATIONS = frozenset(("ros::Duration", "ros::WallDuration"))
-PYTHON_  #: Calls of a routine that ends the node: nobody waits any more.
-ENDS = frozenset(("exit", "_exit", "quick_exit", "shutdown", "destroy_node", "signal_shutdown", "requestShutdown"))
-RATES = frozenset(("rclpy.timer.Rate",))
+PYTHON_RATES = frozenset(("rclpy.timer.Rate",))
 #: Seconds of one unit, by C++ literal suffix and by type.
 UNITS = {"h": 3600.0, "min": 60.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 TYPES = {
