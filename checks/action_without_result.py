@@ -49,7 +49,7 @@ def check(project: Project) -> Iterator[Finding]:
             return _does(code, routine, expression, names)
 
         function = routine.function
-        ways = undone_ways(function.body or (), does, (function.line, function.column))
+        ways = undone_ways(function.body or (), does, (function.line, function.column), names)
         if ways:
             yield Finding(
                 at=Location(routine.path, function.line, function.column),
@@ -80,7 +80,7 @@ def _executing(code: Codebase) -> Iterator[tuple[Routine, str]]:
 
 def _takes_handle(code: Codebase, routine: Routine) -> bool:
     """Whether it is given a goal handle of rclcpp_action, and is not the one that accepts or cancels goals."""
-    if routine.function.returns[0].rpartition("::")[2] in ("CancelResponse", "GoalResponse"):
+    if routine.function.returns[0] != "void":  # what is asked whether to accept or cancel, or is called again and again
         return False
     parameters = (parameter for parameter in routine.function.parameters if parameter.name)
     return any(type_name(code, routine, ("name", each.name)) in HANDLES for each in parameters)

@@ -51,6 +51,7 @@ def undone(body: str) -> bool:
         "try { x(); done(); } catch (const E &) { y(); }",
         "while (rclcpp::ok()) { if (a) return; } done();",
         "for (;;) { if (a) return; }",
+        "while (a) { if (b()) { done(); return; } x(); }",
         "if (!valid(a)) { log(); return; } done();",
     ],
 )
@@ -79,10 +80,29 @@ def test_a_way_leaves_it_undone(body: str) -> None:
         "return done();",
         "#if X\nx();\n#endif\n",
         "do { done(); } while (a);",
+        "bool on = true; while (on) { if (a) { done(); on = false; } }",
+        "bool ok = false; for (int i = 0; i < 3; ++i) { if (a) { done(); ok = true; break; } } if (!ok) { done(); }",
     ],
 )
 def test_every_way_does_it(body: str) -> None:
     assert not undone(body)
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("if (a) { done(); }", False),
+        ("if (!a) { return; } done();", False),
+        ("if (a != nullptr) { done(); }", False),
+        ("if (a == nullptr) { return; } else { done(); }", False),
+        ("if (a) { if (b) { done(); } }", True),
+        ("if (b) { done(); }", True),
+        ("if (a) { x(); }", True),
+    ],
+)
+def test_a_pointer_that_is_given_is_not_null(body: str, expected: bool) -> None:
+    _, routine = cpp(f"void f(int * a) {{ {body} }}")
+    assert bool(undone_ways(routine.function.body or (), does, (1, 1), frozenset("a"))) is expected
 
 
 def test_uses_of_a_variable() -> None:

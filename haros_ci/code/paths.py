@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ways through a body: whether something is done on each of them before the function returns.
 
-Lenient: ways that a shutdown takes, that throw, or that a loop of unknown length takes after the thing was done are none to speak of.
+Lenient: ways that a shutdown takes, that throw, or that a flag may exclude are none to speak of.
 """
 
 from __future__ import annotations
@@ -31,17 +31,43 @@ class _Ways:
     undone: list[tuple[int, int]] = field(default_factory=list)
 
 
-def undone_ways(block: Block, does: Callable[[Expression], bool], end: tuple[int, int]) -> tuple[tuple[int, int], ...]:
-    """Where the function returns without having done it: the nearest statement with a line, *end* for its own end."""
+def undone_ways(
+    block: Block, does: Callable[[Expression], bool], end: tuple[int, int], given: frozenset[str] = frozenset()
+) -> tuple[tuple[int, int], ...]:
+    """Where the function returns without having done it: the nearest statement with a line, *end* for its own end.
+
+    Ways on which one of the *given* variables is null are left out.
+    """
+    block = tuple(_without_null_tests(each, given) for each in block)
     ways = _Ways()
     _block(block, False, does, ways, end)
     return tuple(dict.fromkeys([*ways.undone, *([end] if False in ways.on else [])]))
+
+
+def _without_null_tests(statement: Any, given: frozenset[str]) -> Any:
+    """The statement that runs where the *given* variables are not null, for ``if (given) { ... }`` at the outermost level."""
+    if statement[0] != "if":
+        return statement
+    test = statement[4]
+    if test[0] == "op" and test[1] in ("!=", "==") and len(test[2]) == 2 and _is_null(test[2][1]):
+        test = test[2][0] if test[1] == "!=" else ("op", "!", (test[2][0],))
+    if test[0] == "name" and test[1] in given:
+        return ("block", tuple(_without_null_tests(each, given) for each in statement[5]))
+    if test[0] == "op" and test[1] == "!" and test[2][0][0] == "name" and test[2][0][1] in given:
+        return ("block", statement[8])
+    return statement
+
+
+def _is_null(expression: Expression) -> bool:
+    return expression[0] == "none" or (expression[0] == "name" and expression[1] in ("nullptr", "NULL"))
 
 
 def _block(block: Block, done: bool, does: Callable[[Expression], bool], ways: _Ways, near: tuple[int, int]) -> None:
     states = {done}
     for statement in block:
         after: set[bool] = set()
+        if len(states) == 2 and statement[0] == "if" and _may_do(statement[5], does):
+            states = {True}  # the condition tells the ways apart, as far as can be seen
         for state in states:
             inner = _Ways()
             _statement(statement, state, does, inner, near)
@@ -125,8 +151,18 @@ def _loop(statement: Any, done: bool, does: Callable[[Expression], bool], ways: 
     if over:
         ways.on.add(True)  # it ends with a shutdown, or is left by a break
     elif not endless:
-        once = statement[0] == "loop" and statement[1] == "do"
-        ways.on |= (set() if once else {done}) | inner.on | inner.continues
+        turned = inner.on | inner.continues
+        if statement[0] == "loop" and statement[1] != "for" and True in turned:
+            ways.on.add(True)  # its condition is about that, as far as can be seen
+        else:
+            ways.on |= {done} | turned
+
+
+def _may_do(block: Block, does: Callable[[Expression], bool]) -> bool:
+    """Whether one of the ways through *block* does it."""
+    ways = _Ways()
+    _block(block, False, does, ways, (0, 0))
+    return True in ways.on | ways.breaks | ways.continues or not (ways.on or ways.undone)
 
 
 def _switch(statement: Any, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
