@@ -56,7 +56,7 @@ def _may_end(code: Codebase, routine: Routine, statement: Any) -> bool:
     if text is None or ENDS.search(text):
         return True
     if not routine.is_python:
-        return False
+        return bool(re.search(r"\bdetach\s*\(", code.text(routine.path)))  # such a thread ends with the process
     calls = {call.name for call in code.body(routine).calls if statement[2] <= call.line}
     called = (code.lines(each, each.function.line) for call, each in callees(code, routine) if call.name in calls)
     return any(RAISES.search(each) for each in (text, *called))
@@ -91,7 +91,7 @@ def _finding(code: Codebase, routine: Routine, statement: Any) -> Finding:
     asked = "not rospy.is_shutdown()" if routine.is_python else "ros::ok()" if ros == 1 else "rclcpp::ok()"
     return Finding(
         at=Location(routine.path, statement[2], statement[3]),
-        message=f"the loop in {routine.title} has no way out: it goes on after a shutdown, and the process has to be killed; "
+        message=f"the loop in {routine.title} has no way out: it goes on after a shutdown, and the process hangs or is aborted instead of ending; "
         f"ask {asked} in its condition",
         about=(routine.title, "endless loop"),
     )

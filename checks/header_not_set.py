@@ -91,8 +91,8 @@ def _made_here(code: Codebase, routine: Routine, name: str) -> str | None:
     is_empty = init is None or (init[0] in ("{", "(") and not init[1])
     if init is not None and init[0] == "=":
         value = init[1]
-        is_empty = value[0] == "call" and not value[2]
-        if is_empty and value[1][0] == "name" and value[1][1].rpartition("::")[2] not in MAKERS:
+        is_empty = value[0] == "call" and not value[2] and value[1][0] == "name"
+        if is_empty and value[1][1].rpartition("::")[2] not in MAKERS:
             is_empty = value[1][1][:1] != "" and _message(value[1][1]) is not None
     if not is_empty or any(mark in found[1].type[2] for mark in "&*"):
         return None

@@ -70,7 +70,7 @@ def check(project: Project) -> Iterator[Finding]:
             if found is None:
                 continue
             value, what, needs_text = found
-            content = carried(value, marks)
+            content = frozenset(path for path in carried(value, marks) if path)  # the text of a whole message is quoted
             if not content or (needs_text and not _is_text(project, callback, content, value)):
                 continue
             seen.add(id(call))

@@ -50,6 +50,7 @@ KNOWN = {
     "method of what a method returns": ("B make() { return B(); }", "make().work();", ["B::work", "A::make"]),
     "free function": ("", "free_one(1);", ["free_one"]),
     "overload by the number of arguments": ("void f() {} void f(int) {}", "f(1);", ["A::f"]),
+    "one variable in two scopes": ("", "{ B b; } { B b; b.work(); }", ["B::work"]),
     "lambda of a variable": ("", "auto f = [this]() { return 1; }; f();", ["the lambda in A::go"]),
 }
 UNKNOWN = {

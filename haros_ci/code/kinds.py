@@ -63,12 +63,22 @@ def variable(code: Codebase, routine: Routine, name: str) -> tuple[Routine, Vari
     while around is not None:
         found = code.body(around).variables.get(name)
         if found:
-            return (around, found[0]) if len(found) == 1 else None
+            told = {repr((each.type, _placeless(each.init))) for each in found} if len(found) > 1 else {""}
+            return (around, found[0]) if len(told) == 1 else None
         for parameter in around.function.parameters:
             if parameter.name == name:
                 return _written(code, around, parameter.type)
         around = around.outer
     return None
+
+
+def _placeless(node: Any) -> Any:
+    """An initialiser without the lines and columns of its calls."""
+    if isinstance(node, (tuple, list)):
+        if len(node) == 6 and node[0] == "call":
+            node = node[:4]
+        return tuple(_placeless(each) for each in node)
+    return node
 
 
 def is_local(code: Codebase, routine: Routine, name: str) -> bool:

@@ -10,13 +10,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.code.body import nodes
+from haros_ci.code.body import last_part, nodes
 from haros_ci.model.program import Block, Expression
 
-#: In a condition: its way is that of a shutdown, or of a goal that is over.
+#: True while the program runs and the goal is served, and what is true once that is over.
+RUNNING = frozenset("ok isOk isActive is_active is_executing is_server_active".split())
 OVER = frozenset(
-    "ok is_shutdown isShuttingDown isActive is_active is_executing isOk isNewGoalAvailable is_new_goal_available "
-    "is_server_active is_shutting_down shutdown".split()
+    "is_shutdown isShuttingDown is_shutting_down isNewGoalAvailable is_new_goal_available shutdown".split()
 )
 
 
@@ -123,13 +123,13 @@ def _statement(
 def _if(statement: Any, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
     test = statement[4]
     done = done or does(test)
-    over = _over(test)
+    then_over, else_over = _over(test)
     at = (statement[1], statement[2])
-    _block(statement[5], done or over, does, ways, at)
+    _block(statement[5], done or then_over, does, ways, at)
     if statement[8]:
-        _block(statement[8], done, does, ways, (statement[6] or at[0], statement[7] or at[1]))
+        _block(statement[8], done or else_over, does, ways, (statement[6] or at[0], statement[7] or at[1]))
     else:
-        ways.on.add(done)
+        ways.on.add(done or else_over)
 
 
 def _loop(statement: Any, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
@@ -142,7 +142,7 @@ def _loop(statement: Any, done: bool, does: Callable[[Expression], bool], ways: 
         endless = (test is None and statement[1] == "for") or (
             test is not None and test[0] in ("bool", "num") and bool(test[1])
         )
-        over = test is not None and _over(test)
+        over = test is not None and any(_over(test))
         body, at = statement[7], (statement[2], statement[3])
         done = done or (test is not None and does(test))
     _block(body, done, does, inner, at)
@@ -183,11 +183,15 @@ def _switch(statement: Any, done: bool, does: Callable[[Expression], bool], ways
         ways.on.add(done)
 
 
-def _over(test: Expression) -> bool:
-    """Whether a condition asks whether the program or the goal is over."""
-    for node in nodes(test):
-        if node[0] == "call" and node[1][0] in ("name", "field"):
-            last = str(node[1][-1]).rpartition("::")[2]
-            if last in OVER:
-                return True
-    return False
+def _over(test: Expression) -> tuple[bool, bool]:
+    """Whether the program or the goal is over where a condition holds, and where it does not; both may be for compound ones."""
+    turned = False
+    while test[0] == "op" and test[1] == "!":
+        turned, test = not turned, test[2][0]
+    found = {last_part(node[1]) for node in nodes(test) if node[0] == "call"} & (RUNNING | OVER)
+    if not found:
+        return False, False
+    if test[0] != "call" or last_part(test[1]) not in found:
+        return True, True
+    holds = (last_part(test[1]) in OVER) != turned
+    return holds, not holds
