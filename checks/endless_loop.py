@@ -21,6 +21,10 @@ RAISES = re.compile(
 )
 
 
+#: What a node includes; the clients of microcontrollers (rosserial) know no shutdown.
+ROS = frozenset(("ros/ros.h", "nodelet/nodelet.h"))
+
+
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
     for path in sorted(code.mentioning("while", "for (;", "for(;")):
@@ -40,7 +44,7 @@ def _is_of_a_node(code: Codebase, routine: Routine) -> bool:
         return "rospy" in heads and "rclpy" not in heads
     files = {routine.path, *code.cpp.reach(routine.path)}
     includes = (each.strip('<>"') for path in files for each in code.by_path[path].program.includes)
-    return any(each.startswith(("rclcpp/", "rclcpp_", "ros/", "nodelet/")) for each in includes)
+    return any(each in ROS or each.startswith("rclcpp") for each in includes)
 
 
 def _is_endless(statement: Any) -> bool:

@@ -82,7 +82,8 @@ from haros_ci.code.calls import called, callees, callers, calls_of, reached
 from haros_ci.code.classes import base_names, class_named, methods, owner_of, resolved
 from haros_ci.code.clients import Made, client_made, is_node, node_name, own_method
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.code.kinds import attribute_values, class_of, dotted, is_local, ros_type, type_name, type_of, variable
+from haros_ci.code.kinds import attribute_values, class_of, dotted, is_local, type_name, type_of, variable
+from haros_ci.code.message_names import ros_type
 from haros_ci.code.paths import undone_ways
 from haros_ci.code.taint import carried, followed
 from haros_ci.code.transforms import ASKED, is_caught, is_lookup

@@ -9,7 +9,8 @@ from haros_ci.code.callbacks import Callback, callbacks, excludes
 from haros_ci.code.calls import called, callers, reached
 from haros_ci.code.clients import client_made, is_node, own_method
 from haros_ci.code.codebase import Codebase, Routine, codebase
-from haros_ci.code.kinds import dotted, ros_type, type_name
+from haros_ci.code.kinds import dotted, type_name
+from haros_ci.code.message_names import ros_type
 from haros_ci.code.ways import in_callbacks
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.python.read import read_python
