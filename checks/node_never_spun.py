@@ -6,7 +6,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Call, Check, Codebase, Finding, Level, Project, Routine, call_place, calls_of, dotted
+from haros_ci.api import (
+    Call,
+    Check,
+    Codebase,
+    Finding,
+    Level,
+    Project,
+    Routine,
+    call_place,
+    callbacks,
+    calls_of,
+    dotted,
+)
 
 #: Whatever may call callbacks: a text that has one of these words is not looked at.
 SPINS = re.compile(
@@ -16,9 +28,7 @@ SPINS = re.compile(
 #: What main may hand its node to, besides.
 STARTS = re.compile(r"\b(run|exec|start|loop|join|Run|Start|Loop|Exec)\w*\s*\(")
 INITS = {"rclcpp::init": 2, "ros::init": 1, "rclpy.init": 2}
-CALLBACKS = re.compile(
-    r"\b(create_subscription|create_wall_timer|create_timer|create_service|advertiseService|subscribe|createTimer)\s*[<(]"
-)
+KINDS = frozenset(("subscription", "timer", "service"))
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -32,17 +42,16 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if STARTS.search(code.text(routine.path)) or SPINS.search(code.text(routine.path)):
             continue
-        texts = [code.text(path) for path in sorted(_program(code, routine))]
-        if any(SPINS.search(text) for text in texts):
-            continue
-        made = next((CALLBACKS.search(text) for text in texts if CALLBACKS.search(text)), None)
-        if made is None:
+        paths = _program(code, routine)
+        made = next((each for each in callbacks(code) if each.maker.path in paths and each.kind in KINDS), None)
+        if made is None or any(SPINS.search(code.text(path)) for path in paths):
             continue
         yield Finding(
             at=call_place(routine, call),
-            message=f"the program makes a node with callbacks ({made[1]}), and nothing in it spins: no callback is ever called; "
+            message=f"the program makes a {made.kind} with a callback, and nothing in it spins: it is never called; "
             "spin the node, or add it to an executor that does",
             about=(routine.source.package or routine.path, routine.path.rpartition("/")[2]),
+            related=((made.location, f"{made.routine.title} is its callback"),),
         )
 
 

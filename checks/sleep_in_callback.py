@@ -14,12 +14,15 @@ from haros_ci.api import (
     Decidability,
     Finding,
     Level,
+    Place,
     Project,
+    Reached,
     Routine,
     call_place,
     called,
     dotted,
     in_callbacks,
+    names_in,
     type_name,
     variable,
 )
@@ -46,31 +49,54 @@ TYPES = {
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
     seen: set[int] = set()
+    found: dict[int, list[tuple[Reached, Call, float]]] = {}
     for each in in_callbacks(code):
         if each.routine.is_test or each.callback.maker.is_test or not _holds_up(code, each.callback):
             continue
         calls = code.body(each.routine).calls
-        if ENDS.intersection(call.name for call in calls):
+        if ENDS.intersection(call.name for call in calls) or any(map(_depends, each.path[1:])):
             continue
         for call in calls:
-            if id(call) in seen or "sleep" not in call.name:
+            if id(call) in seen or "sleep" not in call.name or (each.path and _depends((each.routine, call))):
                 continue
             seconds = sleeps(code, each.routine, call)
-            if seconds is None or 0 <= seconds < SHORT:
-                continue
-            seen.add(id(call))
-            kind, title = each.callback.kind, each.callback.routine.title
-            long = f"for {seconds:g} s" if seconds >= 0 else ""
-            yield Finding(
-                at=call_place(each.routine, call),
-                message=f"{' '.join(filter(None, ('the thread sleeps', long)))} in {title}, the callback of a {kind}: until then no other callback of the "
-                "node's default group runs, and messages wait or are lost; use a timer, or a callback group of its own"
-                if each.callback.ros == 2
-                else f"{' '.join(filter(None, ('the thread sleeps', long)))} in {title}, the callback of a {kind}: until then the spinner calls no "
-                "other callback, and messages wait or are lost; use a timer",
-                about=(title, each.routine.title, "sleep"),
-                flow=each.flow(call, "it sleeps here"),
-            )
+            if seconds is not None and not 0 <= seconds < SHORT:
+                seen.add(id(call))
+                found.setdefault(id(each.callback.routine), []).append((each, call, seconds))
+    for every in found.values():
+        yield _finding(every)
+
+
+def _finding(every: list[tuple[Reached, Call, float]]) -> Finding:
+    """One finding for a callback, however often it sleeps."""
+    each, call, seconds = every[0]
+    kind, title = each.callback.kind, each.callback.routine.title
+    long = f" for {seconds:g} s" if seconds >= 0 else ""
+    effect = (
+        "no other callback of the node's default group runs, and messages wait or are lost; use a timer, or a callback group of its own"
+        if each.callback.ros == 2
+        else "the spinner calls no other callback, and messages wait or are lost; use a timer"
+    )
+    return Finding(
+        at=call_place(each.routine, call),
+        message=f"the thread sleeps{long} in {title}, the callback of a {kind}: until then {effect}",
+        about=(title, each.routine.title, "sleep"),
+        related=tuple((call_place(other.routine, sleep), "it sleeps here, too") for other, sleep, _ in every[1:]),
+        flow=each.flow(call, "it sleeps here"),
+    )
+
+
+def _depends(step: tuple[Routine, Call]) -> bool:
+    """Whether a condition on a parameter of the routine stands around the call: a timeout that may be zero."""
+    routine, call = step
+    parameters = {parameter.name for parameter in routine.function.parameters}
+    conditions = (place.statement if place.kind in ("then", "else") else _condition(place) for place in call.around)
+    return any(parameters & names_in(each) for each in conditions if each is not None)
+
+
+def _condition(place: Place) -> Any:
+    is_loop = place.kind == "loop" and place.statement[0] == "loop"
+    return place.statement[6] if is_loop else None
 
 
 def _holds_up(code: Codebase, callback: Callback) -> bool:

@@ -83,6 +83,7 @@ def test_a_way_leaves_it_undone(body: str) -> None:
         "#if X\nx();\n#endif\n",
         "do { done(); } while (a);",
         "if (rclcpp::ok()) { done(); }",
+        "if (!goal.is_active) { return; } done();",
         "if (!server.isActive()) { return; } done();",
         "if (a && !rclcpp::ok()) { return; } done();",
         "bool on = true; while (on) { if (a) { done(); on = false; } }",

@@ -188,10 +188,15 @@ def _over(test: Expression) -> tuple[bool, bool]:
     turned = False
     while test[0] == "op" and test[1] == "!":
         turned, test = not turned, test[2][0]
-    found = {last_part(node[1]) for node in nodes(test) if node[0] == "call"} & (RUNNING | OVER)
+    found = {_asked(node) for node in nodes(test)} & (RUNNING | OVER)
     if not found:
         return False, False
-    if test[0] != "call" or last_part(test[1]) not in found:
+    if _asked(test) not in found:
         return True, True
-    holds = (last_part(test[1]) in OVER) != turned
+    holds = (_asked(test) in OVER) != turned
     return holds, not holds
+
+
+def _asked(node: Expression) -> str:
+    """The last part of the name of a call, or of a property that is read."""
+    return last_part(node[1]) if node[0] == "call" else str(node[2]) if node[0] == "field" else ""
