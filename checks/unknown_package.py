@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Decidability, Finding, Level, PackageUse, System, included_by, is_slip, knowledge
 
+#: What a package can be called (REP 127); anything else is to be replaced in a template.
+_NAME = re.compile(r"[A-Za-z][\w-]*\Z")
 #: How many packages of a workspace begin alike where that is their prefix.
 COMMON = 4
 #: Shorter names are too much alike.
@@ -17,7 +20,7 @@ def check(system: System) -> Iterator[Finding]:
     known = {dependency.name for package in system.packages.values() for dependency in package.dependencies}
     alone: bool | None = None
     for use in system.facts(PackageUse):
-        if use.is_here or use.package in known:
+        if use.is_here or use.package in known or not _NAME.match(use.package):
             continue
         meant = _meant(use.package, system) or _misspelt(use.package)
         if meant is None and alone is None:
