@@ -67,7 +67,14 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
         for name in _sets(package, command):
             yield name, "no install(TARGETS ... EXPORT) puts a target into it, and CMake stops"
     elif command.name == "catkin_package":
-        yield from _exported(package, command.after("LIBRARIES", *_KEYWORDS))
+        names = command.after("LIBRARIES", *_KEYWORDS)
+        yield from _exported(package, names)
+        for target in (cmake.targets[name] for name in names if name in cmake.targets):
+            if target.kind == "library" and target.output != target.name and not target.is_conditional:
+                yield (
+                    target.name,
+                    f"its file is {target.prefix}{target.output}{target.suffix}, and packages that use it look for {target.name}",
+                )
         for word in command.after("INCLUDE_DIRS", *_KEYWORDS):
             path = command.place(word)
             if path is not None and not package.project.exists(path) and not may_appear(package, path, _QUIET):
@@ -182,11 +189,13 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
 
 
 def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: str) -> Finding:
-    near = get_close_matches(name, sorted(package.cmake.targets), 1, 0.75)
+    is_made = name in package.cmake.targets
+    near = [] if is_made else get_close_matches(name, sorted(package.cmake.targets), 1, 0.75)
     hint = f"; did you mean {near[0]}?" if near else ""
+    said = f"{package.name} exports {name}" if is_made else f"{name} is nothing that {package.name} makes"
     return Finding(
         at=command.location,
-        message=f"{name} is nothing that {package.name} makes: {what}{hint}",
+        message=f"{said}: {what}{hint}",
         about=(package.name, name),
         apart=(name,),
         level=Level.WARNING if command.name == "ament_export_libraries" else None,  # they are told, and go on
