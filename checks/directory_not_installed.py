@@ -25,6 +25,7 @@ _LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|[_-]launch\.(?:py|xml|ya
 _ASIDE = re.compile(
     r"(?:^|[/_-])(?:tests?|testing|examples?|demos?|samples?|benchmarks?|mock|old|deprecated)(?:$|[/_.-])"
 )
+_OF_ROS1 = re.compile(r"<node\b[^>]*\stype\s*=|\$\(arg\s")
 #: Where a model or a page names a file of a package.
 _NAMED = re.compile(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-]+)\)/)([\w./+-]+)")
 _MODELS = (".urdf", ".xacro", ".sdf", ".world", ".rviz", ".srdf")
@@ -117,6 +118,8 @@ def _launch_folders(package: ProjectPackage) -> Iterator[tuple[str, Location]]:
     for file in package.files:
         inner = file.path.removeprefix(f"{package.path}/")
         if file.language in ("launch", "python", "xml") and _LAUNCH.search(inner) and "/" in inner:
+            if _OF_ROS1.search(package.project.text(file.path)):
+                continue  # left from before the package came to ROS 2
             if "launch" in inner.partition("/")[0] and not _ASIDE.search(inner.lower()):
                 files.setdefault(inner.partition("/")[0], []).append(file.path)
     for folder, paths in files.items():
