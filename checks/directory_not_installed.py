@@ -25,7 +25,7 @@ _LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|[_-]launch\.(?:py|xml|ya
 _ASIDE = re.compile(
     r"(?:^|[/_-])(?:tests?|testing|examples?|demos?|samples?|benchmarks?|mock|old|deprecated)(?:$|[/_.-])"
 )
-_OF_ROS1 = re.compile(r"<node\b[^>]*\stype\s*=|\$\(arg\s")
+_OF_ROS1 = re.compile(r"<node\b[^<>]*\stype\s*=|\$\(arg\s")
 #: Where a model or a page names a file of a package.
 _NAMED = re.compile(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-]+)\)/)([\w./+-]+)")
 _MODELS = (".urdf", ".xacro", ".sdf", ".world", ".rviz", ".srdf")

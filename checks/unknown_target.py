@@ -76,7 +76,7 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
                     f"its file is {target.prefix}{target.output}{target.suffix}, and packages that use it look for {target.name}",
                 )
         for word in command.after("INCLUDE_DIRS", *_KEYWORDS):
-            path = command.place(word)
+            path = command.place(word) if package.project.workspace.names else None
             if path is not None and not package.project.exists(path) and not may_appear(package, path, _QUIET):
                 yield word, "there is no such directory, and catkin_package() stops the build"
     elif command.name == "ament_export_libraries":
