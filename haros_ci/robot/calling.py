@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls of macros (xacro's handle_macro_call): what is given to their parameters and blocks, and what is missing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from difflib import get_close_matches
+from typing import Any
+
+from haros_ci.robot.evaluating import Evaluating
+from haros_ci.robot.expressions import Invalid, Undefined
+from haros_ci.robot.nodes import Node
+from haros_ci.robot.scopes import Macro, Macros, Scope
+from haros_ci.robot.sources import Sources
+from haros_ci.robot.unknown import UNKNOWN, Unknown
+
+
+class Calling(Evaluating):
+    """The part of an expansion that calls macros."""
+
+    def __init__(self, sources: Sources, path: str, arguments: dict[str, str | Unknown]) -> None:
+        super().__init__(sources, path, arguments)
+        self.is_whole = True
+
+    def content(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""
+        raise NotImplementedError
+
+    def inside(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """What is in *node*, without *node*; attributes that it sets are lost with it."""
+        holder = Node(node.tag, {}, node.location)
+        self.content(node, macros, scope, holder)
+        into.children += holder.children
+
+    def dynamic_call(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
+        """``xacro:call``: the macro's name is evaluated."""
+        name = self.words(node.attributes.get("macro", ""), scope, node)
+        if isinstance(name, Unknown):
+            self.world.is_open = True
+            return
+        left = {key: value for key, value in node.attributes.items() if key != "macro"}
+        self.call(replace(node, attributes=left), name, macros, scope, into)
+
+    def call(self, node: Node, name: str, macros: Macros, scope: Scope, into: Node) -> None:
+        """xacro's handle_macro_call."""
+        found = _resolved(name, macros, scope)
+        if found is None or not found[2].certain:
+            if found is None and not self.world.is_open:
+                self.fault("macro", name, node, similar=tuple(get_close_matches(name, list(macros.every()), 3, 0.7)))
+            self.is_whole = False
+            self.world.is_open = self.world.is_open or found is not None
+            return
+        around, outer, macro = found
+        inner = Scope(self.world, outer)
+        left = list(macro.parameters)
+        for key, value in node.attributes.items():
+            if key not in left:
+                self.fault("extra", key, node, of=macro.name, similar=tuple(get_close_matches(key, left, 3, 0.6)))
+                continue
+            left.remove(key)
+            inner.put(key, self.value(value, scope, node), lazy=False, location=node.location)
+        holder = Node(node.tag, {}, node.location)
+        self.content(replace(node, attributes={}), macros, scope, holder)
+        left = self._blocks(node, holder.children, left, macro, inner)
+        missing = []
+        for key in left:
+            if key not in macro.defaults:
+                missing.append(key)
+            inner.put(key, self._default(key, macro, scope, node), lazy=False, location=node.location)
+        if missing:
+            self.fault("parameter", " ".join(missing), node, of=macro.name)
+        before = self.way
+        self.way = (*self.way, (node.location, f"calls the macro {macro.name}"))
+        self.inside(macro.body, Macros(self.world, around), inner, into)
+        self.way = before
+
+    def _blocks(self, node: Node, blocks: list[Node], left: list[str], macro: Macro, inner: Scope) -> list[str]:
+        """Give the elements in a call to the block parameters, in order; the parameters that are left."""
+        certain = [block for block in blocks if block.certain]
+        for key in [each for each in left if each.startswith("*")]:
+            left = [each for each in left if each != key]
+            if len(certain) != len(blocks):
+                inner.put(key, UNKNOWN, lazy=False, location=node.location)
+                continue
+            if not blocks:
+                self.fault("parameter", key, node, of=macro.name)
+                inner.put(key, UNKNOWN, lazy=False, location=node.location)
+                continue
+            inner.put(key, blocks[0], lazy=False, location=node.location)
+            blocks = certain = blocks[1:]
+        return left
+
+    def _default(self, key: str, macro: Macro, scope: Scope, node: Node) -> Any:
+        if key not in macro.defaults:
+            return UNKNOWN
+        forward, default = macro.defaults[key]
+        if forward:
+            try:
+                return scope.find(key)
+            except Undefined as err:
+                if default is None:
+                    if not self.world.is_open:
+                        self.fault(err.kind, err.name, node, of=macro.name)
+                    return UNKNOWN
+            except Invalid:
+                return UNKNOWN
+        return UNKNOWN if default is None else self.value(default, scope, node)
+
+
+def _resolved(name: str, macros: Macros, scope: Scope) -> tuple[Macros, Scope, Macro] | None:
+    """The macro *name*, with the macros and properties that it sees; ``ns.name`` is looked up in the namespace."""
+    found = macros.get(name)
+    if found is not None:
+        return macros, scope, found
+    *spaces, last = name.split(".")
+    for space in spaces:
+        next_macros, next_scope = macros.namespace(space), scope.namespace(space)
+        if next_macros is None or next_scope is None:
+            return None
+        macros, scope = next_macros, next_scope
+    found = macros.get(last)
+    return None if found is None else (macros, scope, found)
