@@ -59,6 +59,15 @@ def tokenize(text: str, sep: str = ",; ", skip_empty: bool = True) -> list[str]:
     return [part for part in parts if part] if skip_empty else parts
 
 
+_TYPES = {"bool": bool, "dict": dict, "float": float, "int": int, "list": list, "set": set, "str": str, "tuple": tuple}
+
+
+def _is_a(value: Any, kinds: Any) -> bool:
+    """``isinstance``, whose types are the functions of that name here."""
+    wanted = kinds if isinstance(kinds, tuple) else (kinds,)
+    return isinstance(value, tuple(_TYPES[each.name] for each in wanted))
+
+
 #: What expressions can call by its bare name in Python; those without a value here are known, their result is not.
 PYTHON: Mapping[str, Callable[..., Any]] = {
     "abs": abs,
@@ -70,6 +79,7 @@ PYTHON: Mapping[str, Callable[..., Any]] = {
     "enumerate": lambda values, start=0: [(start + at, each) for at, each in enumerate(_items(values))],
     "float": float,
     "int": int,
+    "isinstance": _is_a,
     "len": len,
     "list": lambda values=(): _items(values),
     "max": max,

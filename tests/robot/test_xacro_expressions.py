@@ -59,6 +59,7 @@ def value(text: str, **names: Any) -> Any:
         ("python.abs(-1)", 1),
         ("'%s'", "%s"),
         ("x // 2", 1),
+        ("python.isinstance('a', (list, str)) and not isinstance(1, str)", True),
         ("'x' in 'xyz'", True),
         ("'-'.join(['a', 'b'])", "a-b"),
     ],
