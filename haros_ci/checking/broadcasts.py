@@ -266,5 +266,5 @@ def resolved(frame: Frame | None, parameters: Mapping[str, str]) -> str | None:
     """The frame's name, with the *parameters* of a node; None if it is not known."""
     if frame is None:
         return None
-    name = parameters.get(frame.parameter) if frame.parameter else frame.text
+    name = parameters.get(frame.parameter.lstrip("~/")) if frame.parameter else frame.text
     return name.lstrip("/") or None if name else None
