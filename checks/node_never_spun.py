@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import (
     Call,
+    Callback,
     Check,
     Codebase,
     Finding,
@@ -43,7 +44,11 @@ def check(project: Project) -> Iterator[Finding]:
         if STARTS.search(code.text(routine.path)) or SPINS.search(code.text(routine.path)):
             continue
         paths = _program(code, routine)
-        made = next((each for each in callbacks(code) if each.maker.path in paths and each.kind in KINDS), None)
+        text = code.text(routine.path)
+        made = next(
+            (e for e in callbacks(code) if e.maker.path in paths and e.kind in KINDS and _is_used(e, routine, text)),
+            None,
+        )
         if made is None or any(SPINS.search(code.text(path)) for path in paths):
             continue
         yield Finding(
@@ -53,6 +58,13 @@ def check(project: Project) -> Iterator[Finding]:
             about=(routine.source.package or routine.path, routine.path.rpartition("/")[2]),
             related=((made.location, f"{made.routine.title} is its callback"),),
         )
+
+
+def _is_used(callback: Callback, routine: Routine, text: str) -> bool:
+    """Whether the program makes the callback itself, or names the class that does."""
+    owner = callback.maker.owner
+    last = re.split(r"::|\.", owner)[-1]
+    return callback.maker.path == routine.path if not owner else re.search(rf"\b{re.escape(last)}\b", text) is not None
 
 
 def _name(code: Codebase, routine: Routine, call: Call) -> str:
