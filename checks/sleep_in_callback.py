@@ -18,13 +18,13 @@ from haros_ci.api import (
     Project,
     Reached,
     Routine,
+    Variable,
     call_place,
     called,
     dotted,
     in_callbacks,
     names_in,
     type_name,
-    variable,
 )
 
 #: Sleeps shorter than this many seconds hold nobody up.
@@ -129,7 +129,7 @@ def sleeps(code: Codebase, routine: Routine, call: Call) -> float | None:
                 seconds * {"sleep": 1.0, "usleep": 1e-6}.get(name, 0.0) if seconds > 0 and name != "nanosleep" else -1
             )
         if name.endswith(("this_thread::sleep_for", "rclcpp::sleep_for", "this_thread::sleep")):
-            return _chrono(_origin(code, routine, call.args[0])) if call.args else -1
+            return _pause(code, routine, call.args[0]) if call.args else -1
         return -1 if name.endswith("this_thread::sleep_until") else None
     if call.receiver is None or call.name != "sleep":
         return None
@@ -144,13 +144,22 @@ def _number(expression: Any) -> float:
     return float(expression[1]) if expression[0] == "num" else -1
 
 
-def _origin(code: Codebase, routine: Routine, expression: Any) -> Any:
-    """What a local variable is made of: ``std::chrono::milliseconds pause(5)`` as the call that it amounts to."""
-    found = variable(code, routine, expression[1]) if expression[0] == "name" else None
-    if not (isinstance(found, tuple) and len(found) == 2) or found[1].init is None or found[1].init[0] == "each":
-        return expression
-    kind, init = found[1].type, found[1].init
-    return init[1] if init[0] == "=" else ("call", ("name", kind[0]), tuple(init[1]), (), 0, 0)
+def _pause(code: Codebase, routine: Routine, expression: Any) -> float:
+    """The seconds of a duration, through local variables (``std::chrono::milliseconds pause(5)``); of several the longest."""
+    made = code.body(routine).variables.get(expression[1]) if expression[0] == "name" else None
+    if made is None:
+        return _chrono(expression)
+    pauses = [_chrono(_value(each)) for each in made]
+    return -1 if any(each < 0 for each in pauses) else max(pauses)
+
+
+def _value(variable: Variable) -> Any:
+    """What a variable is made of, as the call that it amounts to."""
+    if variable.init is None or variable.init[0] == "each":
+        return ("none",)
+    if variable.init[0] == "=":
+        return variable.init[1]
+    return ("call", ("name", variable.type[0]), tuple(variable.init[1]), (), 0, 0)
 
 
 def _chrono(expression: Any) -> float:

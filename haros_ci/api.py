@@ -76,7 +76,7 @@ from haros_ci.checking.robots import descriptions, is_by_itself, lead, place_of
 from haros_ci.checking.system import Channel, End, System, SystemNode, can_meet
 from haros_ci.checking.transforms import Broadcast, broadcasts
 from haros_ci.checking.using import Using
-from haros_ci.code.body import Body, Call, Place, last_part, names_in, nodes
+from haros_ci.code.body import Body, Call, Place, Variable, last_part, names_in, nodes
 from haros_ci.code.callbacks import DEFAULT, Callback, callbacks, excludes, given_function, group_name, group_of
 from haros_ci.code.calls import called, callees, callers, calls_of, reached
 from haros_ci.code.classes import base_names, class_named, methods, owner_of, resolved
@@ -235,6 +235,7 @@ __all__ = [
     "Target",
     "Use",
     "Using",
+    "Variable",
     "Whole",
     "add_dependency",
     "add_element",

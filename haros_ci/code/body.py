@@ -14,6 +14,8 @@ from haros_ci.model.program import Block, Expression, Function, Statement, Type
 
 #: The parts of statements that are blocks or hold them are walked by kind; all other parts are expressions.
 Around = tuple["Place", ...]
+#: Expressions that are made of no others.
+LEAVES = frozenset(("name", "str", "num", "bool", "this", "none", "type"))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -190,7 +192,7 @@ def _statement(statement: Statement, body: Body, around: Around) -> None:
 
 
 def _expression(expression: Expression, body: Body, around: Around, is_bare: bool = False) -> None:
-    waiting = [expression]
+    waiting = [expression] if expression[0] not in LEAVES else []
     while waiting:
         node = waiting.pop()
         kind = node[0]
@@ -206,7 +208,7 @@ def _expression(expression: Expression, body: Body, around: Around, is_bare: boo
         elif kind == "?":
             body.is_partial = True
             continue
-        waiting.extend(reversed(parts(node)))
+        waiting.extend([each for each in reversed(parts(node)) if each[0] not in LEAVES])
 
 
 def parts(node: Expression) -> list[Expression]:
