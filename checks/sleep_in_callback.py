@@ -80,7 +80,7 @@ def _finding(every: list[tuple[Reached, Call, float]]) -> Finding:
     return Finding(
         at=call_place(each.routine, call),
         message=f"the thread sleeps{long} in {title}, the callback of a {kind}: until then {effect}",
-        about=(title, each.routine.title, "sleep"),
+        about=(title, "sleep"),
         related=tuple((call_place(other.routine, sleep), "it sleeps here, too") for other, sleep, _ in every[1:]),
         flow=each.flow(call, "it sleeps here"),
     )
