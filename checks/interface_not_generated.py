@@ -102,9 +102,14 @@ def _left_out(
 
 
 def _generates_nothing(package: ProjectPackage) -> bool:
-    """Whether its CMake is there and has no command that might generate interfaces."""
+    """Whether its CMake is there and has no command that might generate interfaces, not even one that is not reached."""
     names = {command.name for command in package.build.commands} - {"message"}
-    return bool(names) and not any(_OTHERS.search(name) for name in names)
+    texts = (package.project.text(file.path) for file in package.files if file.language == "cmake")
+    return (
+        bool(names)
+        and not any(_OTHERS.search(name) for name in names)
+        and not any(name in text for text in texts for name in (*_OLD, _NEW))
+    )
 
 
 def _alone(each: Interface, package: ProjectPackage, use: Location) -> Finding:

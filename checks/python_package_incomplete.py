@@ -21,6 +21,7 @@ from haros_ci.api import (
 )
 
 _MARKERS = "share/ament_index/resource_index/packages"
+_NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
 _SECTIONS = {"develop": "script_dir", "install": "install_scripts"}
 
 
@@ -199,9 +200,8 @@ def _no_directory(package: ProjectPackage, node: EntryPoint, path: str, given: d
 
 
 def _is_node(each: EntryPoint, package: ProjectPackage) -> bool:
-    """Whether a program is a ROS node: other tools (ros2cli, linters) are put into ``bin`` on purpose."""
-    program = package.project.programs.get(each.path)
-    return program is not None and any(str(alias.type[0]).partition(".")[0] == "rclpy" for alias in program.aliases)
+    """Whether a program runs a ROS node: other tools (ros2cli, linters) are put into ``bin`` on purpose."""
+    return _NODE.search(package.project.text(each.path)) is not None
 
 
 def _marker(package: ProjectPackage) -> Iterator[Finding]:

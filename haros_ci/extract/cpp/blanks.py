@@ -59,6 +59,10 @@ _UNKNOWN = re.compile(
     """,
     re.VERBOSE,
 )
+#: An include with blanks after it, where its comment was: with them the grammar takes a call in the next line for its path.
+_INCLUDE = re.compile(
+    r"""^([ \t]*\#[ \t]*include\b)([ \t]*(?:<[^<>\n]{1,400}>|"[^"\n]{1,400}"))([ \t]+)$""", re.MULTILINE
+)
 #: ``a->operator[](i)``, which is ``a[i]``.
 _ELEMENT = re.compile(r"(?<=[\w)\]])((?:->|\.)\s{0,9}operator\s{0,9}\[\s{0,9}\]\s{0,9}\()([^(){};]{0,400})\)")
 #: ``#if VERSION(<, 1, 2)``: an operator as an argument, and the names that stand for operators meanwhile.
@@ -106,7 +110,7 @@ def skeleton(text: str) -> str:
 
 def readable(text: str) -> str:
     """*text* without comments, attributes, export macros and Qt's words; ``BOOST_FOREACH(a, b)`` as ``for (a: b)``."""
-    text = without_comments(text)
+    text = _INCLUDE.sub(r"\1\3\2", without_comments(text))
     if "[[" in text:
         text = _ATTRIBUTE.sub(lambda match: _spaces(match.group()) if match["attribute"] else match.group(), text)
     code = text

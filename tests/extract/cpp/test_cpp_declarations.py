@@ -294,3 +294,10 @@ def test_guards_around_functions() -> None:
         "e": ((12, 1, "#else"),),
         "g": (),
     }
+
+
+@pytest.mark.parametrize("comment", ["", "// NOLINT", "//NOLINT", "/* for the macro */", "// NOLINT\r"])
+def test_a_comment_after_an_include_takes_nothing_of_the_next_line(comment: str) -> None:
+    program = read_cpp(f"#include <macro.hpp> {comment}\nREGISTER(Talker)\n")
+    assert program.includes == ("<macro.hpp>",)
+    assert program.registered == (("REGISTER", ("Talker",), 2, 1),)
