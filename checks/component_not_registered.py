@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, PluginClass, Project, ProjectPackage, Target
+from haros_ci.api import Check, Finding, Level, Location, PluginClass, Project, ProjectPackage, Target, is_written
 
 _MACRO = "RCLCPP_COMPONENTS_REGISTER_NODE"
 _FACTORY = "rclcpp_components::NodeFactory"
@@ -31,7 +31,11 @@ def check(project: Project) -> Iterator[Finding]:
             other = everywhere.get(each.type)
             if other is not None and not other.path.endswith(_SOURCES):
                 continue  # a header, which one of its sources may include
-            if here is not None and each.type not in here:
+            if (
+                here is not None
+                and each.type not in here
+                and not is_written(each.type, (_MACRO,), target.sources, project)
+            ):
                 wrong.add(target.name)
                 yield _missing(each, target, package, here, everywhere)
         yield from _unnamed(package, [each for each in components if each.library not in wrong], targets, project)

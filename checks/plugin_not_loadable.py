@@ -9,6 +9,7 @@ from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.api import (
+    MACROS,
     Check,
     Finding,
     Level,
@@ -20,6 +21,7 @@ from haros_ci.api import (
     Target,
     exported_under,
     file_name,
+    is_written,
     loaders,
     registers_otherwise,
     registrations,
@@ -87,7 +89,8 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
         inside = _code(library, found)
         here = [macro for macro in macros if macro.location.path in inside]
         if not here and all(_is_source(macro.location.path) for macro in macros):
-            yield _not_registered(each, library, found, macros)
+            if not is_written(each.type, MACROS, inside, found.package.project):
+                yield _not_registered(each, library, found, macros)
         elif here and not any(_is_base(macro.base, each.base) for macro in here):
             yield _other_base(each, found, here[0])
 

@@ -54,9 +54,11 @@ from haros_ci.checking.message_fields import missing_fields
 from haros_ci.checking.needs import Need, needs_of
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.plugins import (
+    MACROS,
     Registration,
     exported_under,
     file_name,
+    is_written,
     loaders,
     registers_otherwise,
     registrations,
@@ -144,6 +146,7 @@ __all__ = [
     "DEFAULT",
     "EXEC",
     "EXPORTED",
+    "MACROS",
     "NO_SYSTEMS",
     "OF_TARGETS",
     "SERVICE",
@@ -298,6 +301,7 @@ __all__ = [
     "is_node",
     "is_slip",
     "knowledge",
+    "is_written",
     "landings",
     "loaders",
     "lead",

@@ -106,6 +106,12 @@ def loaders(project: Project) -> dict[str, dict[str, Location]]:
     return found
 
 
+def is_written(name: str, macros: Iterable[str], paths: Iterable[str], project: Project) -> bool:
+    """Whether the text of a file has one of *macros* with *name*, outside of line comments: where it was not read as such."""
+    pattern = re.compile(rf"^[^/\n]*\b(?:{'|'.join(macros)})\s*\(\s*{re.escape(name)}\s*[,)]", re.MULTILINE)
+    return any(pattern.search(project.text(path)) for path in paths)
+
+
 def file_name(target: Target) -> str:
     """The name of the library's file, without its ending."""
     return f"{target.prefix}{target.output}"
