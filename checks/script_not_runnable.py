@@ -25,6 +25,7 @@ _PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(pytho
 _LAUNCH = ("launch.py", "__init__.py", "setup.py", "conftest.py")
 _MODES = ("USE_SOURCE_PERMISSIONS", "PERMISSIONS", "FILE_PERMISSIONS")
 _SHELL = (".sh", ".bash")
+_PROSE = (".md", ".rst", "README.txt")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -53,7 +54,7 @@ def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
     lines = text.splitlines(keepends=True)
     first, at = lines[0], Location(path, 1)
     if not first.startswith("#!"):
-        if path.endswith(_SHELL) or _is_program(path, package.project):
+        if (path.endswith(_SHELL) or _is_program(path, package.project)) and not _is_given_to_another(path, package):
             yield _without(path, package, lines)
     elif first.endswith("\r\n"):
         yield Finding(
@@ -119,6 +120,8 @@ def _mode(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
         return
     bits = package.project.workspace.executables
     if bits is None or each.path in bits or _is_relayed(each, package) or not _is_program(each.path, package.project):
+        return
+    if _is_given_to_another(each.path, package):
         return
     if each.keeps_mode:
         why = "setup.py installs it with the mode that it has: ros2 run does not find it"
@@ -198,6 +201,21 @@ def _is_program(path: str, project: Project) -> bool:
     return any(
         (statement[0] == "do" and statement[1][0] == "call") or (statement[0] == "if" and "__name__" in statement[3])
         for statement in body
+    )
+
+
+def _is_given_to_another(path: str, package: ProjectPackage) -> bool:
+    """Whether code of the package gives the file to an interpreter, or reads it: ``python3 x.py``, ``. x.sh``."""
+    name = re.escape(path.rpartition("/")[2])
+    given = re.compile(
+        rf"""(?:\bpython[\d.]*|(?i:python)\w*EXECUTABLE\}}?|\b(?:source|sh|bash)|^\s*\.)["']?[\s,][^\n;]{{0,200}}\b{name}\b""",
+        re.MULTILINE,
+    )
+    inside = "" if package.path == "." else f"{package.path}/"
+    return any(
+        given.search(package.project.text(other))
+        for other in package.project.workspace.names
+        if other.startswith(inside) and other != path and not other.endswith(_PROSE)
     )
 
 

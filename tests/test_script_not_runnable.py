@@ -6,11 +6,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_checks import edits_of, said
+from test_checks import mended, said
 
 from haros_ci.checking.page import Example, filled
 from haros_ci.registry import checks
-from haros_ci.results.fix import applied
 
 CHECK = next(check for check in checks() if check.id == "script-not-runnable")
 CODE = "import rclpy\n\nrclpy.init()\nrclpy.spin(rclpy.create_node('talker'))\n"
@@ -22,10 +21,9 @@ SETUP = (
 
 def findings(tmp_path: Path, files: dict[str, str], executables: tuple[str, ...] = ()) -> list[tuple[str, str, str]]:
     """Path, level and message of what is found, and that a fix of it mends it."""
-    results = said(CHECK, Example("", True, files), tmp_path / "before", executables)
-    mended = {path: applied(text, edits_of(path, [r for r in results if r.fixes])) for path, text in files.items()}
-    bits = {edit.path for r in results for fix in r.fixes for edit in fix.edits if edit.is_executable}
-    after = said(CHECK, Example("", True, mended), tmp_path / "after", {*executables, *bits})
+    example = Example("", True, files, executables=frozenset(executables))
+    results = said(CHECK, example, tmp_path / "before")
+    after = said(CHECK, mended(example, results), tmp_path / "after")
     assert [r.message for r in after] == [r.message for r in results if not r.fixes]
     return [(r.location.path, r.level.value, r.message) for r in results]
 
