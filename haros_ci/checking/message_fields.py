@@ -82,7 +82,7 @@ def _handmade(project: Project) -> frozenset[str]:
 def _in_routine(code: Codebase, routine: Routine, structs: Structs, parameters: dict[str, Struct]) -> Iterator[Missing]:
     seen: set[tuple[str, str]] = set()
     for call in code.body(routine).calls:
-        struct = structs.named(dotted(code, routine, call.callee))
+        struct = structs.named(_imported(code, routine, call.callee))
         if struct is None or any(place.kind == "try" for place in call.around):
             continue
         given = [str(each[1]) for each in call.args if each[0] == "kw"]
@@ -172,8 +172,18 @@ def _made(code: Codebase, structs: Structs, values: Sequence[tuple[Routine, Expr
     """What all of *values* make, if each is a call of one and the same constructor."""
     made = set()
     for routine, value in values:
-        made.add(dotted(code, routine, value[1]) if value is not None and value[0] == "call" else "")
+        made.add(_imported(code, routine, value[1]) if value is not None and value[0] == "call" else "")
     return structs.named(made.pop()) if len(made) == 1 else None
+
+
+def _imported(code: Codebase, routine: Routine, expression: Expression) -> str:
+    """The dotted name that *expression* has through imports; "" where the file defines the name itself, too."""
+    head = expression
+    while head[0] == "field":
+        head = head[1]
+    program = routine.source.program
+    own = head[0] == "name" and any(each.name == head[1] for each in (*program.classes, *program.functions))
+    return "" if own else dotted(code, routine, expression)
 
 
 def _is_asked(code: Codebase, routine: Routine, name: str) -> bool:
@@ -220,7 +230,7 @@ def _types(code: Codebase, callback: Callback) -> tuple[str, ...]:
     written = callback.call.argument(position, keyword)
     if callback.role not in roles or written is None or value is None or value[0] == "call":
         return ()
-    name = dotted(code, callback.maker, written)
+    name = _imported(code, callback.maker, written)
     return tuple(f"{name}{part}" for part in parts) if name else ()
 
 
