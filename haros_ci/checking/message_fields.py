@@ -182,7 +182,8 @@ def _imported(code: Codebase, routine: Routine, expression: Expression) -> str:
     while head[0] == "field":
         head = head[1]
     program = routine.source.program
-    own = head[0] == "name" and any(each.name == head[1] for each in (*program.classes, *program.functions))
+    names = {*(each.name for each in program.classes), *(each.name for each in program.functions)}
+    own = head[0] == "name" and head[1] in names
     return "" if own else dotted(code, routine, expression)
 
 
