@@ -8,14 +8,14 @@ them, and still a change of theirs is one of the interface. Names have ``?`` for
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.changes.change import shown
 from haros_ci.changes.endpoints import WORDS
 from haros_ci.changes.names import UNKNOWN
-from haros_ci.model.api import Entry, Row, Template
+from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
 from haros_ci.model.program import Program
 
@@ -44,6 +44,16 @@ class Call:
     location: Location
 
 
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What a call makes: the arguments, by number or keyword, that are its name and its default, and its type."""
+
+    what: str
+    name: int | str
+    value: int | str | None = None
+    type: str | None = None
+
+
 def by_name(rows: Iterable[Row]) -> Rows:
     """The rows that make what changes are told of, by the last part of the call's name."""
     found: dict[str, list[Row]] = {}
@@ -58,40 +68,50 @@ def is_test(path: str) -> bool:
     return _TEST.search(path) is not None
 
 
-def calls_in(path: str, program: Program, rows: Rows) -> tuple[Call, ...]:
-    """What the calls of *program* make whose names are told in part at least, in their order."""
+def calls_in(path: str, program: Program, rows: Rows, wrapper: Callable[[str], Made | None]) -> tuple[Call, ...]:
+    """What the calls of *program* make whose names are told in part at least, in their order.
+
+    *wrapper* says of a function of the workspace what it makes under a name that it is given.
+    """
     found: dict[tuple[int, int, str], Call] = {}
     for function in program.functions:
         for part in (function.body, function.inits):
-            for callee, args, types, line, column in _calls(part):
-                for call in _made(path, callee, args, types, line, column, rows):
+            for callee, args, types, line, column in calls_below(part):
+                made = made_by(callee, args, types, rows)
+                if made is None and any(_is(arg, "str") for arg in args):
+                    made = wrapper(_last(_callee(callee)))
+                call = _call(made, args, Location(path, line, column)) if made is not None else None
+                if call is not None:
                     found.setdefault((line, column, call.what), call)
     return tuple(found[key] for key in sorted(found))
 
 
-def _calls(value: Any, depth: int = 0) -> Iterator[tuple[Any, Any, Any, int, int]]:
-    """Every call in a block, outer ones first."""
+def calls_below(value: Any, depth: int = 0) -> Iterator[tuple[Any, Any, Any, int, int]]:
+    """Every call in a block, outer ones first: callee, arguments, template arguments, line and column."""
     if not isinstance(value, (tuple, list)) or depth > MAX_DEPTH:
         return
     if len(value) == 6 and value[0] == "call" and isinstance(value[4], int) and isinstance(value[2], (tuple, list)):
         yield value[1], value[2], value[3], value[4], value[5]
     for item in value:
-        yield from _calls(item, depth + 1)
+        yield from calls_below(item, depth + 1)
 
 
-def _made(path: str, callee: Any, args: Any, types: Any, line: int, column: int, rows: Rows) -> Iterator[Call]:
+def made_by(callee: Any, args: Any, types: Any, rows: Rows) -> Made | None:
+    """What a call of a ROS library makes that changes are told of; None for all other calls."""
     name = _callee(callee)
-    if not name:
-        return
-    fitting = [row for row in rows.get(_last(name), ()) if not row.args or len(args) in row.args]
-    ranked = sorted(((-_rank(row, callee, name), bool(row.when), n) for n, row in enumerate(fitting)))
+    fitting = [row for row in rows.get(_last(name), ()) if not row.args or len(args) in row.args] if name else []
+    ranked = sorted((-_rank(row, callee, name), bool(row.when), number) for number, row in enumerate(fitting))
     if not ranked or not ranked[0][0]:
-        return
+        return None
     for entry in fitting[ranked[0][2]].makes:
         if entry.kind in WORDS and not entry.implicit and entry.each is None:
-            call = _call(entry, args, types, Location(path, line, column))
-            if call is not None:
-                yield call
+            at = _selected(entry.values.get("name"), args)
+            if at is not None:
+                is_parameter = entry.kind in ("parameters", "getters")
+                value = _selected(entry.values.get("value"), args) if is_parameter else None
+                kind = None if is_parameter else _type(_selected(entry.values.get("type"), args), args, types)
+                return Made(WORDS[entry.kind], at, value, kind)
+    return None
 
 
 def _rank(row: Row, callee: Any, name: str) -> int:
@@ -104,43 +124,46 @@ def _rank(row: Row, callee: Any, name: str) -> int:
     return 3 if above == owner else 2 if not above and owner[:1].isupper() else 0 if above else 1
 
 
-def _call(entry: Entry, args: Any, types: Any, at: Location) -> Call | None:
-    given = _argument(entry.values.get("name"), args)
-    name = _text(given) if given is not None else UNKNOWN
+def _call(made: Made, args: Any, at: Location) -> Call | None:
+    name = _text(argument_of(made.name, args))
     if not name.strip(UNKNOWN + "./~"):
         return None
-    is_parameter = entry.kind in ("parameters", "getters")
-    value = _argument(entry.values.get("value"), args) if is_parameter else None
+    value = argument_of(made.value, args)
     return Call(
-        what=WORDS[entry.kind],
+        what=made.what,
         name=name,
-        type=None if is_parameter else _type(_argument(entry.values.get("type"), args), types),
+        type=made.type,
         default=None if value is None else _value(value),
         has_default=value is not None,
         location=at,
     )
 
 
-def _type(given: Any, types: Any) -> str | None:
+def _type(position: int | str | None, args: Any, types: Any) -> str | None:
     """The type as written: the template argument, else the argument that names a class."""
     if types and isinstance(types[0], (tuple, list)) and types[0]:
         return str(types[0][0]).replace("::", "/")
+    given = argument_of(position, args)
     return _last(_callee(given)) or None if given is not None else None
 
 
-def _argument(template: Template | None, args: Any) -> Any:
-    """The argument that a template selects: by number, or by a Python keyword."""
+def _selected(template: Template | None, args: Any) -> int | str | None:
+    """The argument that a template selects: its number, or a Python keyword."""
     if template is None or len(template.parts) != 1 or isinstance(template.parts[0], str):
         return None
-    plain = [arg for arg in args if not _is(arg, "kw", "star", "starstar")]
     for alternative in template.parts[0][0]:
-        if _INDEX.match(alternative):
-            if int(alternative) < len(plain):
-                return plain[int(alternative)]
-        for arg in args:
-            if _is(arg, "kw") and arg[1] == alternative:
-                return arg[2]
+        position = int(alternative) if _INDEX.match(alternative) else alternative
+        if argument_of(position, args) is not None:
+            return position
     return None
+
+
+def argument_of(position: int | str | None, args: Any) -> Any:
+    """The argument at a number, or of a keyword; None if it is not given."""
+    if isinstance(position, int):
+        plain = [arg for arg in args if not _is(arg, "kw", "star", "starstar")]
+        return plain[position] if position < len(plain) else None
+    return next((arg[2] for arg in args if _is(arg, "kw") and arg[1] == position), None)
 
 
 def _is(value: Any, *kinds: str) -> bool:

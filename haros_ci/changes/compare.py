@@ -11,6 +11,7 @@ from haros_ci.changes.calls import Call
 from haros_ci.changes.change import Difference, told_once
 from haros_ci.changes.code import compare_calls
 from haros_ci.changes.endpoints import Compared, Moved, Sides, compare_ends, with_users
+from haros_ci.changes.evidence import Evidence, Source
 from haros_ci.changes.instances import Calls, by_instance
 from haros_ci.changes.nodes import pair
 from haros_ci.changes.picture import edges
@@ -39,6 +40,7 @@ class Side:
     files: frozenset[str] = frozenset()
     values: Mapping[str, tuple[Value, ...]] = field(default_factory=dict)
     calls: Mapping[str, tuple[Call, ...]] = field(default_factory=dict)
+    source: Source | None = None
 
 
 def compare(
@@ -75,9 +77,14 @@ def compare(
             _compare_systems(old, new, moved, told)
     for node, other, name in matched.elsewhere:
         compare_ends(Sides(node, other, name, moved), told)
-    found = by_instance(told.differences, Calls(base.architecture, moved), Calls(head.architecture, lambda path: path))
+    seen = told.differences
+    if base.source is not None and head.source is not None:
+        evidence = Evidence(base.source, head.source, moved)
+        seen = [each for each in seen if evidence.bears_out(each)]
+        told.not_known += len(told.differences) - len(seen)
+    found = by_instance(seen, Calls(base.architecture, moved), Calls(head.architecture, lambda path: path))
     found += compare_arguments(base.architecture, head.architecture, moved)
-    in_files = list(compare_files(base.values, head.values, moved, {}))
+    in_files = list(compare_files(base.values, head.values, moved, _readers(head.architecture)))
     found = [*_not_of_files(found, in_files, base, head), *in_files]
     found += compare_calls(base.calls, head.calls, (base.architecture, head.architecture), found, moved)
     changes = (*interfaces, *told_once(found))
@@ -156,6 +163,16 @@ def _not_of_files(found: list[Difference], in_files: list[Difference], base: Sid
                 if any((side, _line(place)) in told for side, place in places):
                     continue
         yield each
+
+
+def _readers(architecture: Architecture) -> dict[str, int]:
+    """In how many configurations nodes are given what a file says."""
+    found: dict[str, set[str]] = {}
+    for configuration in architecture.configurations:
+        for parameter in configuration.parameters:
+            if parameter.origin is not None:
+                found.setdefault(parameter.origin.path, set()).add(configuration.name)
+    return {path: len(names) for path, names in found.items()}
 
 
 def _line(place: Location) -> Location:

@@ -9,8 +9,10 @@ from dataclasses import dataclass
 from haros_ci.changes.calls import Rows, calls_in, is_test
 from haros_ci.changes.compare import Side, compare
 from haros_ci.changes.definitions import told
+from haros_ci.changes.evidence import Source, functions_of
 from haros_ci.changes.interfaces import Defined, containing, interface_changes
 from haros_ci.changes.settings import Value
+from haros_ci.changes.wrappers import Wrappers
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.changes import Changes
 from haros_ci.model.program import Program
@@ -36,12 +38,29 @@ class Revision:
         read = {path: self.read_values(path, self.workspace.text(path)) for path in changed}
         values = {path: values for path, values in read.items() if values}
         code = [f for f in self.workspace.files if f.path in self.programs and moved(f.path) not in same]
+        wrappers = Wrappers(self.programs.values() if code else (), self.rows)
         calls = {
-            f.path: calls_in(f.path, self.programs[f.path], self.rows[f.language])
+            f.path: calls_in(f.path, self.programs[f.path], self.rows[f.language], wrappers.named)
             for f in code
             if not is_test(f.path) and f.language in self.rows
         }
-        return Side(architecture=self.architecture, files=self.workspace.names, values=values, calls=calls)
+        return Side(
+            architecture=self.architecture,
+            files=self.workspace.names,
+            values=values,
+            calls=calls,
+            source=self._source(moved, same),
+        )
+
+    def _source(self, moved: Callable[[str], str], same: Container[str]) -> Source:
+        """Where functions begin, and the texts that have changed."""
+        changed = [file for file in self.workspace.files if moved(file.path) not in same]
+        own = [file for file in changed if file.package is not None and not is_test(file.path)]
+        return Source(
+            functions={path: functions_of(program) for path, program in self.programs.items()},
+            texts={file.path: self.workspace.text(file.path) for file in changed if file.path in self.programs},
+            changed=frozenset(file.language for file in own),
+        )
 
 
 def changes_of(base: Revision, head: Revision, renames: Mapping[str, str]) -> Changes:

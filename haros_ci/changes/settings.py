@@ -184,7 +184,7 @@ def _place(parameter: Parameter | None) -> Location | None:
 def compare_files(
     base: Mapping[str, Iterable[Value]], head: Mapping[str, Iterable[Value]], moved: Moved, users: Mapping[str, int]
 ) -> Iterator[Difference]:
-    """Parameter files on both sides, whoever reads them; and new ones and removed ones, as one difference each."""
+    """Parameter files on both sides; and new ones and removed ones, as one difference each. *users* are their configurations."""
     left = {moved(path): values for path, values in base.items()}
     for path in sorted({*left, *head}):
         if path not in left or path not in head:
@@ -209,7 +209,15 @@ def compare_files(
                 program=path,
                 base=before.location if before else None,
                 head=after.location if after else None,
+                details=(_read_in(users.get(path, 0)),),
             )
+
+
+def _read_in(number: int) -> str:
+    """Who is given what a parameter file says."""
+    if not number:
+        return "no launch file of the workspace is seen to give it to a node"
+    return f"given to nodes in {number} configuration{'' if number == 1 else 's'}"
 
 
 def _file(action: str, path: str, values: list[Value]) -> Difference:
