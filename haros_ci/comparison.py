@@ -8,6 +8,7 @@ from functools import cache
 
 from haros_ci.changes.calls import Rows, by_name
 from haros_ci.changes.change import shown
+from haros_ci.changes.endpoints import WORDS
 from haros_ci.changes.revision import Revision
 from haros_ci.changes.settings import Value
 from haros_ci.extract.apis.tables import rows
@@ -25,9 +26,14 @@ def revision_of(workspace: Workspace, made: Linked) -> Revision:
 
 
 @cache
-def call_rows() -> Mapping[str, Rows]:
-    """What calls of ROS libraries make, by language; of both ROS versions."""
-    return {language: by_name((*rows(language, 2), *rows(language, 1))) for language in ("cpp", "python")}
+def call_rows() -> Mapping[tuple[str, int], Rows]:
+    """What calls of ROS libraries make, by language and ROS version; of ROS 2 no readings: what is read there is declared."""
+    read = {1: WORDS.keys(), 2: WORDS.keys() - {"getters"}}
+    return {
+        (language, ros): by_name(rows(language, ros), frozenset(kinds))
+        for language in ("cpp", "python")
+        for ros, kinds in read.items()
+    }
 
 
 def read_values(path: str, text: str) -> tuple[Value, ...]:

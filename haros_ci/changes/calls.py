@@ -54,11 +54,11 @@ class Made:
     type: str | None = None
 
 
-def by_name(rows: Iterable[Row]) -> Rows:
-    """The rows that make what changes are told of, by the last part of the call's name."""
+def by_name(rows: Iterable[Row], kinds: frozenset[str]) -> Rows:
+    """The rows that make ends of *kinds*, by the last part of the call's name."""
     found: dict[str, list[Row]] = {}
     for row in rows:
-        if not row.is_class and any(entry.kind in WORDS and not entry.implicit for entry in row.makes):
+        if not row.is_class and any(entry.kind in kinds and not entry.implicit for entry in row.makes):
             found.setdefault(_last(row.call), []).append(row)
     return {name: tuple(each) for name, each in found.items()}
 

@@ -9,7 +9,7 @@ YAML, XML), or if the changed lines of any code name the function or its class.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -57,8 +57,15 @@ class Source:
 
 def functions_of(program: Program) -> tuple[Begin, ...]:
     """Where the functions of a file begin."""
+    classes = {re.split(r"::|\.", each.name)[-1] for each in program.classes}
     own = (each for each in program.functions if each.kind not in ("lambda", "module"))
-    return tuple(sorted({(each.line, each.name, each.owner) for each in own}))
+    return tuple(sorted({(each.line, each.name, _class(each.owner, classes)) for each in own}))
+
+
+def _class(owner: str, classes: Container[str]) -> str:
+    """*owner* if it is a class: in C++ a namespace may stand there."""
+    last = re.split(r"::|\.", owner)[-1]
+    return owner if last in classes or last[:1].isupper() else ""
 
 
 class Evidence:

@@ -22,7 +22,7 @@ from haros_ci.model.workspace import Workspace
 @dataclass(frozen=True, slots=True)
 class Revision:
     """A workspace with its architecture and interfaces; *read_values* gives what a parameter file says, by path and text,
-    *programs* are its code, *rows* what calls mean, by language.
+    *programs* are its code, *rows* what calls mean, by language and ROS version.
     """
 
     workspace: Workspace
@@ -30,7 +30,7 @@ class Revision:
     interfaces: tuple[Defined, ...]
     read_values: Callable[[str, str], tuple[Value, ...]]
     programs: Mapping[str, Program]
-    rows: Mapping[str, Rows]
+    rows: Mapping[tuple[str, int], Rows]
 
     def side(self, moved: Callable[[str], str], same: Container[str]) -> Side:
         """What is compared of it; parameter files and code that are the *same* on both sides are left out."""
@@ -38,11 +38,17 @@ class Revision:
         read = {path: self.read_values(path, self.workspace.text(path)) for path in changed}
         values = {path: values for path, values in read.items() if values}
         code = [f for f in self.workspace.files if f.path in self.programs and moved(f.path) not in same]
-        wrappers = Wrappers(self.programs.values() if code else (), self.rows)
+        versions = {package.name: package.ros for package in self.workspace.packages}
+        rows = {
+            file.path: self.rows.get((file.language, versions.get(file.package or "") or 2), {})
+            for file in self.workspace.files
+            if file.path in self.programs
+        }
+        wrappers = Wrappers((self.programs[path], rows[path]) for path in (rows if code else ()))
         calls = {
-            f.path: calls_in(f.path, self.programs[f.path], self.rows[f.language], wrappers.named)
+            f.path: calls_in(f.path, self.programs[f.path], rows[f.path], wrappers.named)
             for f in code
-            if not is_test(f.path) and f.language in self.rows
+            if not is_test(f.path)
         }
         return Side(
             architecture=self.architecture,
@@ -58,7 +64,11 @@ class Revision:
         own = [file for file in changed if file.package is not None and not is_test(file.path)]
         return Source(
             functions={path: functions_of(program) for path, program in self.programs.items()},
-            texts={file.path: self.workspace.text(file.path) for file in changed if file.path in self.programs},
+            texts={
+                file.path: self.workspace.text(file.path)
+                for file in changed
+                if file.path in self.programs and not is_test(file.path)
+            },
             changed=frozenset(file.language for file in own),
         )
 

@@ -8,7 +8,7 @@ such thing.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 from haros_ci.changes.calls import Made, Rows, argument_of, calls_below, made_by
@@ -23,10 +23,9 @@ MAX_ALIKE = 8
 class Wrappers:
     """The wrappers of a workspace, found when their names are asked for."""
 
-    def __init__(self, programs: Iterable[Program], rows: Mapping[str, Rows]) -> None:
+    def __init__(self, programs: Iterable[tuple[Program, Rows]]) -> None:
         self._functions: dict[str, list[tuple[Function, Rows]]] = {}
-        for program in programs:
-            own = rows.get(program.language, {})
+        for program, own in programs:
             for function in program.functions:
                 if function.body and function.parameters and function.name:
                     last = function.name.rpartition("::")[2].rpartition(".")[2]

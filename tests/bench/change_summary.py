@@ -136,13 +136,18 @@ def _code(path: str, text: str) -> Iterator[Fact]:
 def candidates(clone: Path, commit: str) -> list[dict[str, str]]:
     """What comes and goes by the textual diff of *commit*, per file."""
     found = []
-    for old, new, before, after in before_and_after(clone, commit):
+    moved: tuple[Counter[Fact], Counter[Fact]] = (Counter(), Counter())
+    files = list(before_and_after(clone, commit))
+    for old, new, before, after in files:
+        for total, side in zip(moved, (facts(old, before), facts(new, after)), strict=True):
+            total.update(side)
+    for old, new, before, after in files:
         left, right = facts(old, before), facts(new, after)
         for sign, side in (("-", left - right), ("+", right - left)):
             found += [
                 {"sign": sign, "kind": kind, "name": name, "rest": rest, "path": new if after else old}
-                for (kind, name, rest), count in sorted(side.items())
-                for _ in range(min(count, 1))
+                for kind, name, rest in sorted(side)
+                if moved[0][kind, name, rest] != moved[1][kind, name, rest]  # else it stands in another file now
             ]
     return found
 
@@ -178,7 +183,18 @@ def replay(clone: Path, out: Path, commit: str, cache: str) -> dict[str, Any]:
     """One commit: the command's JSON, its time, and where it and the oracle disagree."""
     row: dict[str, Any] = {"commit": commit, "subject": git(clone, "log", "-1", "--format=%s", commit).strip()}
     file = out / f"{commit[:9]}.json"
-    command = [sys.executable, "-m", "haros_ci", "diff", f"{commit}^", commit, "--format", "json", "--output", str(file)]
+    command = [
+        sys.executable,
+        "-m",
+        "haros_ci",
+        "diff",
+        f"{commit}^",
+        commit,
+        "--format",
+        "json",
+        "--output",
+        str(file),
+    ]
     started, spent = time.perf_counter(), _processor_seconds()
     subprocess.run([*command, "--cache-dir", cache], cwd=clone, check=True, stdout=subprocess.DEVNULL)
     row["seconds"] = round(time.perf_counter() - started, 2)
