@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from itertools import chain
 from pathlib import Path
 
 from haros_ci.model.workspace import Problem, Workspace
@@ -15,7 +16,7 @@ from haros_ci.workspace.assemble import Content, assemble
 from haros_ci.workspace.discover import MAX_FILE_SIZE, manifests_above, scope_of, unusable_name
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.git import BaselineUnavailable, GitError, Repository, merge_base, repository_of, resolve_commit
-from haros_ci.workspace.objects import Blob, read_blobs, read_tree
+from haros_ci.workspace.objects import Blob, read_blobs, read_links, read_tree
 from haros_ci.workspace.renames import find_renames
 from haros_ci.workspace.selection import Candidate, Scope, select
 
@@ -61,9 +62,11 @@ def base_workspace(
     repository = _repository(workspace)
     commit = merge_base(repository.top, rev) if use_merge_base else resolve_commit(repository, rev)
     try:
-        tree = read_tree(repository, commit, workspace)
+        links: dict[str, Blob] = {}
+        tree = read_tree(repository, commit, workspace, links)
         scope = _scope(workspace, paths, tree)
         wanted = select(tree, scope, Excludes(exclude))
+        aliases = read_links(tree, {c.path: links[c.path] for c in select(links, scope, Excludes(exclude))})
         with scratch_directory(sum(tree[candidate.path].size for candidate in wanted)) as scratch:
             directory = scratch / "base"
             directory.mkdir()
@@ -72,7 +75,7 @@ def base_workspace(
             manifests = [Candidate(path, "package") for path in manifests_above(scope) if path in tree]
             base = assemble(
                 directory,
-                write_contents(directory, read_blobs(tree, wanted, max_file_size)),
+                chain(write_contents(directory, read_blobs(tree, wanted, max_file_size)), aliases),
                 listed=[*(candidate.path for candidate in wanted), *settings],
                 problems=(),
                 targets=_targets(workspace, tree, renames),

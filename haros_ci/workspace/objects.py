@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import os
+import posixpath
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from haros_ci.model.workspace import Problem, Workspace
-from haros_ci.workspace.assemble import Content
+from haros_ci.workspace.assemble import Alias, Content
 from haros_ci.workspace.discover import too_large, unusable_name
 from haros_ci.workspace.git import REGULAR, BaselineUnavailable, GitError, Repository, run_git
 from haros_ci.workspace.language import HEAD, is_python_script, suffix_of
@@ -16,6 +17,9 @@ from haros_ci.workspace.selection import Candidate
 
 #: Bytes of files that are in memory at a time, unless a single file is larger.
 BATCH = 32_000_000
+#: Symbolic links that are looked into, and how many one may lead through.
+MAX_LINKS = 500
+MAX_STEPS = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +32,10 @@ class Blob:
     executable: bool
 
 
-def read_tree(repository: Repository, commit: str, workspace: Workspace) -> dict[str, Blob]:
-    """The regular files of *commit* by their paths relative to the root of *workspace*, no symbolic links among them.
+def read_tree(
+    repository: Repository, commit: str, workspace: Workspace, links: dict[str, Blob] | None = None
+) -> dict[str, Blob]:
+    """The regular files of *commit* by their paths relative to the root of *workspace*; symbolic links are put into *links*.
 
     Submodules are followed if *workspace* has files in them. GitError if git cannot tell.
     """
@@ -46,6 +52,8 @@ def read_tree(repository: Repository, commit: str, workspace: Workspace) -> dict
         if kind.startswith(REGULAR):
             mode, _, blob, size = kind.split()
             tree[path] = Blob(repository, blob.decode("ascii"), _size(size), mode == b"100755")
+        elif kind.startswith(b"120000 ") and links is not None:
+            links[path] = Blob(repository, kind.split()[2].decode("ascii"), 0, False)
         elif kind.startswith(b"160000 ") and any(file.path.startswith(f"{path}/") for file in workspace.files):
             tree.update(_read_submodule(path, kind.split()[2].decode("ascii"), workspace))
     return tree
@@ -95,6 +103,26 @@ def _read_batch(repository: Repository, tree: dict[str, Blob], candidates: list[
         language = candidate.language or ("python" if is_python_script(data[:HEAD]) else None)
         if language is not None:
             yield Content(candidate.path, language, data)
+
+
+def read_links(tree: dict[str, Blob], links: dict[str, Blob]) -> Iterator[Alias]:
+    """The symbolic *links* that lead to files or directories of *tree*, as on disk (the first ``MAX_LINKS``)."""
+    directories = {parent for path in tree for parent in _above(path)}
+    targets: dict[str, str] = {}
+    for path, blob in sorted(links.items())[:MAX_LINKS]:
+        text = os.fsdecode(run_git(blob.repository, "cat-file", "blob", blob.name))
+        targets[path] = posixpath.normpath(posixpath.join(posixpath.dirname(path), text))
+    for path, target in targets.items():
+        for _ in range(MAX_STEPS):
+            target = targets.get(target, target)
+        if target in tree or target in directories:
+            yield Alias(path, target)
+
+
+def _above(path: str) -> Iterator[str]:
+    while "/" in path:
+        path = path.rpartition("/")[0]
+        yield path
 
 
 def _read_submodule(path: str, commit: str, workspace: Workspace) -> dict[str, Blob]:

@@ -7,10 +7,11 @@ import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 
 from haros_ci.model.workspace import Workspace
-from haros_ci.workspace.assemble import Content, assemble
+from haros_ci.workspace.assemble import Alias, Content, assemble
 from haros_ci.workspace.base import base_workspace, scratch_directory, write_contents
 from haros_ci.workspace.discover import MAX_FILE_SIZE, discover, manifests_above, unusable_name
 from haros_ci.workspace.excludes import Excludes
@@ -23,7 +24,7 @@ from haros_ci.workspace.git import (
     resolve_commit,
     run_git,
 )
-from haros_ci.workspace.objects import Blob, read_blobs, read_tree
+from haros_ci.workspace.objects import Blob, read_blobs, read_links, read_tree
 from haros_ci.workspace.renames import find_renames
 from haros_ci.workspace.selection import Candidate, Scope, select
 
@@ -74,13 +75,16 @@ def revisions(
         return
     try:
         nothing = Workspace(root, (), (), TextReader(root, (), max_file_size))
-        trees = read_tree(repository, old, nothing), read_tree(repository, new, nothing)
+        links: tuple[dict[str, Blob], dict[str, Blob]] = ({}, {})
+        trees = read_tree(repository, old, nothing, links[0]), read_tree(repository, new, nothing, links[1])
         wanted = [_wanted(tree, paths, exclude) for tree in trees]
         size = sum(tree[c.path].size for tree, found in zip(trees, wanted, strict=True) for c in found)
         with scratch_directory(size) as scratch:
             made = [
-                _workspace(scratch / name, root.name, tree, found, paths, max_file_size)
-                for name, tree, found in zip(("base", "head"), trees, wanted, strict=True)
+                _workspace(scratch / name, root.name, tree, found, tuple(aliases), paths, max_file_size)
+                for name, tree, found, aliases in zip(
+                    ("base", "head"), trees, wanted, map(read_links, trees, links), strict=True
+                )
             ]
             yield Revisions(made[0], made[1], old, new, _renames(scratch, made[0], made[1], trees))
     except GitError as err:
@@ -105,14 +109,20 @@ def _wanted(tree: Mapping[str, Blob], paths: tuple[str, ...], exclude: tuple[str
 
 
 def _workspace(
-    directory: Path, name: str, tree: dict[str, Blob], wanted: list[Candidate], paths: tuple[str, ...], limit: int
+    directory: Path,
+    name: str,
+    tree: dict[str, Blob],
+    wanted: list[Candidate],
+    links: tuple[Alias, ...],
+    paths: tuple[str, ...],
+    limit: int,
 ) -> Workspace:
     """The files of a commit, written below *directory*, as a Workspace."""
     directory.mkdir()
     above = [Candidate(path, "package") for path in manifests_above(_scope(tree, paths)) if path in tree]
     return assemble(
         directory,
-        write_contents(directory, read_blobs(tree, wanted, limit)),
+        chain(write_contents(directory, read_blobs(tree, wanted, limit)), links),
         listed=[candidate.path for candidate in wanted],
         problems=(),
         targets=None,

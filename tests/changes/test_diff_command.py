@@ -164,3 +164,12 @@ def test_a_check_against_a_revision_tells_in_the_job_summary(
     page.unlink()
     main([*options])
     assert "What changes" not in page.read_text(encoding="utf-8")
+
+
+def test_a_symbolic_link_is_the_same_on_both_sides(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (repository / "launch" / "same.launch.xml").symlink_to("a.launch.xml")
+    (repository / "params").symlink_to("launch")
+    (repository / "away").symlink_to("/etc")
+    commit(repository)
+    for arguments in (("HEAD",), ("HEAD", "HEAD")):
+        assert out(capsys, *arguments) == NOTHING
