@@ -22,6 +22,7 @@ from haros_ci.model.program import Program
 #: Rows by the last part of the call's name.
 Rows = Mapping[str, tuple[Row, ...]]
 _INDEX = re.compile(r"\d+$")
+_OF_TYPE = re.compile(r"type(?:name|of)\((.*)\)$")
 #: Conversions that leave a text or number as it is.
 _CONVERSIONS = frozenset(("string", "str", "String", "ParameterValue", "float", "double", "to_string", "move", "Value"))
 #: Code for tests takes no part in a system.
@@ -151,7 +152,7 @@ def _selected(template: Template | None, args: Any) -> int | str | None:
     """The argument that a template selects: its number, or a Python keyword."""
     if template is None or len(template.parts) != 1 or isinstance(template.parts[0], str):
         return None
-    for alternative in template.parts[0][0]:
+    for alternative in (part for each in template.parts[0][0] for part in _OF_TYPE.sub(r"\1", each).split("|")):
         position = int(alternative) if _INDEX.match(alternative) else alternative
         if argument_of(position, args) is not None:
             return position

@@ -10,6 +10,7 @@ from haros_ci.changes import configurations
 from haros_ci.changes.calls import Call
 from haros_ci.changes.change import Difference, told_once
 from haros_ci.changes.code import compare_calls
+from haros_ci.changes.definitions import with_nodes
 from haros_ci.changes.endpoints import Compared, Moved, Sides, compare_ends, with_users
 from haros_ci.changes.evidence import Evidence, Source
 from haros_ci.changes.instances import Calls, by_instance
@@ -87,7 +88,8 @@ def compare(
     in_files = list(compare_files(base.values, head.values, moved, _readers(head.architecture)))
     found = [*_not_of_files(found, in_files, base, head), *in_files]
     found += compare_calls(base.calls, head.calls, (base.architecture, head.architecture), found, moved)
-    changes = (*interfaces, *told_once(found))
+    defined = with_nodes(tuple(interfaces), base.architecture, head.architecture)
+    changes = (*defined, *told_once(found))
     return Changes(
         changes=tuple(sorted(changes, key=lambda change: change.sort_key)),
         edges=tuple(edges(found, head.architecture, base.architecture)),

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from haros_ci.changes.interfaces import InterfaceChange, in_words
+from haros_ci.model.architecture import Architecture
 from haros_ci.model.build import Interface
 from haros_ci.model.changes import ADDED, CHANGED, REMOVED, RENAMED, Change
 
@@ -19,7 +21,7 @@ def told(found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Int
         yield Change(
             what="interface",
             action=action,
-            names=(f"{name.replace('/', f'/{each.kind}/', 1) if each.ros == 2 else name}",),
+            names=(_typed(name, each),),
             aspect=in_words(each) if action == CHANGED else each.kind,
             before=each.before or None,
             after=each.after or None,
@@ -27,8 +29,29 @@ def told(found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Int
             head=each.location if each.is_in_head else None,
             users=tuple(users),
             details=_details(each),
-            old_names=(each.before,) if action == RENAMED else (),
+            old_names=(_typed(each.before, each),) if action == RENAMED else (),
         )
+
+
+def _typed(name: str, change: InterfaceChange) -> str:
+    """As types of ends are written: ``pkg/msg/T`` in ROS 2."""
+    return name.replace("/", f"/{change.kind}/", 1) if change.ros == 2 else name
+
+
+def with_nodes(changes: Sequence[Change], *architectures: Architecture) -> Iterator[Change]:
+    """Each change of an interface with the nodes that have an end of that type, at the base or at head."""
+    wanted = {name for change in changes for name in (*change.names, *change.old_names)}
+    found: dict[str, set[str]] = {}
+    for architecture in architectures:
+        for configuration in architecture.configurations if wanted else ():
+            for node in configuration.nodes:
+                for end in node.endpoints:
+                    if end.type in wanted and "?" not in node.name:
+                        found.setdefault(end.type, set()).add(node.name)
+    for change in changes:
+        nodes = set().union(*(found.get(name, set()) for name in (*change.names, *change.old_names)))
+        short = sorted(nodes, key=lambda name: (len(name), name))
+        yield replace(change, users=(*short, *change.users))
 
 
 def _details(change: InterfaceChange) -> tuple[str, ...]:

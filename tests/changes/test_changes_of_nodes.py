@@ -199,6 +199,17 @@ def test_a_change_in_many_configurations_is_told_once(tmp_path: Path) -> None:
     assert len(change.configurations) == 4
 
 
+def test_users_of_an_interface_are_named(tmp_path: Path) -> None:
+    files = {
+        "talker.py": python_node("talker", "from demo.msg import Pose", PUB.replace("String", "Pose")),
+        "msg/Path.msg": "Pose[] poses\n",
+    }
+    found = changes(tmp_path, {**files, "msg/Pose.msg": "float64 x\n"}, {**files, "msg/Pose.msg": "float32 x\n"})
+    assert [(change.aspect, change.users) for change in found.changes] == [
+        ("field x: float64 → float32", ("/talker", "demo/Path (msg)"))
+    ]
+
+
 def test_a_file_that_has_moved_is_no_change(tmp_path: Path) -> None:
     yaml = {"config/a.yaml": "talker:\n  ros__parameters:\n    rate: 1.0\n"}
     moved = {"params/a.yaml": yaml["config/a.yaml"]}
