@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bug fixes in real histories: is the finding there before the fix and gone after it?
 
-    python tests/bench/history.py --mirrors DIRECTORY [--only TEXT]... [--cache-dir DIRECTORY] [--table FILE] [--details FILE]
+    python tests/bench/history.py --mirrors DIRECTORY [--fixes FILE] [--only TEXT]... [--cache-dir DIRECTORY] [--table FILE]
+        [--details FILE]
 
-*DIRECTORY* holds git repositories, bare or not, named ``owner+name`` or ``owner/name``, with the history. For each entry of
-history.yaml the tree of the parent and of the fix are written to a temporary directory (texts as they are, other files empty; nothing
-of them is run), and ``haros-ci check --profile architecture --isolated`` looks at both, all checks selected, the preview ones too. A
+*DIRECTORY* holds git repositories, bare or not, named ``owner+name`` or ``owner/name``, with the history. For each entry of *FILE*
+(history.yaml; history_packages.yaml has the fixes of packages, builds, interfaces and code) the tree of the parent and of the fix are
+written to a temporary directory (texts as they are, other files empty, execute bits set; nothing of them is run), and ``haros-ci check --profile architecture --isolated`` looks at both, all checks selected, the preview ones too. A
 fix counts as found if a finding of an expected check (by its name, or its id in the catalogue of ROS checks), in the named file or with that file
 among its other places, disappears with the fix. Prints a Markdown table; --details has the findings that came and went, as JSON.
 """
@@ -25,7 +26,7 @@ import yaml
 
 from haros_ci.registry import checks
 
-#: What is written as it is: what haros-ci reads. Of all else only the name counts.
+#: What is written as it is: what haros-ci reads, and names without suffix (scripts). Of all else only the name counts.
 TEXTS = "COLCON_IGNORE CATKIN_IGNORE AMENT_IGNORE".split()
 SUFFIXES = (
     ".launch .xml .test .py .yaml .yml .c .cc .cpp .cxx .h .hh .hpp .hxx .ipp .inc .cmake .txt .msg .srv .action .idl .xacro "
@@ -39,6 +40,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--mirrors", type=Path, required=True, help="where the repositories are")
     parser.add_argument(
+        "--fixes", type=Path, default=Path(__file__).with_suffix(".yaml"), help="the fixes (history.yaml)"
+    )
+    parser.add_argument(
         "--only", action="append", default=[], help="entries whose repository, fix or class contains this"
     )
     parser.add_argument("--cache-dir", type=Path, help="a cache for all runs")
@@ -47,7 +51,7 @@ def main() -> None:
         "--details", type=Path, help="write what came and went here; what is there already is not run again"
     )
     options = parser.parse_args()
-    entries = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+    entries = yaml.safe_load(options.fixes.read_text(encoding="utf-8"))
     done = json.loads(options.details.read_text()) if options.details and options.details.exists() else {}
     for entry in entries:
         text = f"{entry['repository']} {entry['fix']} {entry['class']}"
@@ -99,9 +103,10 @@ def look(git: Path, revision: str, directories: list[str], cache: Path | None) -
     ids = {check.id: check.catalogue for check in checks()}
     with tempfile.TemporaryDirectory() as place:
         tree = Path(place, "workspace")
-        for path, content in blobs(git, revision, directories):
+        for path, content, is_executable in blobs(git, revision, directories):
             tree.joinpath(path).parent.mkdir(parents=True, exist_ok=True)
             tree.joinpath(path).write_bytes(content)
+            tree.joinpath(path).chmod(0o755 if is_executable else 0o644)
         output = Path(place, "findings.json")
         command = [
             sys.executable,
@@ -140,8 +145,8 @@ def places(result: dict) -> set[str]:
     return found
 
 
-def blobs(git: Path, revision: str, directories: list[str]) -> Iterator[tuple[str, bytes]]:
-    """Path and content of the files at *revision*; files that are no texts, or absent from the mirror, are empty."""
+def blobs(git: Path, revision: str, directories: list[str]) -> Iterator[tuple[str, bytes, bool]]:
+    """Path, content and execute bit of the files at *revision*; files that are no texts, or absent from the mirror, are empty."""
     listing = subprocess.run(
         ["git", f"--git-dir={git}", "ls-tree", "-rlz", revision, "--", *directories], capture_output=True, check=True
     )
@@ -151,20 +156,22 @@ def blobs(git: Path, revision: str, directories: list[str]) -> Iterator[tuple[st
         mode, kind, name, size = head.split() if path else ("", "", "", "")
         if kind != "blob" or mode == "120000":
             continue
-        if path.endswith((*TEXTS, *SUFFIXES)) and (size == "-" or int(size) <= LARGEST):
-            wanted.append((path, name))
+        if (path.endswith((*TEXTS, *SUFFIXES)) or "." not in path.rpartition("/")[2]) and (
+            size == "-" or int(size) <= LARGEST
+        ):
+            wanted.append((path, name, mode == "100755"))
         else:
-            yield path, b""
-    asked = "".join(f"{name}\n" for _, name in wanted)
+            yield path, b"", mode == "100755"
+    asked = "".join(f"{name}\n" for _, name, _ in wanted)
     answers = subprocess.run(
         ["git", f"--git-dir={git}", "cat-file", "--batch"], input=asked.encode(), capture_output=True, check=True
     )
     rest, at = answers.stdout, 0
-    for path, _ in wanted:
+    for path, _, is_executable in wanted:
         end = rest.index(b"\n", at)
         head, at = rest[at:end].split(), end + 1
         size = int(head[2]) if len(head) == 3 else 0
-        yield path, rest[at : at + size]
+        yield path, rest[at : at + size], is_executable
         at += size + 1 if len(head) == 3 else 0
 
 
