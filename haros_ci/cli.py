@@ -149,9 +149,9 @@ file_option = click.option(
 @file_option
 def create(**flags: Any) -> int:
     """Record today's findings as known."""
-    from haros_ci import commands
+    from haros_ci import baseline_command
 
-    return commands.baseline_create(flags)
+    return baseline_command.create(flags)
 
 
 @baseline.command()
@@ -160,9 +160,9 @@ def create(**flags: Any) -> int:
 @click.option("--accept-new", is_flag=True, help="Record new findings, too.")
 def update(**flags: Any) -> int:
     """Refresh known findings that have moved or changed, and drop those that are gone."""
-    from haros_ci import commands
+    from haros_ci import baseline_command
 
-    return commands.baseline_update(flags)
+    return baseline_command.update(flags)
 
 
 @baseline.command()
@@ -170,18 +170,18 @@ def update(**flags: Any) -> int:
 @file_option
 def prune(**flags: Any) -> int:
     """Drop known findings that are gone; change nothing else."""
-    from haros_ci import commands
+    from haros_ci import baseline_command
 
-    return commands.baseline_prune(flags)
+    return baseline_command.prune(flags)
 
 
 @baseline.command()
 @file_option
 def show(**flags: Any) -> int:
     """List what a baseline file holds."""
-    from haros_ci import commands
+    from haros_ci import baseline_command
 
-    return commands.baseline_show(flags)
+    return baseline_command.show(flags)
 
 
 @haros_ci.command()

@@ -120,7 +120,8 @@ DOORS: dict[str, set[str]] = {
         "workspace",
     },
     "new_check": {"errors"},
-    "cli": {"commands", "diff_command", "errors", "model_command", "new_check", "policy_command", "query_command", "report"},
+    "baseline_command": {"baselines", "cli", "commands", "config", "errors", "output", "report", "results"},
+    "cli": {"baseline_command", "commands", "diff_command", "errors", "model_command", "new_check", "policy_command", "query_command", "report"},
     "__main__": {"cli"},
     "__init__": set(),
 }
