@@ -6,20 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import (
-    Check,
-    Codebase,
-    Finding,
-    Level,
-    Location,
-    Project,
-    Routine,
-    call_place,
-    calls_of,
-    dotted,
-    owner_of,
-    resolved,
-)
+from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, owner_of, resolved
 
 CPP = ("actionlib::SimpleActionServer", "actionlib::ActionServer")
 PYTHON = ("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer")

@@ -6,14 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import (
-    Check,
+from haros_ci.api import Check, Decidability, Finding, Level, Location, Project
+from haros_ci.api.code import (
     Codebase,
-    Decidability,
-    Finding,
-    Level,
-    Location,
-    Project,
     Routine,
     callbacks,
     called,

@@ -6,13 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import (
+from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.code import (
     Call,
-    Check,
     Codebase,
-    Finding,
-    Level,
-    Project,
     Reached,
     Routine,
     call_place,

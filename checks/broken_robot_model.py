@@ -5,19 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    Description,
-    Finding,
-    Joint,
-    Level,
-    Location,
-    Project,
-    RobotLink,
-    descriptions,
-    lead,
-    place_of,
-)
+from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api.robots import Description, Joint, RobotLink, descriptions, lead, place_of
 
 #: Joints that urdfdom refuses without a <limit> (parseJoint).
 _LIMITED = ("revolute", "prismatic")

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, PluginClass, Project, ProjectPackage, Target, is_written
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import PluginClass, Target, is_written
 
 _MACRO = "RCLCPP_COMPONENTS_REGISTER_NODE"
 _FACTORY = "rclcpp_components::NodeFactory"

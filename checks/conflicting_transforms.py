@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from haros_ci.api import Broadcast, Check, Finding, Level, Project, System, broadcasts, together
+from haros_ci.api import Check, Finding, Level, Project, System, together
+from haros_ci.api.robots import Broadcast, broadcasts
 
 
 def check(project: Project) -> Iterator[Finding]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Comparison, ConditionUse, Finding, Level, System, included_by
+from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api.launch import Comparison, ConditionUse, included_by
 
 _TRUTHS = {"true": True, "false": False}
 

@@ -5,20 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from haros_ci.api import (
-    BUILD,
-    EXPORTED,
-    Check,
-    Dependency,
-    Finding,
-    Level,
-    Project,
-    ProjectPackage,
-    holds,
-    is_nested,
-    needs,
-    place,
-)
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api.packages import BUILD, EXPORTED, Dependency, holds, is_nested, needs, place
 
 #: The needed package by name, with the dependency that says so.
 Edges = Mapping[str, Dependency]

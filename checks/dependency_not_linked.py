@@ -6,7 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, Target, Using, insert_line
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import Target, Using, insert_line
 
 #: Variables of libraries that bring neither headers nor libraries of ROS.
 _PLAIN = re.compile(

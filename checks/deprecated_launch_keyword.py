@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, ConstructUse, Finding, Fix, Level, System, included_by, renamed_keyword
+from haros_ci.api import Check, Finding, Fix, Level, System
+from haros_ci.api.launch import ConstructUse, included_by, renamed_keyword
 
 
 def check(system: System) -> Iterator[Finding]:

@@ -7,19 +7,9 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from haros_ci.api import (
-    Check,
-    FileUse,
-    Finding,
-    Level,
-    Location,
-    Project,
-    ProjectPackage,
-    install_directory,
-    install_line,
-    install_place,
-    landings,
-)
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.launch import FileUse
+from haros_ci.api.packages import install_directory, install_line, install_place, landings
 
 _LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|[_-]launch\.(?:py|xml|ya?ml)$|^launch/.*\.xml$")
 _ASIDE = re.compile(

@@ -7,7 +7,8 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import Check, Codebase, Decidability, Finding, Level, Location, Project, Routine, callees
+from haros_ci.api import Check, Decidability, Finding, Level, Location, Project
+from haros_ci.api.code import Codebase, Routine, callees
 
 #: Text in a loop's body by which it may end, or by which more may happen than is seen.
 ENDS = re.compile(

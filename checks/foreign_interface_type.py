@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Edit, Finding, Fix, Interface, InterfaceField, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import Interface, InterfaceField
 
 #: What genmsg knows by these words alone, and how rosidl wants it written.
 TYPES = {

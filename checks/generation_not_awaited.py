@@ -6,7 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, Target
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import Target
 
 _PARTS = {
     "msg": ("",),

@@ -6,22 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    CHANGED_ENDS,
-    Causes,
-    Change,
-    Check,
-    End,
-    Finding,
-    Level,
-    Location,
-    Lost,
-    Project,
-    System,
-    both,
-    change_said,
-    lost_in,
-)
+from haros_ci.api import Check, End, Finding, Level, Location, Project, System
+from haros_ci.api.changes import CHANGED_ENDS, Causes, Change, Lost, both, change_said, lost_in
 
 #: What the ends that are left over do with a topic, service or action that nobody gives.
 DOES = {

@@ -5,21 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    Codebase,
-    Decidability,
-    Finding,
-    Level,
-    Project,
-    Routine,
-    call_place,
-    calls_of,
-    dotted,
-    type_of,
-    uses,
-    variable,
-)
+from haros_ci.api import Check, Decidability, Finding, Level, Project
+from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, type_of, uses, variable
 
 STAMPED = "Accel AccelWithCovariance Point Polygon Pose PoseWithCovariance Quaternion Transform Twist TwistWithCovariance Vector3 Wrench"
 #: Messages of common_interfaces whose coordinates mean nothing without the frame that they are in.

@@ -6,17 +6,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import (
+from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage
+from haros_ci.api.packages import (
     BUILD,
     EXPORTED,
-    Check,
     CMakeCommand,
     Element,
-    Finding,
-    Fix,
-    Level,
-    Project,
-    ProjectPackage,
     add_dependency,
     add_element,
     applying,

@@ -6,7 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, exports, is_slip, needs, place
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, is_slip
+from haros_ci.api.packages import exports, needs, place
 
 #: Words in names of packages that lists leave out on purpose.
 LEFT_OUT = re.compile(

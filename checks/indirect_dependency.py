@@ -5,13 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    Finding,
-    Level,
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api.packages import (
     Need,
-    Project,
-    ProjectPackage,
     Provisions,
     Sources,
     add_dependency,

@@ -6,19 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    Finding,
-    InterfaceChange,
-    InterfaceUsers,
-    Level,
-    Location,
-    Project,
-    change_in_words,
-    changes_of,
-    containing,
-    defined_in,
-)
+from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api.interfaces import InterfaceChange, InterfaceUsers, change_in_words, changes_of, containing, defined_in
 
 #: Place and words, as a finding has them.
 Place = tuple[Location, str]

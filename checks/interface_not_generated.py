@@ -7,18 +7,8 @@ import posixpath
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import (
-    Check,
-    CMakeCommand,
-    Finding,
-    Fix,
-    Interface,
-    Level,
-    Location,
-    Project,
-    ProjectPackage,
-    insert_line,
-)
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import CMakeCommand, Interface, insert_line
 
 _OLD = {"add_message_files": "msg", "add_service_files": "srv", "add_action_files": "action"}
 _NEW = "rosidl_generate_interfaces"

@@ -7,23 +7,8 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    Element,
-    Finding,
-    Fix,
-    Level,
-    Project,
-    ProjectPackage,
-    drop_element,
-    is_nested,
-    is_slip,
-    needs,
-    place,
-    rename_element,
-    set_attribute,
-    word,
-)
+from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage, is_slip
+from haros_ci.api.packages import Element, drop_element, is_nested, needs, place, rename_element, set_attribute, word
 
 VERSIONS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
 #: The tags of each format with their attributes (REP 127, 140, 149).

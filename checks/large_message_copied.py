@@ -5,21 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Call,
-    Check,
-    Codebase,
-    Finding,
-    Level,
-    Project,
-    Routine,
-    call_place,
-    calls_of,
-    is_local,
-    ros_type,
-    type_name,
-    type_of,
-)
+from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.code import Call, Codebase, Routine, call_place, calls_of, is_local, ros_type, type_name, type_of
 
 LARGE = frozenset(
     f"sensor_msgs/{name}"

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, PathUse, System, included_by
+from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api.launch import PathUse, included_by
 
 _WHY = {"home": "lies in somebody's home directory", "absolute": "is an absolute path"}
 

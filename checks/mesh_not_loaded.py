@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Mesh, Project, descriptions, lead, meant
+from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.launch import meant
+from haros_ci.api.robots import Mesh, descriptions, lead
 
 _SUFFIXES = (".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx", ".3ds", ".mesh")
 

@@ -6,14 +6,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import (
+from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.code import (
     Call,
     Callback,
-    Check,
     Codebase,
-    Finding,
-    Level,
-    Project,
     Routine,
     call_place,
     callbacks,

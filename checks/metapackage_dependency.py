@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Dependency, Finding, Level, Location, Project, ProjectPackage, is_nested, needs, place
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import Dependency, is_nested, needs, place
 
 
 def check(project: Project) -> Iterator[Finding]:

@@ -8,7 +8,8 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, CMakeCommand, Finding, Level, Project, ProjectPackage, may_appear
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api.packages import CMakeCommand, may_appear
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
 #: Words that end what install() and its like are told to install.

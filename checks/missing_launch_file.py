@@ -6,7 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, FileUse, Finding, Level, ParameterFileUse, System, included_by, meant
+from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, meant
 
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)

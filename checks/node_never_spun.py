@@ -6,20 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Call,
-    Callback,
-    Check,
-    Codebase,
-    Finding,
-    Level,
-    Project,
-    Routine,
-    call_place,
-    callbacks,
-    calls_of,
-    dotted,
-)
+from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.code import Call, Callback, Codebase, Routine, call_place, callbacks, calls_of, dotted
 
 #: Whatever may call callbacks: a text that has one of these words is not looked at.
 SPINS = re.compile(

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Change, Check, Finding, Level, Location, Project
+from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api.changes import Change
 
 SHOWN = 10
 

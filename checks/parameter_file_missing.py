@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, FileUse, Finding, Level, ParameterFileUse, System
+from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api.launch import FileUse, ParameterFileUse
 
 
 def check(system: System) -> Iterator[Finding]:

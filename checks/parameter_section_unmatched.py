@@ -6,7 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, NodePattern, ParameterFileUse, System, is_slip
+from haros_ci.api import Check, Finding, Level, Location, System, is_slip
+from haros_ci.api.launch import NodePattern, ParameterFileUse
 
 
 def check(system: System) -> Iterator[Finding]:

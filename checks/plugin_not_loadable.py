@@ -8,15 +8,10 @@ import re
 from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.api import (
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import (
     MACROS,
-    Check,
-    Finding,
-    Level,
-    Location,
     PluginClass,
-    Project,
-    ProjectPackage,
     Registration,
     Target,
     exported_under,

@@ -6,19 +6,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    Edit,
-    EntryPoint,
-    Finding,
-    Fix,
-    Level,
-    Location,
-    ProgramUse,
-    Project,
-    ProjectPackage,
-    is_slip,
-)
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
+from haros_ci.api.launch import ProgramUse
+from haros_ci.api.packages import EntryPoint
 
 _MARKERS = "share/ament_index/resource_index/packages"
 _NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")

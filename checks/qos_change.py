@@ -5,20 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Change,
-    Check,
-    End,
-    Finding,
-    Level,
-    Project,
-    Qos,
-    System,
-    qos_in_words,
-    refused_pairs,
-    refuses,
-    same_end,
-)
+from haros_ci.api import Check, End, Finding, Level, Project, Qos, System, qos_in_words, refused_pairs, refuses
+from haros_ci.api.changes import Change, same_end
 
 GIVERS = ("publishers", "servers")
 POLICIES = ("reliability", "durability", "deadline", "liveliness")

@@ -8,18 +8,9 @@ import re
 import warnings
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    Edit,
-    Finding,
-    Fix,
-    Installed,
-    Level,
-    Location,
-    ProgramUse,
-    Project,
-    ProjectPackage,
-)
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api.launch import ProgramUse
+from haros_ci.api.packages import Installed
 
 _PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(python)(2[\d.]*)?[ \t]*\r?\Z")
 _LAUNCH = ("launch.py", "__init__.py", "setup.py", "conftest.py")

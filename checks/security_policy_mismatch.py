@@ -5,22 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    End,
-    Finding,
-    Level,
-    NodeProfile,
-    Permission,
-    Policy,
-    Project,
-    System,
-    SystemNode,
-    enclave_of,
-    is_common,
-    read_policy,
-    verdict,
-)
+from haros_ci.api import Check, End, Finding, Level, Project, System, SystemNode
+from haros_ci.api.security import NodeProfile, Permission, Policy, enclave_of, is_common, read_policy, verdict
 
 #: What a node does that a rule is about, as an order.
 DOES = {

@@ -6,16 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from haros_ci.api import (
+from haros_ci.api import Check, Decidability, Finding, Level, Project
+from haros_ci.api.code import (
     Call,
     Callback,
-    Check,
     Codebase,
-    Decidability,
-    Finding,
-    Level,
     Place,
-    Project,
     Reached,
     Routine,
     Variable,

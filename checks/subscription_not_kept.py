@@ -6,20 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Call,
-    Check,
-    Codebase,
-    Finding,
-    Level,
-    Project,
-    Routine,
-    call_place,
-    called,
-    calls_of,
-    is_node,
-    own_method,
-)
+from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.code import Call, Codebase, Routine, call_place, called, calls_of, is_node, own_method
 
 #: What they are made by, and what that makes.
 MADE = {

@@ -8,19 +8,9 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from haros_ci.api import (
-    Check,
-    Finding,
-    Fix,
-    Level,
-    Location,
-    ProgramUse,
-    Project,
-    ProjectPackage,
-    Target,
-    install_line,
-    landings,
-)
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api.launch import ProgramUse
+from haros_ci.api.packages import Target, install_line, landings
 
 #: Parts of paths and names of what is there for developers.
 _ASIDE = re.compile(

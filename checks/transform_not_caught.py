@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import ASKED, Check, Finding, Level, Project, call_place, in_callbacks, is_caught, is_lookup
+from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.code import ASKED, call_place, in_callbacks, is_caught, is_lookup
 
 FILTERS = ("tf2_ros::MessageFilter", "tf::MessageFilter", "tf2_ros/message_filter")
 

@@ -5,19 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    ASKED,
-    Check,
-    Decidability,
-    Finding,
-    Level,
-    Project,
-    call_place,
-    in_callbacks,
-    is_lookup,
-    nodes,
-    type_name,
-)
+from haros_ci.api import Check, Decidability, Finding, Level, Project
+from haros_ci.api.code import ASKED, call_place, in_callbacks, is_lookup, nodes, type_name
 
 LOOKUPS = frozenset(("lookupTransform", "lookup_transform"))
 FILTERS = ("tf2_ros::MessageFilter", "tf::MessageFilter", "tf2_ros/message_filter")

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Package, PackageUse, System, included_by, owner
+from haros_ci.api import Check, Finding, Level, Location, System
+from haros_ci.api.launch import PackageUse, included_by, owner
+from haros_ci.api.packages import Package
 
 #: Dependencies that are there when the package runs.
 _RUN = ("depend", "exec_depend", "run_depend", "build_export_depend")

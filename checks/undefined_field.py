@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, MissingField, Project, missing_fields
+from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.interfaces import MissingField, missing_fields
 
 
 def check(project: Project) -> Iterator[Finding]:

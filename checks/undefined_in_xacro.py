@@ -5,19 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    Check,
-    Description,
-    Fault,
-    Finding,
-    Level,
-    Location,
-    Project,
-    descriptions,
-    is_by_itself,
-    lead,
-    meant,
-)
+from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api.launch import meant
+from haros_ci.api.robots import Description, Fault, descriptions, is_by_itself, lead
 
 #: What whoever includes a file may define.
 _FROM_OUTSIDE = ("property", "argument", "macro", "block")

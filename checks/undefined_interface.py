@@ -8,18 +8,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 
-from haros_ci.api import (
-    Check,
-    Finding,
-    InterfaceReference,
-    InterfaceUsers,
-    Level,
-    Location,
-    Project,
-    ProjectPackage,
-    always_at,
-    references_to,
-)
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, references_to
 
 GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
 ENDINGS = (".msg", ".srv", ".action", ".idl")

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, ProgramUse, System, included_by, meant
+from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api.launch import ProgramUse, included_by, meant
 
 _WORDS = {
     "executable": "builds or installs no program",

@@ -6,7 +6,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, PackageUse, System, included_by, is_slip, knowledge
+from haros_ci.api import Check, Decidability, Finding, Level, System, is_slip
+from haros_ci.api.launch import PackageUse, included_by
+from haros_ci.api.packages import knowledge
 
 #: What a package can be called (REP 127); anything else is to be replaced in a template.
 _NAME = re.compile(r"[A-Za-z][\w-]*\Z")

@@ -7,7 +7,8 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.api import Build, Check, Element, Finding, Level, Location, Project, is_slip
+from haros_ci.api import Check, Finding, Level, Location, Project, is_slip
+from haros_ci.api.packages import Build, Element
 
 _NAME = r"[A-Za-z_]\w*(?:(?:::|/)[A-Za-z_]\w*)+"
 _PAIR = re.compile(rf"""(?:^|[\s,{{\[])["']?([\w.]+)["']?\s*:\s*(["']?)({_NAME})\2\s*(?=[,}}\]]|\s#|$)""")

@@ -7,17 +7,8 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import (
-    OF_TARGETS,
-    Check,
-    CMakeCommand,
-    Finding,
-    Level,
-    Project,
-    ProjectPackage,
-    add_dependency,
-    may_appear,
-)
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api.packages import OF_TARGETS, CMakeCommand, add_dependency, may_appear
 
 #: Targets that CMake, catkin and rosidl make by themselves.
 _GIVEN = re.compile(

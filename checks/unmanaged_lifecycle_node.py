@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Decidability, Finding, IncludeUse, Level, Parameter, System, SystemNode, together
+from haros_ci.api import Check, Decidability, Finding, Level, Parameter, System, SystemNode, together
+from haros_ci.api.launch import IncludeUse
 
 
 def check(system: System) -> Iterator[Finding]:

@@ -5,17 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
-    ArgumentDeclaration,
-    ArgumentRead,
-    Check,
-    Finding,
-    IncludeUse,
-    Level,
-    System,
-    included_by,
-    meant,
-)
+from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant
 
 
 def check(system: System) -> Iterator[Finding]:

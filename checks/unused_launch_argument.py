@@ -6,17 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import (
-    ArgumentDeclaration,
-    Check,
-    ConstructUse,
-    Finding,
-    IncludeUse,
-    Level,
-    System,
-    included_by,
-    meant,
-)
+from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api.launch import ArgumentDeclaration, ConstructUse, IncludeUse, included_by, meant
 
 
 def check(system: System) -> Iterator[Finding]:

@@ -5,23 +5,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import (
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
+from haros_ci.api.packages import (
     BUILD,
     EXPORTED,
-    Check,
     CMakeCommand,
-    Finding,
-    Fix,
-    Level,
-    Location,
-    Project,
-    ProjectPackage,
     add_dependency,
     add_export,
     build_types,
     exports,
     is_nested,
-    is_slip,
     needs,
     place,
     set_text,

@@ -6,7 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, CMakeCommand, Finding, Level, Location, Project, ProjectPackage, is_nested
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import CMakeCommand, is_nested
 
 #: The macros that compare the name in the manifest with that of project(), and stop.
 COMPARING = (

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What every check needs (docs/adding-a-check.md): systems, projects, findings and fixes. Each kind of input has a module beside this one."""
+
+from __future__ import annotations
+
+from haros_ci.checking.check import Check, Decidability, Finding, Status
+from haros_ci.checking.closed import unmet
+from haros_ci.checking.compatibility import in_words as qos_in_words
+from haros_ci.checking.compatibility import refused_pairs, refuses
+from haros_ci.checking.given import (
+    Given,
+    Names,
+    Whole,
+    is_mentioned,
+    misplaced,
+    near,
+)
+from haros_ci.checking.incompatible import incompatible
+from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
+from haros_ci.checking.likeness import is_moved, is_slip, may_be
+from haros_ci.checking.offered import type_mismatches
+from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.checking.remapping import named_at, rule_of, way_to
+from haros_ci.checking.system import (
+    Channel,
+    End,
+    System,
+    SystemNode,
+    can_meet,
+)
+from haros_ci.model.architecture import (
+    Condition,
+    Endpoint,
+    Parameter,
+    Qos,
+    RemapRule,
+)
+from haros_ci.model.location import Location
+from haros_ci.model.presence import ALWAYS, Presence, together
+from haros_ci.results.fix import Edit, Fix
+from haros_ci.results.rule import Level
+
+__all__ = [
+    "ACTION",
+    "ALWAYS",
+    "NO_SYSTEMS",
+    "SERVICE",
+    "TOPIC",
+    "Channel",
+    "Check",
+    "Condition",
+    "Decidability",
+    "Edit",
+    "End",
+    "Endpoint",
+    "Finding",
+    "Fix",
+    "Given",
+    "Level",
+    "Location",
+    "Names",
+    "Parameter",
+    "Presence",
+    "Project",
+    "ProjectPackage",
+    "Qos",
+    "RemapRule",
+    "Status",
+    "System",
+    "SystemNode",
+    "Whole",
+    "can_meet",
+    "incompatible",
+    "is_mentioned",
+    "is_moved",
+    "is_slip",
+    "may_be",
+    "misplaced",
+    "named_at",
+    "near",
+    "qos_in_words",
+    "refused_pairs",
+    "refuses",
+    "rule_of",
+    "together",
+    "type_mismatches",
+    "unmet",
+    "way_to",
+]

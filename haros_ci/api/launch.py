@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What launch files say (docs/adding-a-check.md)."""
+
+from __future__ import annotations
+
+from haros_ci.checking.launch_edits import renamed_keyword
+from haros_ci.checking.launching import included_by, meant, owner
+from haros_ci.model.launch_facts import (
+    ArgumentDeclaration,
+    ArgumentRead,
+    CommandUse,
+    Comparison,
+    ConditionUse,
+    ConstructUse,
+    FileUse,
+    IncludeUse,
+    LaunchFact,
+    NodePattern,
+    PackageUse,
+    ParameterFileUse,
+    PassedArgument,
+    PathUse,
+    ProgramUse,
+)
+
+__all__ = [
+    "ArgumentDeclaration",
+    "ArgumentRead",
+    "CommandUse",
+    "Comparison",
+    "ConditionUse",
+    "ConstructUse",
+    "FileUse",
+    "IncludeUse",
+    "LaunchFact",
+    "NodePattern",
+    "PackageUse",
+    "ParameterFileUse",
+    "PassedArgument",
+    "PathUse",
+    "ProgramUse",
+    "included_by",
+    "meant",
+    "owner",
+    "renamed_keyword",
+]

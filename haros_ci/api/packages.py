@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Manifests, builds, dependencies, plug-ins, and edits of them."""
+
+from __future__ import annotations
+
+from haros_ci.checking.appearing import may_appear
+from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
+from haros_ci.checking.editing import (
+    add_dependency,
+    add_element,
+    add_export,
+    drop_element,
+    drop_lines,
+    insert_line,
+    rename_element,
+    set_attribute,
+    set_text,
+)
+from haros_ci.checking.imports import imports_of
+from haros_ci.checking.installing import install_directory, install_line, install_place, landings
+from haros_ci.checking.manifests import (
+    BUILD,
+    EXEC,
+    EXPORTED,
+    applying,
+    brings,
+    build_types,
+    exports,
+    holds,
+    is_nested,
+    needs,
+    place,
+    reaches,
+    word,
+)
+from haros_ci.checking.needs import Need, needs_of
+from haros_ci.checking.plugins import (
+    MACROS,
+    Registration,
+    exported_under,
+    file_name,
+    is_written,
+    loaders,
+    registers_otherwise,
+    registrations,
+)
+from haros_ci.checking.provision import (
+    Provision,
+    Provisions,
+    Sources,
+    first_provider,
+    is_of_ros,
+    last_dependency,
+    others_of,
+)
+from haros_ci.checking.using import Using
+from haros_ci.knowledge.knowledge import Knowledge, knowledge
+from haros_ci.model.build import (
+    Build,
+    CMakeCommand,
+    EntryPoint,
+    Installed,
+    Interface,
+    InterfaceField,
+    PluginClass,
+    Target,
+)
+from haros_ci.model.element import Element
+from haros_ci.model.package import Dependency, Package, SourceFile
+
+__all__ = [
+    "BUILD",
+    "EXEC",
+    "EXPORTED",
+    "MACROS",
+    "OF_TARGETS",
+    "Build",
+    "CMake",
+    "CMakeCommand",
+    "Dependency",
+    "Element",
+    "EntryPoint",
+    "Install",
+    "Installed",
+    "Interface",
+    "InterfaceField",
+    "Knowledge",
+    "Link",
+    "Need",
+    "Package",
+    "PluginClass",
+    "Provision",
+    "Provisions",
+    "Registration",
+    "SourceFile",
+    "Sources",
+    "Target",
+    "Using",
+    "add_dependency",
+    "add_element",
+    "add_export",
+    "applying",
+    "brings",
+    "build_types",
+    "drop_element",
+    "drop_lines",
+    "exported_under",
+    "exports",
+    "file_name",
+    "first_provider",
+    "holds",
+    "imports_of",
+    "insert_line",
+    "install_directory",
+    "install_line",
+    "install_place",
+    "is_nested",
+    "is_of_ros",
+    "is_written",
+    "knowledge",
+    "landings",
+    "last_dependency",
+    "loaders",
+    "may_appear",
+    "needs",
+    "needs_of",
+    "others_of",
+    "place",
+    "reaches",
+    "registers_otherwise",
+    "registrations",
+    "rename_element",
+    "set_attribute",
+    "set_text",
+    "word",
+]

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Descriptions of robots, and transforms."""
+
+from __future__ import annotations
+
+from haros_ci.checking.robots import descriptions, is_by_itself, lead, place_of
+from haros_ci.checking.transforms import Broadcast, broadcasts
+from haros_ci.model.robot import (
+    Description,
+    Fault,
+    Joint,
+    Mesh,
+    Robot,
+)
+from haros_ci.model.robot import (
+    Link as RobotLink,
+)
+
+__all__ = [
+    "Broadcast",
+    "Description",
+    "Fault",
+    "Joint",
+    "Mesh",
+    "Robot",
+    "RobotLink",
+    "broadcasts",
+    "descriptions",
+    "is_by_itself",
+    "lead",
+    "place_of",
+]
