@@ -166,8 +166,10 @@ def lint_options(settings: Settings) -> LintOptions:
 
 
 def unheard(settings: Settings) -> frozenset[str]:
-    """The linters that need not run: all in the profile of the checks alone, unless the command line selects rules."""
-    has_others = settings.command_line.select or any(entry.profile for entry in settings.per_path)
+    """The linters that need not run: all in the profile of the checks alone, unless the command line selects other rules."""
+    checks = check_rules().keys()
+    selected = {text.removeprefix(f"{own.TOOL}:") for text in settings.command_line.select}
+    has_others = not selected <= checks or any(entry.profile for entry in settings.per_path)
     return frozenset(ADAPTERS) if settings.profile == "architecture" and not has_others else frozenset()
 
 

@@ -11,9 +11,18 @@ from haros_ci.config.settings import PathPolicy, Policy, Settings
 from haros_ci.pipeline import ADAPTERS, lint_options
 
 SELECTS = Policy(select=("cpplint:runtime/int",))
+SELECTS_CHECKS = Policy(select=("global-name", "haros-ci:self-loop"))
 
 
-@pytest.mark.parametrize("more", [{}, {"policy": SELECTS}, {"per_path": (PathPolicy(globs=("a",), policy=SELECTS),)}])
+@pytest.mark.parametrize(
+    "more",
+    [
+        {},
+        {"policy": SELECTS},
+        {"per_path": (PathPolicy(globs=("a",), policy=SELECTS),)},
+        {"command_line": SELECTS_CHECKS},
+    ],
+)
 def test_no_linter_runs(more: dict[str, object]) -> None:
     settings = Settings(root=Path("/ws"), profile="architecture", **more)  # type: ignore[arg-type]
     assert lint_options(settings).disabled == frozenset(ADAPTERS)
@@ -25,6 +34,7 @@ def test_no_linter_runs(more: dict[str, object]) -> None:
         {"profile": "ros"},
         {"profile": "all"},
         {"profile": "architecture", "command_line": SELECTS},
+        {"profile": "architecture", "command_line": Policy(select=("global-name", "pylint"))},
         {"profile": "architecture", "per_path": (PathPolicy(globs=("a",), policy=Policy(), profile="strict"),)},
     ],
 )
