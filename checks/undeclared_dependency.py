@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 from haros_ci.api.packages import (
     Need,
     Provisions,
@@ -34,7 +34,7 @@ def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), Sources(project)
     for package in project.packages:
         needs = list(needs_of(package, sources)) if package.manifest is not None else []
-        provided = provisions.of(package) if needs else None
+        provided = provisions.of(package, tests=False) if needs else None
         missing: dict[frozenset[str], list[Need]] = {}
         for need in needs:
             if provided is not None and provisions.lacks(provided, need.providers):
@@ -44,6 +44,9 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
+    tested = sorted(uses[0].providers & package.declared)
+    if tested:
+        return _only_tested(package, tested[0], uses)
     name = first_provider(uses[0].providers, package)
     others = others_of(uses[0].providers, name, package)
     is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
@@ -59,6 +62,21 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),
         fixes=() if fix is None else (fix,),
+    )
+
+
+def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
+    """What the manifest has for tests alone, and more than tests use."""
+    kind = "depend"
+    line = next((each.line for each in package.raw.dependencies if each.name == name), None)
+    return Finding(
+        at=Location(package.manifest_path, line or 1),
+        message=f"{package.name} needs {name} to build ({uses[0].what}), and declares it for its tests alone: who builds it without its tests may not have it;"
+        f" make it <{kind}>{name}</{kind}>",
+        about=(package.name, name),
+        level=Level.WARNING,
+        related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
+        apart=(name,),
     )
 
 

@@ -18,23 +18,32 @@ _IMPORT = re.compile(r"^(?:import[ \t]+([^#\n;]+)|from[ \t]+([\w.]+)[ \t]+import
 _PYTHON = frozenset(
     "__builtin__ __main__ asynchat asyncore BaseHTTPServer binhex cPickle cStringIO cgi CGIHTTPServer commands ConfigParser Cookie cookielib "
     "copy_reg distutils exceptions httplib imp itertools md5 pkg_resources Queue SimpleHTTPServer SocketServer sets setuptools sha smtpd "
-    "StringIO telnetlib thread tkinter Tkinter tkFileDialog tkMessageBox tomllib ttk typing_extensions urllib2 urlparse UserDict xmlrpclib _winreg".split()
+    "StringIO telnetlib thread tomllib typing_extensions urllib2 urlparse UserDict xmlrpclib _winreg".split()
 )
+#: Modules of Python's library that systems have as packages of their own (Debian's python3-tk), and their keys of rosdep.
+_APART = dict.fromkeys("tkinter Tkinter tkFileDialog tkMessageBox ttk".split(), frozenset(("python3-tk", "python-tk")))
 #: What runs launch files brings these (ros2launch, roslaunch).
 _LAUNCHING = frozenset(
     "launch launch_ros launch_xml launch_yaml ament_index_python roslaunch rospkg ros2launch osrf_pycommon".split()
 )
+#: Commands that run Python files as tests, and what they run of a folder.
+_TESTING = ("ament_add_pytest_test", "ament_add_nose_test", "add_launch_test", "catkin_add_nosetests")
+_RUN = re.compile(r"/(test_[^/]*|[^/]*_test)\.py$")
 _TEST = re.compile(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(test_[^/]*|[^/]*_test|conftest|setup)\.py$")
 
 
-def imports_of(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
-    """What is imported at the outermost level, outside of ``try`` and ``if``, and whose providers are known."""
+def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Need]:
+    """What installed files, or *tests*, import at the outermost level, outside of ``try`` and ``if``, with known providers."""
     project = package.project
     own = _own(package)
-    for path, is_launch in _installed(package):
+    for path, is_launch in _tested(package) if tests else _installed(package):
         program = project.programs.get(path)
         for module, location in imported(path, project.text(path), program):
-            if module in own or module in sys.stdlib_module_names or module in _PYTHON or module == package.name:
+            if module in own or module in _PYTHON or module == package.name:
+                continue
+            if module in _APART:
+                yield Need(_APART[module], location, f"import {module}", False)
+            if module in sys.stdlib_module_names or module in _APART:
                 continue
             if is_launch and module in _LAUNCHING:
                 continue
@@ -76,6 +85,25 @@ def _installed(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
         places = share if is_launch else folders
         if not _TEST.search(inner) and (path in wanted or any(path.startswith(f"{each}/") for each in places)):
             yield path, is_launch
+
+
+def _tested(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
+    """The Python files that ``colcon test`` or ``catkin test`` runs for certain."""
+    python = {
+        file.path for file in package.files if file.language in ("python", "launch") and file.path.endswith(".py")
+    }
+    found: dict[str, None] = {}
+    if package.raw.build_type == "ament_python":
+        places = tuple(package.inside(folder) for folder in ("test/", "tests/"))
+        found |= dict.fromkeys(path for path in sorted(python) if path.startswith(places) and _RUN.search(path))
+    for command in package.commands(*_TESTING):
+        for place in map(command.place, command.arguments) if not command.is_conditional else ():
+            if place in python:
+                found[str(place)] = None
+            elif place is not None and command.name != "add_launch_test":
+                below = (path for path in sorted(python) if path.startswith(f"{place}/") and _RUN.search(path))
+                found |= dict.fromkeys(below)
+    yield from ((path, False) for path in found)
 
 
 def _own(package: ProjectPackage) -> frozenset[str]:

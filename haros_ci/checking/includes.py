@@ -56,20 +56,20 @@ def includes(path: str, text: str) -> Iterator[Include]:
         is_first = False
 
 
-def compiled(package: ProjectPackage) -> list[str]:
-    """The C++ files that CMake compiles in every build but for tests."""
+def compiled(package: ProjectPackage, *, tests: bool = False) -> list[str]:
+    """The C++ files that CMake compiles in every build: not for tests, or for *tests* alone."""
     found: dict[str, None] = {}
     for target in package.build.targets:
-        if target.kind in ("alias", "imported") or target.is_test or target.is_conditional:
+        if target.kind in ("alias", "imported") or target.is_test is not tests or target.is_conditional:
             continue
         found |= dict.fromkeys(path for path in target.sources if path not in target.conditional_sources)
     own = {file.path for file in package.files if file.language == "cpp"}
     return [path for path in found if path in own]
 
 
-def reached(package: ProjectPackage, sources: Sources) -> Iterator[Include]:
+def reached(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Include]:
     """What the compiled files include from elsewhere, and what the package's own headers that they include do."""
-    todo = compiled(package)[::-1]
+    todo = compiled(package, tests=tests)[::-1]
     seen = set(todo)
     own = {file.path for file in package.files}
     while todo and len(seen) < MAX_FILES:

@@ -42,19 +42,19 @@ class Need:
     is_header: bool
 
 
-def needs_of(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
-    """What every build of *package* needs whose providers are known; nothing for one that is not built by CMake alone."""
+def needs_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Need]:
+    """What every build of *package* needs, or of its *tests*, whose providers are known; nothing if not CMake alone builds it."""
     if package.raw.is_metapackage or package.raw.build_type == "ament_python" or package.commands(*_FETCHING):
         return
-    yield from _found(package, sources)
-    yield from _included(package, sources)
+    yield from _found(package, sources, tests)
+    yield from _included(package, sources, tests)
 
 
-def _found(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
+def _found(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[Need]:
     """The packages that CMake does not go on without."""
     project = package.project
     for command in package.commands("find_package"):
-        if command.is_conditional or command.is_test or not command.arguments:
+        if command.is_conditional or command.is_test is not tests or not command.arguments:
             continue
         for name in _required(command):
             if "$" in name or name == package.name or _brings_module(sources, name):
@@ -92,11 +92,11 @@ def _brings_module(sources: Sources, name: str) -> bool:
     return not sources.file_names.isdisjoint(ends)
 
 
-def _included(package: ProjectPackage, sources: Sources) -> Iterator[Need]:
+def _included(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[Need]:
     """The headers that every build includes, from elsewhere, and whose providers are known."""
     asked: dict[str, frozenset[str]] = {}
     lent, made = _lent(package), _made(package)
-    for include in reached(package, sources):
+    for include in reached(package, sources, tests=tests):
         header = include.header
         if header not in asked:
             asked[header] = _providers(header, package, sources)

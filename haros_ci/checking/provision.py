@@ -42,9 +42,10 @@ class Provisions:
         self.project = project
         self._brought: dict[tuple[str, int | None], frozenset[str] | None] = {}
 
-    def of(self, package: ProjectPackage) -> Provision:
-        """All that *package* declares, of whatever kind, with what that brings along."""
-        names = {package.name, *package.declared, *self._aside(package)}
+    def of(self, package: ProjectPackage, *, tests: bool = True) -> Provision:
+        """All that *package* declares, of whatever kind, with what that brings along; without *tests* not what only these get."""
+        declared = package.declared if tests else _for_users(package)
+        names = {package.name, *declared, *self._aside(package)}
         todo = list(names - {package.name})
         is_open = interfaces = system = False
         while todo:
@@ -62,7 +63,7 @@ class Provisions:
             new = (brought or frozenset()) - names
             names |= new
             todo += new
-        names.update(*(_variants(name) for name in package.declared))
+        names.update(*(_variants(name) for name in declared))
         return Provision(frozenset(names), is_open, interfaces, system)
 
     def lacks(self, provision: Provision, providers: frozenset[str]) -> bool:
@@ -97,6 +98,10 @@ class Provisions:
         for raw in self.project.workspace.packages:
             if raw.name == package.name and raw.path != package.path:
                 yield from (dependency.name for dependency in raw.dependencies)
+
+
+def _for_users(package: ProjectPackage) -> frozenset[str]:
+    return frozenset(each.name for each in package.raw.dependencies if each.kind not in _OWN_ONLY)
 
 
 def _variants(name: str) -> Iterator[str]:

@@ -157,7 +157,7 @@ def blobs(git: Path, revision: str, directories: list[str]) -> Iterator[tuple[st
         if kind != "blob" or mode == "120000":
             continue
         if (path.endswith((*TEXTS, *SUFFIXES)) or "." not in path.rpartition("/")[2]) and (
-            size == "-" or int(size) <= LARGEST
+            size == "-" or (size.isdigit() and int(size) <= LARGEST)
         ):
             wanted.append((path, name, mode == "100755"))
         else:
