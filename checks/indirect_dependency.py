@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
@@ -18,6 +19,8 @@ from haros_ci.api.packages import (
 )
 
 _SHOWN = 3
+#: Packages that a build runs and that nothing of what is built needs (REP 149, buildtool_depend).
+_TOOL = re.compile(r"(?:ament_cmake\w*|\w+_cmake_module|rosidl_default_generators|catkin)$")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -27,16 +30,17 @@ def check(project: Project) -> Iterator[Finding]:
         provided = provisions.of(package).names if uses else frozenset()
         indirect: dict[str, list[Need]] = {}
         for use in uses:
-            names = [name for name in use.providers & provided if is_of_ros(name, project)]
+            names = list(use.providers & provided)  # with several it is not said which one it comes from
             if not use.providers & package.declared and len(names) == 1 and names[0] != package.name:
-                indirect.setdefault(names[0], []).append(use)
+                if is_of_ros(names[0], project):
+                    indirect.setdefault(names[0], []).append(use)
         for name, found in indirect.items():
             yield _finding(package, name, found)
 
 
 def _finding(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
     is_built = any(use.is_header or use.what.startswith("find_package") for use in uses)
-    kind = "depend" if is_built else "exec_depend"
+    kind = "exec_depend" if not is_built else "buildtool_depend" if _TOOL.match(name) else "depend"
     fix = add_dependency(package, kind, name)
     return Finding(
         at=last_dependency(package),

@@ -6,7 +6,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Container, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 from haros_ci.api.packages import (
@@ -14,8 +14,10 @@ from haros_ci.api.packages import (
     PluginClass,
     Registration,
     Target,
+    class_names,
     exported_under,
     file_name,
+    is_asked_for,
     is_written,
     loaders,
     registers_otherwise,
@@ -57,7 +59,7 @@ def check(project: Project) -> Iterator[Finding]:
         own = registrations(package)
         if exports or own:
             found.append(_Package(package, own, exports, libraries))
-    classes = _classes(project) if found else set()
+    classes = class_names(project.programs.values()) if found else set()
     others = {macro.type for each in found for macro in each.registered}
     for each in found:
         wrong = tuple(_described(each, others))
@@ -76,7 +78,7 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
         library = _library(each, found)
         if library is None:
             if not _may_be_elsewhere(each, found, others):
-                yield _no_library(each, found)
+                yield _left_over(each, found, _no_library(each, found))
             continue
         if not _is_whole(library, found.package) or registers_otherwise(found.package, _code(library, found)):
             continue
@@ -85,7 +87,7 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
         here = [macro for macro in macros if macro.location.path in inside]
         if not here and all(_is_source(macro.location.path) for macro in macros):
             if not is_written(each.type, MACROS, inside, found.package.project):
-                yield _not_registered(each, library, found, macros)
+                yield _left_over(each, found, _not_registered(each, library, found, macros))
         elif here and not any(_is_base(macro.base, each.base) for macro in here):
             yield _other_base(each, found, here[0])
 
@@ -133,6 +135,19 @@ def _no_library(each: PluginClass, found: _Package) -> Finding:
         about=(found.package.name, each.type),
         apart=(each.type,),
     )
+
+
+def _left_over(each: PluginClass, found: _Package, finding: Finding) -> Finding:
+    """A warning where the description is all that is left: no class of the package has the name, none waits for a description,
+    and no file asks for it. Then nothing stops working, but whoever lists what there is to load shows one that is not."""
+    described, programs = {other.type for other in found.described}, found.package.project.programs
+    is_there = each.type.rpartition("::")[2] in class_names(programs.get(file.path) for file in found.package.files)
+    if is_there or any(macro.type not in described for macro in found.registered):
+        return finding
+    if is_asked_for((each.name, each.type), found.package.project):
+        return finding
+    message = f"{finding.message.rpartition(';')[0]}; no class of the package has the name: drop the description"
+    return replace(finding, message=message, level=Level.WARNING)
 
 
 def _not_registered(each: PluginClass, library: Target, found: _Package, macros: list[Registration]) -> Finding:
@@ -280,16 +295,6 @@ def _unknown_classes(found: _Package, classes: Container[str]) -> Iterator[Findi
                 message=f"{each.macro} names {each.type}, and there is no such class: this does not compile",
                 about=(found.package.name, each.type),
             )
-
-
-def _classes(project: Project) -> set[str]:
-    """The last parts of the names of all classes and aliases in C++."""
-    found: set[str] = set()
-    for program in project.programs.values():
-        if program.language == "cpp":
-            found.update(each.name.rpartition("::")[2] for each in program.classes)
-            found.update(each.name.rpartition("::")[2] for each in program.aliases)
-    return found
 
 
 def _own_classes(package: ProjectPackage) -> set[str]:

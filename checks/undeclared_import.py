@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
@@ -19,6 +20,8 @@ from haros_ci.api.packages import (
 )
 
 _SHOWN = 3
+_PIP = re.compile(r"\bpip3?\s+install\s+([^;&|]*)")
+_KEY = re.compile(r"^python3?-|-pip$")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -26,12 +29,21 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         needs = list(imports_of(package, sources)) if package.manifest is not None else []
         provided = provisions.of(package, tests=False) if needs else None
+        by_pip = set(_by_pip(package)) if needs else set()
         missing: dict[frozenset[str], list[Need]] = {}
         for need in needs:
-            if provided is not None and provisions.lacks(provided, need.providers):
+            names = {_KEY.sub("", name).lower() for name in (need.what.removeprefix("import "), *need.providers)}
+            if provided is not None and not names & by_pip and provisions.lacks(provided, need.providers):
                 missing.setdefault(need.providers, []).append(need)
         for uses in missing.values():
             yield _finding(package, uses)
+
+
+def _by_pip(package: ProjectPackage) -> Iterator[str]:
+    """What the build itself installs with pip."""
+    for command in package.commands("execute_process", "add_custom_command", "add_custom_target", "install"):
+        for match in _PIP.finditer(" ".join(command.arguments)):
+            yield from (re.split(r"[=<>~!\[]", word.strip("\"'"))[0].lower() for word in match[1].split())
 
 
 def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
@@ -43,14 +55,16 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
     is_certain = not others and is_of_ros(name, package.project)
     fix = add_dependency(package, "exec_depend", name) if is_certain else None
-    alternative = f" (or {', '.join(others)})" if others else ""
+    alternative = f" (or {others[0]})" if others else ""
+    module = uses[0].what.removeprefix("import ")
+    is_pip = all(key.endswith("-pip") for key in (name, *others))
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} imports {name} ({uses[0].what}), and nothing that it declares brings it; "
-        f"add <{kind}>{name}</{kind}>{alternative}",
+        message=f"{package.name} imports {module}, and nothing that it declares brings that; add <{kind}>{name}</{kind}>{alternative}",
         about=(package.name, name),
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),
+        level=Level.NOTE if is_pip else None,  # bloom takes no keys of pip: many have their users install such by hand
         fixes=() if fix is None else (fix,),
     )
 

@@ -60,3 +60,79 @@ def test_queues_without_a_size(call: str, expected: Level, tmp_path: Path) -> No
         "n.py": "#!/usr/bin/env python3\n" + node,
     }
     assert levels("queue-without-size", files, tmp_path) == [expected]
+
+
+DESCRIPTION = (
+    '<class_libraries><library path="gear">'
+    '<class name="demo/Gear" type="demo::Gear" base_class_type="nav2_core::Controller"/>'
+    '<class name="demo/Brake" type="demo::Brake" base_class_type="nav2_core::Controller"/>'
+    "</library></class_libraries>\n"
+)
+GEAR = (
+    "#include <pluginlib/class_list_macros.hpp>\n#include <nav2_core/controller.hpp>\nnamespace demo {{ {0} }}\n"
+    "PLUGINLIB_EXPORT_CLASS(demo::Gear, nav2_core::Controller)\n{1}"
+)
+CLASS = "class {0} : public nav2_core::Controller {{}};"
+
+
+@pytest.mark.parametrize(
+    ("classes", "macros", "more", "expected"),
+    [
+        (("Gear",), "", {}, Level.WARNING),
+        (("Gear",), "", {"config/a.yaml": "follow: {plugin: demo/Brakes}\n"}, Level.WARNING),
+        (("Gear",), "", {"config/a.yaml": "follow: {plugin: demo/Brake}\n"}, Level.ERROR),
+        (("Gear",), "", {"config/a.yaml": 'follow: {plugin: "demo::Brake"}\n'}, Level.ERROR),
+        (("Gear",), "", {"other.cpp": 'auto name = "demo/Brake";\n'}, Level.ERROR),
+        (("Gear", "Brake"), "", {}, Level.ERROR),
+        (("Gear", "Stop"), "PLUGINLIB_EXPORT_CLASS(demo::Stop, nav2_core::Controller)\n", {}, Level.ERROR),
+    ],
+)
+def test_a_description_that_is_left_over(
+    classes: tuple[str, ...], macros: str, more: dict[str, str], expected: Level, tmp_path: Path
+) -> None:
+    cmake = "add_library(gear SHARED gear.cpp)\ninstall(TARGETS gear DESTINATION lib)\n"
+    cmake += "pluginlib_export_plugin_description_file(nav2_core plugins.xml)"
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "nav2_core"),
+        "CMakeLists.txt": CMAKE.format(cmake),
+        "plugins.xml": DESCRIPTION,
+        "gear.cpp": GEAR.format(" ".join(CLASS.format(name) for name in classes), macros),
+        **more,
+    }
+    assert levels("plugin-not-loadable", files, tmp_path) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("target", "expected"),
+    [
+        ("add_executable(n n.cpp)\ninstall(TARGETS n DESTINATION lib/demo)", Level.NOTE),
+        ("add_library(l n.cpp)\ninstall(TARGETS l DESTINATION lib)", Level.WARNING),
+        ("add_library(l n.cpp)\nadd_executable(n n.cpp)\ninstall(TARGETS l n DESTINATION lib/demo)", Level.WARNING),
+        ("", Level.WARNING),
+    ],
+)
+def test_headers_that_are_exported_and_not_installed(target: str, expected: Level, tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS2,
+        "CMakeLists.txt": CMAKE.format(f"{target}\nament_export_include_directories(include)"),
+        "n.cpp": '#include "demo/n.hpp"\nint main() {}\n',
+        "include/demo/n.hpp": "#pragma once\n",
+    }
+    assert levels("directory-not-installed", files, tmp_path) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("import matplotlib", [Level.ERROR]),
+        ("import carla", [Level.NOTE]),
+        ("import rclpy", []),
+    ],
+)
+def test_modules_that_pip_alone_has(line: str, expected: list[Level], tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "rclpy"),
+        "CMakeLists.txt": CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)"),
+        "n.py": f"#!/usr/bin/env python3\n{line}\n",
+    }
+    assert levels("undeclared-import", files, tmp_path) == expected

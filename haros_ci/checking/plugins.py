@@ -11,12 +11,15 @@ from dataclasses import dataclass
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.build import Target
 from haros_ci.model.location import Location
+from haros_ci.model.program import Program
 
 #: Macros that register a class with its base, both by the text of the argument (class_loader, register_macro.hpp).
 MACROS = ("PLUGINLIB_EXPORT_CLASS", "CLASS_LOADER_REGISTER_CLASS", "PLUGINLIB_REGISTER_CLASS")
 #: The old one: package, name, class, base.
 DECLARE = "PLUGINLIB_DECLARE_CLASS"
 _EXPORT = "pluginlib_export_plugin_description_file"
+#: What a user asks for a plug-in in: code, parameters, launch files, robots.
+_ASKING = (".cpp", ".cc", ".cxx", ".hpp", ".h", ".py", ".yaml", ".yml", ".launch", ".xml", ".xacro", ".urdf", ".json")
 _LOADER = re.compile(r'[({]\s*"([a-z]\w*)"\s*,\s*"(\w+(?:::\w+)+)"\s*[,)}]')
 
 
@@ -110,6 +113,23 @@ def is_written(name: str, macros: Iterable[str], paths: Iterable[str], project: 
     """Whether the text of a file has one of *macros* with *name*, outside of line comments: where it was not read as such."""
     pattern = re.compile(rf"^[^/\n]*\b(?:{'|'.join(macros)})\s*\(\s*{re.escape(name)}\s*[,)]", re.MULTILINE)
     return any(pattern.search(project.text(path)) for path in paths)
+
+
+def is_asked_for(names: Iterable[str], project: Project) -> bool:
+    """Whether a file that is no description of plug-ins has one of *names*."""
+    word = re.compile(rf"(?<![\w/:])(?:{'|'.join(map(re.escape, names))})(?![\w/:])")
+    descriptions = {path for package in project.packages for path in exported_under(package)}
+    paths = (path for path in project.workspace.names if path.endswith(_ASKING) and path not in descriptions)
+    return any(word.search(project.text(path)) for path in paths)
+
+
+def class_names(programs: Iterable[Program | None]) -> set[str]:
+    """The last parts of the names of all classes and aliases in C++."""
+    found: set[str] = set()
+    for program in programs:
+        if program is not None and program.language == "cpp":
+            found.update(each.name.rpartition("::")[2] for each in (*program.classes, *program.aliases))
+    return found
 
 
 def file_name(target: Target) -> str:

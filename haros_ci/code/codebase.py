@@ -45,8 +45,9 @@ class Routine:
 
     @property
     def is_test(self) -> bool:
-        """Whether it stands in a folder for tests."""
-        return is_test(self.source.path)
+        """Whether it stands in a folder or package for tests."""
+        folders = self.source.path.split("/")[:-1]
+        return is_test(self.source.path) or any(each.endswith(("_test", "_tests")) for each in folders)
 
     @property
     def owner(self) -> str:
