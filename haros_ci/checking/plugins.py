@@ -128,7 +128,8 @@ def class_names(programs: Iterable[Program | None]) -> set[str]:
     found: set[str] = set()
     for program in programs:
         if program is not None and program.language == "cpp":
-            found.update(each.name.rpartition("::")[2] for each in (*program.classes, *program.aliases))
+            names = (*(each.name for each in program.classes), *(each.name for each in program.aliases))
+            found.update(name.rpartition("::")[2] for name in names)
     return found
 
 
