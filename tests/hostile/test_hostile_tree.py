@@ -198,7 +198,7 @@ MANIFESTS = [
     manifest("deep", "<a>" * 50_000 + "</a>" * 50_000),
     manifest("wide", "<package><name>a</name>" + "<a/>" * 150_000 + "</package>"),
     manifest(
-        "attributes", "<package " + " ".join(f'a{n}="x"' for n in range(200)) + "><name>attributes</name></package>", ""
+        "attributes", "<package " + " ".join(f'a{n}="x"' for n in range(200)) + "><name>attributes</name></package>", "invalid-manifest"
     ),
     manifest("large", "<package><name>a</name>" + "<!-- -->\n" * 600_000 + "</package>", "more than the limit"),
     manifest("coded", b'<?xml version="1.0" encoding="no-such-codec"?><package><name>a</name></package>'),
@@ -206,9 +206,9 @@ MANIFESTS = [
     manifest("formatted", '<package format="::error::&#10;x"><name>formatted</name></package>'),
     manifest("speaking", "<package><name>::error::a&#x202e;##[error]&lt;img&gt;@team|</name></package>", ""),
     manifest("xinclude", GOOD.format('<i:include xmlns:i="http://www.w3.org/2001/XInclude" href="/etc/passwd"/>')),
-    manifest("twin1", GOOD.format("twin"), ""),
+    manifest("twin1", GOOD.format("twin"), "invalid-manifest"),
     manifest("twin2", GOOD.format("twin"), ""),
-    manifest("condition", GOOD.format("condition").replace("</p", "<depend condition='((((((((('>x</depend></p"), ""),
+    manifest("condition", GOOD.format("condition").replace("</p", "<depend condition='((((((((('>x</depend></p"), "invalid-manifest"),
 ]
 
 CASES = [*NAMES, *LINKS, *CONTENTS, *MANIFESTS]
