@@ -60,7 +60,14 @@ def diff(flags: Mapping[str, Any]) -> int:
 
 
 def compared(found: Revisions, settings: Settings, store: Store) -> Changes:
-    """The architectures of both revisions, from *store* where their files are known there, and what is otherwise."""
+    """The architectures of both revisions, from *store* where their files are known there, and what is otherwise.
+
+    Where no file that is analysed has changed there is nothing to look at.
+    """
+    if {(file.path, file.digest) for file in found.base.files} == {
+        (file.path, file.digest) for file in found.head.files
+    }:
+        return Changes()
     sides = []
     for workspace in (found.base, found.head):
         made = varied(workspace, settings, store, processes=cores(), alternatives=False)
