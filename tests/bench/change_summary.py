@@ -6,8 +6,8 @@
 For each commit of the first-parent history of HEAD, oldest first, ``haros-ci diff COMMIT^ COMMIT`` is run as a process and timed; with two
 passes the second one has a warm cache. An oracle that shares no code with haros-ci reads the files before and after with regular
 expressions and PyYAML and lists candidates: names of parameters, topics, services, interface fields, YAML keys, remappings and launch
-arguments that come, go or change. What stands on one side alone is listed in ``OUT/disagreements.md``, for a person to read; verdicts
-are kept in ``change_summary.yaml``, from which the table of docs/change-summary.md is made (``--table``).
+arguments that come, go or change. What stands on one side alone is listed in ``OUT/disagreements.md``, for a person to read; the verdicts
+are in docs/change-summary.md.
 """
 
 from __future__ import annotations
@@ -26,8 +26,6 @@ from typing import Any
 
 import yaml
 
-HERE = Path(__file__).resolve().parent
-VERDICTS = HERE / "change_summary.yaml"
 #: Calls whose first string literal is a name, by what it is the name of.
 CALLS = {
     "parameter": r"declare_parameter\w*|declareParameter\w*|declare_or_get_parameter|get_parameter_or|getParam\w*|addParam",
@@ -37,7 +35,7 @@ CALLS = {
 TEST = re.compile(r"(^|/)tests?/|(^|/)test_[^/]*$|_tests?\.\w+$")
 #: The call, and its arguments up to the end of the statement; the name is the first literal among them.
 _STATEMENT = re.compile(rf"\b({'|'.join(CALLS.values())})\b\s*(<[^;()]*>)?\s*\(([^;]{{0,600}}?)(?:;|\n\s*\n)", re.S)
-_LITERAL = re.compile(r"[\"']([^\"'\n]*)[\"']")
+_LITERAL = re.compile(r"[\"']([^\"'\n]*\w[^\"'\n]*)[\"']")
 _ARGUMENT = re.compile(r"DeclareLaunchArgument\(\s*[\"']([^\"']+)[\"'](.{0,300}?)\)", re.S)
 _REMAP = re.compile(r"\(\s*[\"'](/?[\w/~]+)[\"']\s*,\s*[\"'](/?[\w/~]+)[\"']\s*\)")
 _NODE = re.compile(r"\b(?:Node|LifecycleNode|ComposableNode)\(\s*(.{0,500}?)\n\s*\)", re.S)
