@@ -17,7 +17,10 @@ _ASIDE = re.compile(
 )
 _OF_ROS1 = re.compile(r"<node\b[^<>]*\stype\s*=|\$\(arg\s")
 #: Where a model or a page names a file of a package.
+_COMMENT = re.compile(r"<!--.*?-->", re.S)
 _NAMED = re.compile(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-]+)\)/)([\w./+-]+)")
+#: How the manifest of a ROS 1 package names the descriptions of its plug-ins, and rqt's and rosdoc's files.
+_EXPORTED = re.compile(r"""\bplugin\s*=\s*["']\$\{prefix\}/([\w./+-]+)["']""")
 _MODELS = (".urdf", ".xacro", ".sdf", ".world", ".rviz", ".srdf")
 _HEADERS = (".h", ".hpp", ".hh", ".hxx", ".ipp", ".tpp")
 
@@ -70,6 +73,11 @@ def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
             ):
                 seen.add((use.location, use.inner))
                 yield use.location, use.package, use.inner
+    for package in project.packages:
+        text = project.text(package.manifest_path) if package.ros == 1 else ""
+        plain = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+        for match in _EXPORTED.finditer(plain):
+            yield Location(package.manifest_path, plain.count("\n", 0, match.start()) + 1), package.name, match[1]
     for path in sorted(project.workspace.names):
         if path.endswith(_MODELS):
             text = project.text(path)

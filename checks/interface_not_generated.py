@@ -14,7 +14,7 @@ _OLD = {"add_message_files": "msg", "add_service_files": "srv", "add_action_file
 _NEW = "rosidl_generate_interfaces"
 _KINDS = (*_OLD.values(), "idl")
 #: Commands of which nobody knows which interfaces they generate are told by these words in their names.
-_OTHERS = re.compile(r"rosidl|genmsg|gensrv|msg|message|interface|idl|protobuf")
+_OTHERS = re.compile(r"rosidl|genmsg|gensrv|msg|message|interface|idl|protobuf|catkin_simple|^cs_")
 _SINGLE = {"DIRECTORY": 1, "BASE_DIR": 1, "LIBRARY_NAME": 1}
 _ENDS = ("DEPENDENCIES", "PACKAGE", "NOINSTALL", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
 _ASIDE = ("deprecated", "unused", "old", "backup", "test", "tests", "examples")

@@ -53,6 +53,11 @@ def test_any_text(parts: list[str]) -> None:
         assert kind in ("home", "absolute") and path in text and path[0] in "/~"
 
 
+def test_what_a_bridge_is_given_is_no_path() -> None:
+    assert list(absolute_paths("/world/x/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock")) == []
+    assert list(absolute_paths("/data/maps/clock.yaml")) == [("absolute", "/data/maps/clock.yaml")]
+
+
 @pytest.mark.parametrize("part", ["/a", "'a", "a.", "~/", "$(find a)/", " ", "/home/a/"])
 def test_long_texts(part: str) -> None:
     text = part * 20_000

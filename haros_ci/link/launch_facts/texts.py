@@ -43,13 +43,13 @@ def absolute_paths(text: str, is_path: bool = False) -> Iterator[tuple[str, str]
     """Pairs of ``home`` or ``absolute`` and a path in *text* that is surely one.
 
     That is one below ``/home``, else one with a file's suffix, outside of the directories that every machine has; ROS names
-    (``~/input``) are none. With *is_path* the whole text is one.
+    (``~/input``, ``/clock@pkg/msg/T[gz.msgs.T``) are none. With *is_path* the whole text is one.
     """
     if "/" not in text and "~" not in text:
         return
     for match in _WORD.finditer(text):
         path = match[1] + match[2]
-        if (match[1] == "~") != match[2].startswith("/"):  # ~user, or //host
+        if (match[1] == "~") != match[2].startswith("/") or "@" in path:  # ~user, or //host; topic@type of a bridge
             continue
         if _HOME.match(path):
             if is_file_name(path) or is_path or path.startswith(("/home/", "/Users/")):  # ~/x is a name, too
