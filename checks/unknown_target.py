@@ -16,6 +16,23 @@ _GIVEN = re.compile(
     r"|all|clean|install|test|tests|run_tests|doxygen|uninstall|rebuild_cache|.*(?:::|\$|/).*|-.*|"
 )
 _QUIET = frozenset(("catkin_package", "include_directories", "install", "target_include_directories"))
+#: Commands that make no target, though they may name one like their package.
+_NO_TARGETS = frozenset(
+    (
+        "pluginlib_export_plugin_description_file",
+        "ament_python_install_package",
+        "ament_environment_hooks",
+        "rclcpp_components_register_node",
+        "rclcpp_components_register_nodes",
+    )
+)
+#: What only packages that use this one come to feel.
+_OF_USERS = ("ament_export_libraries", "ament_export_dependencies")
+#: Commands by which another build makes libraries that this one does not know.
+_OUTSIDE = (
+    *("externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"),
+    *("add_custom_command", "add_custom_target", "execute_process"),
+)
 #: What find_package() finds that sets variables of its own name alone, in small letters.
 _ALONE = frozenset(
     ("catkin", "boost", "pkgconfig", "threads", "opencv", "pythonlibs", "cmake_modules", "roslint", "rostest")
@@ -72,6 +89,8 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
                 yield word, "there is no such directory, and catkin_package() stops the build"
     elif command.name == "ament_export_libraries":
         yield from _exported(package, words)
+    elif command.name == "ament_export_dependencies":
+        yield from _needed(package, words)
 
 
 def _sets(package: ProjectPackage, command: CMakeCommand) -> Iterator[str]:
@@ -150,6 +169,8 @@ def _components(finds: list[CMakeCommand]) -> Iterator[str]:
 def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:
     """Exported libraries that are neither made here nor, by their names, those of the system."""
     tokens = {token for token in re.split(r"[_-]", package.name) if len(token) > 2}
+    if package.commands(*_OUTSIDE):
+        return
     for name in words:
         if name in _SETTINGS or _is_made(package, name):
             continue
@@ -161,10 +182,24 @@ def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple
             yield name, "packages that use it cannot find the library"
 
 
+def _needed(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+    """Exported dependencies that this package does not find itself, and that nobody knows."""
+    project = package.project
+    finds = package.commands("find_package", "pkg_check_modules", "find_library", "fetchcontent_declare")
+    found = {word for each in finds for word in each.arguments}
+    for name in words:
+        if name in found or "$" in name or project.package(name) is not None or not _is_written(package, name):
+            continue
+        known = project.knowledge.is_package(name) or project.knowledge.provider_of_cmake(name)
+        given = any(path.endswith((f"Find{name}.cmake", f"{name}Config.cmake")) for path in project.workspace.names)
+        if project.knowledge.is_package(name) is not None and not known and not given and not package.build.problems:
+            yield name, "there is no such package, and packages that use it stop at find_package()"
+
+
 def _is_made(package: ProjectPackage, name: str) -> bool:
     """Whether the target is there, or may be made by what is not known here."""
     cmake = package.cmake
-    if name in cmake.targets or name in cmake.mentioned or _GIVEN.fullmatch(name):
+    if name in cmake.targets or cmake.mentioners.get(name, frozenset()) - _NO_TARGETS or _GIVEN.fullmatch(name):
         return True
     return not _is_written(package, name)
 
@@ -181,15 +216,20 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
 
 def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: str) -> Finding:
     is_made = name in package.cmake.targets
-    near = [] if is_made else get_close_matches(name, sorted(package.cmake.targets), 1, 0.75)
+    names = sorted(package.cmake.targets)
+    if command.name == "ament_export_dependencies":
+        names = sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
+    near = [] if is_made else [each for each in names if each.lower() == name.lower()]
+    near = near or ([] if is_made else get_close_matches(name, names, 1, 0.75))
     hint = f"; did you mean {near[0]}?" if near else ""
-    said = f"{package.name} exports {name}" if is_made else f"{name} is nothing that {package.name} makes"
+    is_only_exported = is_made or command.name == "ament_export_dependencies"
+    said = f"{package.name} exports {name}" if is_only_exported else f"{name} is nothing that {package.name} makes"
     return Finding(
         at=command.location,
         message=f"{said}: {what}{hint}",
         about=(package.name, name),
         apart=(name,),
-        level=Level.WARNING if command.name == "ament_export_libraries" else None,  # they are told, and go on
+        level=Level.WARNING if command.name in _OF_USERS else None,  # this package builds
     )
 
 

@@ -125,14 +125,20 @@ class CMake:
     @cached_property
     def mentioned(self) -> frozenset[str]:
         """The words among the arguments of commands that may make, run or install a thing of that name."""
-        found: set[str] = set()
+        return frozenset(self.mentioners)
+
+    @cached_property
+    def mentioners(self) -> Mapping[str, frozenset[str]]:
+        """The words of *mentioned*, each with the names of the commands."""
+        found: dict[str, set[str]] = {}
         for command in self.commands:
             if command.name not in _QUIET:
                 for word in command.arguments:
-                    found.add(word)
+                    found.setdefault(word, set()).add(command.name)
                     if "$<" in word or "/" in word or " " in word or ";" in word or "=" in word:
-                        found.update(re.findall(r"[\w.+-]+", word))
-        return frozenset(found)
+                        for part in re.findall(r"[\w.+-]+", word):
+                            found.setdefault(part, set()).add(command.name)
+        return {word: frozenset(names) for word, names in found.items()}
 
     @cached_property
     def installs(self) -> tuple[Install, ...]:
