@@ -26,21 +26,25 @@ _TOOL = re.compile(r"(?:ament_cmake\w*|\w+_cmake_module|rosidl_default_generator
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), Sources(project)
     for package in project.packages:
-        uses = [*needs_of(package, sources), *imports_of(package, sources)] if package.manifest is not None else []
-        provided = provisions.of(package).names if uses else frozenset()
+        if package.manifest is None:
+            continue
+        uses = [*needs_of(package, sources), *imports_of(package, sources)]
+        tests = [*needs_of(package, sources, tests=True), *imports_of(package, sources, tests=True)]
+        provided = provisions.of(package).names if uses or tests else frozenset()
         indirect: dict[str, list[Need]] = {}
-        for use in uses:
+        for use in (*uses, *tests):
             names = list(use.providers & provided)  # with several it is not said which one it comes from
             if not use.providers & package.declared and len(names) == 1 and names[0] != package.name:
                 if is_of_ros(names[0], project):
                     indirect.setdefault(names[0], []).append(use)
         for name, found in indirect.items():
-            yield _finding(package, name, found)
+            yield _finding(package, name, found, all(use in tests for use in found))
 
 
-def _finding(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
+def _finding(package: ProjectPackage, name: str, uses: list[Need], is_test: bool) -> Finding:
     is_built = any(use.is_header or use.what.startswith("find_package") for use in uses)
     kind = "exec_depend" if not is_built else "buildtool_depend" if _TOOL.match(name) else "depend"
+    kind = "test_depend" if is_test else kind
     fix = add_dependency(package, kind, name)
     return Finding(
         at=last_dependency(package),
