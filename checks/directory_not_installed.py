@@ -140,6 +140,7 @@ def _headers(package: ProjectPackage) -> Iterator[Finding]:
         )
         if each.name != "ament_export_include_directories" or any(w.startswith("include") for w in each.arguments)
     ]
+    exports.sort(key=lambda each: each.name != "ament_export_include_directories")
     keywords = ("LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
     catkin = (c for c in package.commands("catkin_package") if "include" in c.after("INCLUDE_DIRS", *keywords))
     command = next((each for each in (*exports, *catkin) if not each.is_conditional), None)
@@ -167,13 +168,14 @@ def _headers(package: ProjectPackage) -> Iterator[Finding]:
     if command.name in ("ament_export_targets", "ament_export_libraries") and not users:
         return  # libraries that are only loaded: plug-ins
     kinds = {target.kind for target in package.build.targets if not target.is_test}
-    is_program = kinds == {"executable"} and not users  # what it exports is meant for nobody
+    libraries = package.commands("ament_export_targets", "ament_export_libraries")
+    is_private = not users and (kinds == {"executable"} or bool(kinds) and not is_old and not libraries)  # for nobody
     who = f"{users[0]} includes them" if users else "packages that use it do not find them"
     yield Finding(
         at=command.location,
         message=f"the headers in include are exported, but not installed: {who}",
         about=(package.name, "include"),
-        level=Level.NOTE if is_program else Level.ERROR if users and not is_old else Level.WARNING,
+        level=Level.NOTE if is_private else Level.ERROR if users and not is_old else Level.WARNING,
         related=((Location(headers[0]), "such a header"),),
         fixes=(fix,) if fix is not None and is_usual else (),
     )

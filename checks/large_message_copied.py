@@ -31,7 +31,7 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if type_name(code, routine, call.receiver) not in PUBLISHERS:
             continue
-        kind = _copied(code, routine, call)
+        kind = _copied(code, routine, call, owners[routine.owner] == 1)
         if kind in LARGE:
             yield Finding(
                 at=call_place(routine, call),
@@ -63,15 +63,23 @@ def _components(code: Codebase) -> dict[str, int]:
     return found
 
 
-def _copied(code: Codebase, routine: Routine, call: Call) -> str | None:
-    """The type of the message if it is given by value or as what a pointer points to; None for a pointer itself."""
+def _copied(code: Codebase, routine: Routine, call: Call, is_shared: bool) -> str | None:
+    """The type of the message if it is given by value or as what a pointer points to; None for a pointer itself.
+
+    Where a message *is_shared* to be published, any pointer to it will do; else it has to be one that is made here, to be given away.
+    """
     value = call.args[0]
     inner = value[1] if value[0] == "*" else value
     if inner[0] not in ("name", "field"):
         return None
     if value[0] != "*" and not (inner[0] == "name" and is_local(code, routine, inner[1])):  # a member has to stay
         return None
+    if not is_shared and not (inner[0] == "name" and is_local(code, routine, inner[1])):
+        return None
     kind = type_of(code, routine, inner)
+    if not is_shared and inner[1] in {each.name for each in routine.function.parameters}:
+        if kind is None or kind[0] != "std::unique_ptr":  # others hold it, too
+            return None
     if kind is None or "*" in kind[2]:
         return None
     if kind[0] in POINTERS:

@@ -55,12 +55,14 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
     is_certain = not others and is_of_ros(name, package.project)
     fix = add_dependency(package, "exec_depend", name) if is_certain else None
-    alternative = f" (or {others[0]})" if others else ""
-    module = uses[0].what.removeprefix("import ")
     is_pip = all(key.endswith("-pip") for key in (name, *others))
+    if name.startswith("python3-") and not name.endswith("-pip"):
+        others = []  # of Python 2, of pip, or with more than the module
+    alternative = f" (or {', '.join(others)})" if others else ""
+    module = uses[0].what.removeprefix("import ")
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} imports {module}, and nothing that it declares brings that; add <{kind}>{name}</{kind}>{alternative}",
+        message=f"{package.name} imports {module}, but depends on nothing that brings it; add <{kind}>{name}</{kind}>{alternative}",
         about=(package.name, name),
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),

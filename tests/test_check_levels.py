@@ -106,8 +106,12 @@ def test_a_description_that_is_left_over(
     ("target", "expected"),
     [
         ("add_executable(n n.cpp)\ninstall(TARGETS n DESTINATION lib/demo)", Level.NOTE),
-        ("add_library(l n.cpp)\ninstall(TARGETS l DESTINATION lib)", Level.WARNING),
-        ("add_library(l n.cpp)\nadd_executable(n n.cpp)\ninstall(TARGETS l n DESTINATION lib/demo)", Level.WARNING),
+        ("add_library(l SHARED n.cpp)\ninstall(TARGETS l DESTINATION lib)", Level.NOTE),
+        ("add_library(l n.cpp)\ninstall(TARGETS l DESTINATION lib)\nament_export_libraries(l)", Level.WARNING),
+        (
+            "add_library(l n.cpp)\nadd_executable(n n.cpp)\ninstall(TARGETS l n DESTINATION lib)\nament_export_libraries(l)",
+            Level.WARNING,
+        ),
         ("", Level.WARNING),
     ],
 )
