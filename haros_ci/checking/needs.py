@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -30,6 +31,7 @@ _WRITING = (
     "add_custom_target",
     "execute_process",
 )
+_TESTING = re.compile(r"^[ \t]*(?:else)?if[ \t]*\([^)\n]*\b(?:CATKIN_ENABLE_TESTING|BUILD_TESTING)\b", re.I | re.M)
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +61,22 @@ def _found(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[N
         for name in _required(command):
             if "$" in name or name == package.name or _brings_module(sources, name):
                 continue
+            if not tests and _may_be_for_tests(name, command, project.text(command.location.path)):
+                continue
             names = project.knowledge.provider_of_cmake(name) or frozenset()
             if project.package(name) is not None:
                 names |= {name}
             if exists(names, package):
                 names |= _alike(name)
                 yield Need(names, command.location, f"find_package({name})", False)
+
+
+def _may_be_for_tests(name: str, command: CMakeCommand, text: str) -> bool:
+    """Whether *name* came to the command by a variable, and what stands before it asks whether tests are built."""
+    lines = text.splitlines(keepends=True)
+    line = command.location.line or 1
+    call = "".join(lines[line - 1 :]).partition(")")[0]
+    return name not in call and _TESTING.search("".join(lines[: line - 1])) is not None
 
 
 def _alike(name: str) -> frozenset[str]:
