@@ -221,8 +221,8 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
         names = sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
     near = [] if is_made else [each for each in names if each.lower() == name.lower()]
     near = near or ([] if is_made else get_close_matches(name, names, 1, 0.75))
-    hint = f"; did you mean {near[0]}?" if near else ""
     is_only_exported = is_made or command.name == "ament_export_dependencies"
+    hint = f"; did you mean {near[0]}?" if near else "" if is_only_exported else "; name what it makes, or drop it"
     said = f"{package.name} exports {name}" if is_only_exported else f"{name} is nothing that {package.name} makes"
     return Finding(
         at=command.location,
