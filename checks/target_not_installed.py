@@ -22,6 +22,8 @@ _RUN = re.compile(r"\b(?:ros2 run|rosrun)\s+([\w-]+)\s+([\w.-]+)")
 
 #: The launch tags by package and program.
 _Uses = Mapping[tuple[str, str], Location]
+#: What the code of a node uses by itself, and what leaves it to a library.
+_CLIENT = re.compile(r"\b(?:ros|roscpp|rclcpp\w*|rcl|nodelet|nav2_\w+)::\w|\brclcpp\b|\binit\s*\(\s*argc\b")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -134,15 +136,21 @@ def _executables(package: ProjectPackage, uses: _Uses) -> Iterator[Finding]:
         if use is None and _is_for_tests(package, target.name, *shown):
             continue
         runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
+        least = Level.WARNING if use is not None or _may_be_node(package, target) else Level.NOTE
         yield _finding(
             package,
             target.name,
             f"the executable {target.output} is not installed: {runner} not find it",
-            level=Level.ERROR if use is not None and package.ros == 2 else Level.WARNING,
+            level=Level.ERROR if use is not None and package.ros == 2 else least,
             at=target.location,
             related=related,
             fix=_fix(package, target),
         )
+
+
+def _may_be_node(package: ProjectPackage, target: Target) -> bool:
+    """Whether a program may be a node: its sources are not known, or one uses the client library."""
+    return not target.sources or any(_CLIENT.search(package.project.text(path)) for path in target.sources)
 
 
 def _is_for_tests(package: ProjectPackage, *names: str) -> bool:

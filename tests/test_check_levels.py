@@ -140,3 +140,18 @@ def test_modules_that_pip_alone_has(line: str, expected: list[Level], tmp_path: 
         "n.py": f"#!/usr/bin/env python3\n{line}\n",
     }
     assert levels("undeclared-import", files, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("code", "more", "expected"),
+    [
+        ("#include <rclcpp/rclcpp.hpp>\nint main(int c, char ** v) { rclcpp::init(c, v); }\n", "", Level.WARNING),
+        ('#include <cstdio>\nint main() { std::puts("grid"); }\n', "", Level.NOTE),
+        ("int main() {}\n", '<launch><node pkg="demo" exec="n"/></launch>\n', Level.ERROR),
+    ],
+)
+def test_an_executable_that_is_not_installed(code: str, more: str, expected: Level, tmp_path: Path) -> None:
+    cmake = "add_executable(n n.cpp)\ninstall(DIRECTORY launch DESTINATION share/demo)"
+    files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format(cmake), "n.cpp": code}
+    files["launch/a.launch.xml"] = more or "<launch/>\n"
+    assert levels("target-not-installed", files, tmp_path) == [expected]
