@@ -34,6 +34,5 @@ CHECK = Check(
     summary="Descriptions of plug-ins are well-formed XML.",
     level=Level.ERROR,
     project=check,
-    catalogue="B10",
     tags=("plugins",),
 )

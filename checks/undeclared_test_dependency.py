@@ -63,6 +63,5 @@ CHECK = Check(
     summary="The packages that the tests need come with the dependencies of package.xml.",
     level=Level.WARNING,
     project=check,
-    catalogue="M01",
     tags=("packages", "build"),
 )
