@@ -70,7 +70,7 @@ def is_test(path: str) -> bool:
 
 
 def calls_in(path: str, program: Program, rows: Rows, wrapper: Callable[[str], Made | None]) -> tuple[Call, ...]:
-    """What the calls of *program* make whose names are told in part at least, in their order.
+    """What the calls of *program* make, in their order; the name is ``?`` where nothing tells it.
 
     *wrapper* says of a function of the workspace what it makes under a name that it is given.
     """
@@ -81,9 +81,8 @@ def calls_in(path: str, program: Program, rows: Rows, wrapper: Callable[[str], M
                 made = made_by(callee, args, types, rows)
                 if made is None and any(_is(arg, "str") for arg in args):
                     made = wrapper(_last(_callee(callee)))
-                call = _call(made, args, Location(path, line, column)) if made is not None else None
-                if call is not None:
-                    found.setdefault((line, column, call.what), call)
+                if made is not None:
+                    found.setdefault((line, column, made.what), _call(made, args, Location(path, line, column)))
     return tuple(found[key] for key in sorted(found))
 
 
@@ -125,10 +124,8 @@ def _rank(row: Row, callee: Any, name: str) -> int:
     return 3 if above == owner else 2 if not above and owner[:1].isupper() else 0 if above else 1
 
 
-def _call(made: Made, args: Any, at: Location) -> Call | None:
+def _call(made: Made, args: Any, at: Location) -> Call:
     name = _text(argument_of(made.name, args))
-    if not name.strip(UNKNOWN + "./~"):
-        return None
     value = argument_of(made.value, args)
     return Call(
         what=made.what,

@@ -47,7 +47,7 @@ class Difference:
         if self.action != RENAMED:
             before, after = self.before or "", self.after or ""
         places = tuple(place.sort_key if place is not None else None for place in (self.base, self.head))
-        owner = (self.program, self.name) if places == (None, None) else ()
+        owner = (self.program,) if places == (None, None) else ()
         return (self.what, self.action, self.aspect, *names, before, after, places, owner)
 
 

@@ -3,18 +3,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from haros_ci.changes.calls import Call
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, RENAMED, Difference, tail
 from haros_ci.changes.endpoints import RENAMED_FROM, Moved
-from haros_ci.changes.names import likeness
+from haros_ci.changes.names import UNKNOWN, likeness
 from haros_ci.changes.nodes import said_ends
 from haros_ci.model.architecture import Architecture
-from haros_ci.model.location import Location
 
 #: What is said of such a change.
 UNRUN = "in code that no node of this workspace is known to run"
+HIDDEN = "another plug-in has one of this name, too"
 Calls = Mapping[str, tuple[Call, ...]]
 
 
@@ -23,20 +23,67 @@ def compare_calls(
 ) -> Iterator[Difference]:
     """What the calls of *base* and *head* make, by file, that neither architecture knows; *told* are the differences of these.
 
-    A call that one architecture knows and the other does not is not told: the other side may just not be understood.
+    A call that one architecture knows and the other does not is not told: the other side may just not be understood. Of what both
+    know, a parameter that is new or gone in the text is told, too, where others of its name hide it: those of other plug-ins that may be
+    loaded under the same name.
     """
     seen = tuple(_places(each) for each in architectures)
-    said = {(each.what, tail(each.old_name or each.name)) for each in told}
+    said = {(each.what, tail(name)) for each in told for name in (each.name, each.old_name)}
     left = {moved(path): calls for path, calls in base.items()}
-    for path in sorted({*left, *head}):
-        old = _unseen(left.get(path, ()), seen[0])
-        new = _unseen(head.get(path, ()), seen[1])
-        for each in _compared(old, new):
-            if each.action == CHANGED or (each.what, tail(each.old_name or each.name)) not in said:
-                yield each
+    pairs, gone, new = _paired(left, head)
+    for old, now in pairs:
+        if _key(old) not in seen[0] and _key(now) not in seen[1]:
+            yield from _changed(old, now)
+    for before, after in _renamed(gone, new):
+        if _key(before[1]) not in seen[0] and _key(after[1]) not in seen[1]:
+            gone.remove(before)
+            new.remove(after)
+            yield _difference(after[1], RENAMED, UNRUN, old=before[1])
+    vague = tuple(
+        {(call.what, path) for path, calls in side.items() for call in calls if _is_vague(call)}
+        for side in (left, head)
+    )
+    tails = tuple({(call.what, path, tail(call.name)) for path, call in side} for side in (gone, new))
+    for side, (calls, action) in enumerate(((gone, REMOVED), (new, ADDED))):
+        for path, call in calls:
+            if (call.what, tail(call.name)) in said or (call.what, path) in vague[1 - side]:
+                continue
+            hidden = _key(call) in seen[side]
+            if not hidden or (call.what == "parameter" and (call.what, path, tail(call.name)) not in tails[1 - side]):
+                yield _difference(call, action, HIDDEN if hidden else UNRUN)
 
 
-def _places(architecture: Architecture) -> set[tuple[str, int | None, int | None]]:
+def _difference(call: Call, action: str, why: str, old: Call | None = None) -> Difference:
+    is_gone = action == REMOVED
+    text = _described(call)
+    return Difference(
+        what=call.what,
+        action=action,
+        name=call.name,
+        aspect="name" if old is not None else "",
+        before=old.name if old is not None else text if is_gone else None,
+        after=call.name if old is not None else None if is_gone else text,
+        base=old.location if old is not None else call.location if is_gone else None,
+        head=None if is_gone else call.location,
+        old_name=old.name if old is not None else "",
+        details=(why,),
+    )
+
+
+Key = tuple[str, int | None, int | None]
+Found = list[tuple[str, Call]]
+
+
+def _key(call: Call) -> Key:
+    return (call.location.path, call.location.line, call.location.column)
+
+
+def _is_vague(call: Call) -> bool:
+    """Whether nothing of its name is known: it may be any."""
+    return not call.name.strip(UNKNOWN + "./~")
+
+
+def _places(architecture: Architecture) -> set[Key]:
     """Where the ends of all nodes are made."""
     return {
         (end.location.path, end.location.line, end.location.column)
@@ -47,46 +94,50 @@ def _places(architecture: Architecture) -> set[tuple[str, int | None, int | None
     }
 
 
-def _unseen(calls: Iterable[Call], seen: set[tuple[str, int | None, int | None]]) -> list[Call]:
-    return [call for call in calls if (call.location.path, call.location.line, call.location.column) not in seen]
+def _paired(base: Calls, head: Calls) -> tuple[list[tuple[Call, Call]], Found, Found]:
+    """Calls that are on both sides, in one file or moved to another; and what is left on either."""
+    gone, new = (
+        [(path, c) for path, calls in sorted(side.items()) for c in calls if not _is_vague(c)] for side in (base, head)
+    )
+    pairs: list[tuple[Call, Call]] = []
+    rules: tuple[Callable[[str, Call], tuple[object, ...]], ...] = (
+        lambda path, call: (path, call.what, call.name, call.type, call.default),
+        lambda path, call: (path, call.what, call.name),
+        lambda path, call: (call.what, call.name, call.type, call.default),
+        lambda path, call: (call.what, call.name),
+    )
+    for rule in rules:
+        waiting: dict[tuple[object, ...], list[int]] = {}
+        for number, (path, call) in enumerate(new):
+            waiting.setdefault(rule(path, call), []).append(number)
+        taken: set[int] = set()
+        rest: Found = []
+        for path, call in gone:
+            numbers = waiting.get(rule(path, call))
+            if numbers:
+                taken.add(numbers[0])
+                pairs.append((call, new[numbers.pop(0)][1]))
+            else:
+                rest.append((path, call))
+        gone, new = rest, [each for number, each in enumerate(new) if number not in taken]
+    return pairs, gone, new
 
 
-def _compared(old: list[Call], new: list[Call]) -> Iterator[Difference]:
-    """Calls of one file on both sides: by name, of several the equal ones first; then under a new name."""
-    left, right = list(old), list(new)
-    for is_same in (_is_equal, _is_named):
-        for call in list(left):
-            other = next((each for each in right if is_same(call, each)), None)
-            if other is not None:
-                left.remove(call)
-                right.remove(other)
-                yield from _changed(call, other)
-    for call in list(left):
-        fitting = [o for o in right if _fits(call, o) and likeness(call.name, o.name) >= RENAMED_FROM]
-        if fitting:
-            other = max(fitting, key=lambda each: likeness(call.name, each.name))
-            left.remove(call)
-            right.remove(other)
-            yield _difference(
-                other.what, RENAMED, other.name, "name", call.name, other.name, call.location, other.location, call.name
-            )
-            yield from _changed(call, other)
-    for call in left:
-        yield _difference(call.what, REMOVED, call.name, "", _described(call), None, call.location, None)
-    for call in right:
-        yield _difference(call.what, ADDED, call.name, "", None, _described(call), None, call.location)
-
-
-def _is_equal(one: Call, other: Call) -> bool:
-    return _is_named(one, other) and (one.type, one.default) == (other.type, other.default)
-
-
-def _is_named(one: Call, other: Call) -> bool:
-    return (one.what, one.name) == (other.what, other.name)
-
-
-def _fits(one: Call, other: Call) -> bool:
-    return one.what == other.what and (one.type, one.default) == (other.type, other.default)
+def _renamed(gone: Found, new: Found) -> list[tuple[tuple[str, Call], tuple[str, Call]]]:
+    """Calls of one file under a new name, of the same type and default, the likest first."""
+    ranked = sorted(
+        (-likeness(old[1].name, now[1].name), place, number)
+        for place, old in enumerate(gone)
+        for number, now in enumerate(new)
+        if old[0] == now[0]
+        and (old[1].what, old[1].type, old[1].default) == (now[1].what, now[1].type, now[1].default)
+        and likeness(old[1].name, now[1].name) >= RENAMED_FROM
+    )
+    found: dict[int, int] = {}
+    for _, place, number in ranked:
+        if place not in found and number not in found.values():
+            found[place] = number
+    return [(gone[place], new[number]) for place, number in found.items()]
 
 
 def _described(call: Call) -> str:
@@ -98,25 +149,16 @@ def _described(call: Call) -> str:
 
 
 def _changed(old: Call, new: Call) -> Iterator[Difference]:
-    if None not in (old.default, new.default) and old.default != new.default:
-        yield _difference(new.what, CHANGED, new.name, "default", old.default, new.default, old.location, new.location)
-    if None not in (old.type, new.type) and old.type != new.type:
-        yield _difference(new.what, CHANGED, new.name, "type", old.type, new.type, old.location, new.location)
-
-
-def _difference(
-    what: str, action: str, name: str, aspect: str, before: str | None, after: str | None, base: Location | None,
-    head: Location | None, old_name: str = "",
-) -> Difference:  # fmt: skip
-    return Difference(
-        what=what,
-        action=action,
-        name=name,
-        aspect=aspect,
-        before=before,
-        after=after,
-        base=base,
-        head=head,
-        old_name=old_name,
-        details=(UNRUN,),
-    )
+    for aspect, before, after in (("default", old.default, new.default), ("type", old.type, new.type)):
+        if None not in (before, after) and before != after:
+            yield Difference(
+                what=new.what,
+                action=CHANGED,
+                name=new.name,
+                aspect=aspect,
+                before=before,
+                after=after,
+                base=old.location,
+                head=new.location,
+                details=(UNRUN,),
+            )

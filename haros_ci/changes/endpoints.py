@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, RENAMED, Difference, shown
 from haros_ci.changes.names import is_known, likeness, may_be_same, relative
-from haros_ci.changes.nodes import program, said_ends
+from haros_ci.changes.nodes import identity, program, said_ends
 from haros_ci.model.architecture import Endpoint, Node, Qos
 
 #: The kinds of ends that are told, in words.
@@ -63,15 +63,17 @@ class Sides:
 
 def compare_ends(sides: Sides, told: Compared) -> None:
     """All ends of the two nodes; what is not known on a side is not told."""
-    base, head = _by_kind(sides.base), _by_kind(sides.head)
+    is_other = identity(sides.base) != identity(sides.head)  # then what is known of programs is no news
+    base, head = _by_kind(sides.base, is_other), _by_kind(sides.head, is_other)
     for kind in WORDS:
         _compare_kind(sides, kind, base.get(kind, []), head.get(kind, []), told)
 
 
-def _by_kind(node: Node) -> dict[str, list[Endpoint]]:
+def _by_kind(node: Node, only_source: bool) -> dict[str, list[Endpoint]]:
     found: dict[str, list[Endpoint]] = {}
     for end in said_ends(node):
-        found.setdefault(end.kind, []).append(end)
+        if not (only_source and end.source == "known-node"):
+            found.setdefault(end.kind, []).append(end)
     return found
 
 

@@ -71,7 +71,7 @@ def calls(text: str, ros: int = 2, python: bool = False) -> list[tuple[str, str,
     rows = call_rows()["python" if python else "cpp", ros]
     program = read_python(text) if python else read_cpp(text)
     found: tuple[Call, ...] = calls_in("a", program, rows, Wrappers([(program, rows)]).named)
-    return [(call.what, call.name, call.type, call.default) for call in found]
+    return [(call.what, call.name, call.type, call.default) for call in found if call.name.strip("?.")]
 
 
 CALLS = {

@@ -143,6 +143,20 @@ TOLD: dict[str, tuple[Files, Files, list[str]]] = {
     ),
 }  # fmt: skip
 
+PLUGIN = 'struct {0} {{ void init(N n, S s) {{ n->declare_parameter(s + "{1}", 1.0); }} }};\n'
+TOLD |= {
+    "renamed in code that no node runs": (
+        {**talker(), "p.hpp": PLUGIN.format("P", ".max_speed")},
+        {**talker(), "p.hpp": PLUGIN.format("P", ".max_speed_x")},
+        ["parameter renamed name ?.max_speed_x: ?.max_speed -> ?.max_speed_x"],
+    ),
+    "new in code that no node runs": (
+        {**talker(), "p.hpp": PLUGIN.format("P", ".max_speed")},
+        {**talker(), "p.hpp": PLUGIN.format("P", ".max_speed") + PLUGIN.format("Q", ".gain")},
+        ["parameter added ?.gain: None -> default 1.0"],
+    ),
+}
+
 QUIET: dict[str, tuple[Files, Files]] = {
     "the same": (talker(PUB, RATE), talker(PUB, RATE)),
     "lines have moved": (talker(PUB, RATE), talker("", "", PUB, "x = 1", RATE)),
@@ -170,6 +184,14 @@ QUIET: dict[str, tuple[Files, Files]] = {
     "an alone program is launched now": (
         talker(PUB, RATE),
         {**talker(PUB, RATE), "launch/empty.launch.xml": "<launch/>"},
+    ),
+    "moved to another file": (
+        {**talker(), "p.hpp": PLUGIN.format("P", ".gain"), "q.hpp": "struct R {};\n"},
+        {**talker(), "p.hpp": "struct R {};\n", "q.hpp": PLUGIN.format("P", ".gain")},
+    ),
+    "the name in code that no node runs is not known now": (
+        {**talker(), "p.hpp": PLUGIN.format("P", ".gain")},
+        {**talker(), "p.hpp": PLUGIN.format("P", ".gain").replace('s + ".gain"', "s")},
     ),
     "a comment of a message": (
         {**talker(), "msg/Pose.msg": "float64 x\n"},
