@@ -26,6 +26,10 @@ RAISES = re.compile(
 ROS = frozenset(("ros/ros.h", "nodelet/nodelet.h"))
 
 
+#: The functions that tell whether ROS goes on.
+_ASKED = ("ros::ok", "rclcpp::ok")
+
+
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
     for path in sorted(code.mentioning("while", "for (;", "for(;")):
@@ -52,7 +56,12 @@ def _is_endless(statement: Any) -> bool:
     condition = statement[6]
     if condition is None:
         return bool(statement[1] == "for")
-    return condition[0] in ("bool", "num") and bool(condition[1])
+    return _is_uncalled(condition) or (condition[0] in ("bool", "num") and bool(condition[1]))
+
+
+def _is_uncalled(condition: Any) -> bool:
+    """Whether it names the function that tells of a shutdown, and does not call it: the address of a function always holds."""
+    return condition is not None and condition[0] == "name" and condition[1].removeprefix("::") in _ASKED
 
 
 def _may_end(code: Codebase, routine: Routine, statement: Any) -> bool:
@@ -94,9 +103,11 @@ def _text(code: Codebase, routine: Routine, statement: Any) -> str | None:
 def _finding(code: Codebase, routine: Routine, statement: Any) -> Finding:
     ros = code.ros_of(routine.source)
     asked = "not rospy.is_shutdown()" if routine.is_python else "ros::ok()" if ros == 1 else "rclcpp::ok()"
+    why = "names " + statement[6][1] + " and does not call it, so that it" if _is_uncalled(statement[6]) else ""
+    said = f": its condition {why} always holds" if why else ""
     return Finding(
         at=Location(routine.path, statement[2], statement[3]),
-        message=f"the loop in {routine.title} has no way out: it goes on after a shutdown, and the process hangs or is aborted instead of ending; "
+        message=f"the loop in {routine.title} has no way out{said}: it goes on after a shutdown, and the process hangs or is aborted instead of ending; "
         f"ask {asked} in its condition",
         about=(routine.title, "endless loop"),
     )
