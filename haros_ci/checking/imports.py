@@ -83,7 +83,7 @@ def _installed(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
         inner = path if package.path == "." else path[len(package.path) + 1 :]
         is_launch = path in launch or ".launch." in path or "launch" in inner.split("/")[:-1]
         places = share if is_launch else folders
-        if not _TEST.search(inner) and (path in wanted or any(path.startswith(f"{each}/") for each in places)):
+        if not _TEST.search(inner) and (path in wanted or any(each == "." or path.startswith(f"{each}/") for each in places)):
             yield path, is_launch
 
 

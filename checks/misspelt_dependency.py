@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Dependencies of a manifest that nobody has, and that are a slip of one that the package uses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, is_slip
+from haros_ci.api.packages import Need, Sources, imports_of, needs_of
+
+
+def check(project: Project) -> Iterator[Finding]:
+    sources = Sources(project)
+    for package in project.packages:
+        unknown = [name for name in sorted(package.declared) if _is_nowhere(name, package)]
+        if not unknown or package.manifest is None:
+            continue
+        needs = [
+            need
+            for tests in (False, True)
+            for need in (*needs_of(package, sources, tests=tests), *imports_of(package, sources, tests=tests))
+            if not need.providers & package.declared
+        ]
+        for name in unknown:
+            meant = next(
+                ((each, need) for need in needs for each in sorted(need.providers) if _is_meant(name, each)), None
+            )
+            if meant is not None:
+                yield _finding(package, name, *meant)
+
+
+def _is_nowhere(name: str, package: ProjectPackage) -> bool:
+    """Whether neither the workspace, nor a distribution, nor rosdep has *name*."""
+    project, knowledge = package.project, package.project.knowledge
+    return project.package(name) is None and knowledge.is_package(name) is False and not knowledge.is_key(name)
+
+
+def _is_meant(name: str, provider: str) -> bool:
+    """Whether somebody who wrote *name* may have meant *provider*: one slip, or the module's name for that of its key."""
+    return is_slip(name, provider) or provider in (f"python3-{name}", f"python-{name}")
+
+
+def _finding(package: ProjectPackage, name: str, meant: str, need: Need) -> Finding:
+    line = next((each.line for each in package.raw.dependencies if each.name == name), None)
+    return Finding(
+        at=Location(package.manifest_path, line or 1),
+        message=f"{package.name} depends on {name}, which no distribution and no key of rosdep is called: rosdep stops there;"
+        f" {meant} is what it uses ({need.what})",
+        about=(package.name, name),
+        apart=(name, meant),
+        related=((need.location, f"needs {meant}: {need.what}"),),
+    )
+
+
+CHECK = Check(
+    id="misspelt-dependency",
+    summary="The dependencies in a manifest are names that there are.",
+    level=Level.ERROR,
+    project=check,
+    catalogue="M01",
+    tags=("packages",),
+)
