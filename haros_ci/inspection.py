@@ -85,7 +85,10 @@ def inspected(
         notifications=(
             *run.notifications,
             *failures,
-            *(Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line) for p in found.problems),
+            *(
+                Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line)
+                for p in (*found.problems, *project.problems)
+            ),
         ),
         graphs=said.graphs,
         architecture=not failures,

@@ -20,7 +20,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.program import Program
 from haros_ci.model.robot import Description
-from haros_ci.model.workspace import Workspace
+from haros_ci.model.workspace import Problem, Workspace
 
 if TYPE_CHECKING:
     from haros_ci.checking.included import Included
@@ -33,6 +33,9 @@ class Robots(Protocol):
     def of_files(self) -> Iterable[Description]: ...
 
     def of_command(self, command: str, location: Location | None = None) -> Description | None: ...
+
+    @property
+    def problems(self) -> Iterable[Problem]: ...
 
 
 class ProjectPackage:
@@ -211,6 +214,11 @@ class Project:
     def described(self, command: str) -> Description | None:
         """The robot that a launch file's *command* makes."""
         return None if self._robots is None else self._robots.of_command(command)
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:
+        """What could not be read to its end for the checks that have run."""
+        return () if self._robots is None else tuple(self._robots.problems)
 
     @cached_property
     def code(self) -> Codebase:

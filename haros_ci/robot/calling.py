@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from difflib import get_close_matches
+from functools import partial
+from itertools import islice
 from typing import Any
 
 from haros_ci.robot.evaluating import Evaluating
@@ -13,6 +16,10 @@ from haros_ci.robot.nodes import Node
 from haros_ci.robot.scopes import Macro, Macros, Scope
 from haros_ci.robot.sources import Sources
 from haros_ci.robot.unknown import UNKNOWN, Unknown
+
+#: Of so many names those are looked for that a name may be meant for, and of so many characters.
+MAX_KNOWN = 1_000
+MAX_NAME = 100
 
 
 class Calling(Evaluating):
@@ -46,16 +53,17 @@ class Calling(Evaluating):
         found = _resolved(name, macros, scope)
         if found is None or not found[2].certain:
             if found is None and not self.world.is_open:
-                self.fault("macro", name, node, similar=tuple(get_close_matches(name, list(macros.every()), 3, 0.7)))
+                self.fault("macro", name, node, similar=lambda: _similar(name, macros.every()))
             self.is_whole = False
             self.world.is_open = self.world.is_open or found is not None
             return
         around, outer, macro = found
         inner = Scope(self.world, outer)
         left = list(macro.parameters)
+        self.spend(len(left) * (len(node.attributes) + 1) // 64)
         for key, value in node.attributes.items():
             if key not in left:
-                self.fault("extra", key, node, of=macro.name, similar=tuple(get_close_matches(key, left, 3, 0.6)))
+                self.fault("extra", key, node, of=macro.name, similar=partial(_similar, key, tuple(left), 0.6))
                 continue
             left.remove(key)
             inner.put(key, self.value(value, scope, node), lazy=False, location=node.location)
@@ -105,6 +113,12 @@ class Calling(Evaluating):
             except Invalid:
                 return UNKNOWN
         return UNKNOWN if default is None else self.value(default, scope, node)
+
+
+def _similar(name: str, known: Iterable[str], cutoff: float = 0.7) -> tuple[str, ...]:
+    """The names that *name* may be meant for."""
+    near = [each for each in islice(known, MAX_KNOWN) if len(each) <= MAX_NAME]
+    return tuple(get_close_matches(name, near, 3, cutoff)) if len(name) <= MAX_NAME else ()
 
 
 def _resolved(name: str, macros: Macros, scope: Scope) -> tuple[Macros, Scope, Macro] | None:

@@ -13,7 +13,7 @@ from haros_ci.model.build import Build
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.robot import Description, Robot
-from haros_ci.model.workspace import Workspace
+from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.places import by_builds, found
 from haros_ci.robot.sources import Sources
@@ -26,6 +26,54 @@ _PASSED = re.compile(r"(?<![\w.])([A-Za-z_]\w*)\s*:=|[\"']([A-Za-z_]\w*)[\"']\s*
 _HOLE = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)|\*|\?|\[[^]]*\]")
 #: Descriptions that are expanded on their own, at most.
 MAX_FILES = 2_000
+#: Names of arguments that launch files may give; with more of them any argument may be given.
+MAX_PASSED = 5_000
+#: Includes with something computed in their names, and the longest name of one.
+MAX_PATTERNS = 2_000
+MAX_NAME = 1_000
+#: Characters of files that say how descriptions are made.
+MAX_CALLERS = 5_000_000
+
+
+@dataclass(slots=True)
+class Included:
+    """Names of files as includes have them; what is computed in one may be anything."""
+
+    names: set[str] = field(default_factory=set)
+    parts: set[tuple[str, ...]] = field(default_factory=set)
+
+    def add(self, name: str) -> None:
+        base = _HOLE.sub("\x00", name[:MAX_NAME]).rpartition("/")[2]
+        if "\x00" not in base:
+            self.names.add(base)
+        elif base.strip("\x00") and len(self.parts) < MAX_PATTERNS:
+            self.parts.add(tuple(base.split("\x00")))
+
+    def has(self, base: str) -> bool:
+        """Whether a file of this name may be included."""
+        return base in self.names or any(_fits(parts, base) for parts in self.parts)
+
+
+def _is_named(name: str, text: str) -> bool:
+    """Whether *name* stands in *text*, and is not the end of a longer name."""
+    at = text.find(name)
+    while at > 0 and (text[at - 1].isalnum() or text[at - 1] in "_.-"):
+        at = text.find(name, at + 1)
+    return at >= 0
+
+
+def _fits(parts: tuple[str, ...], name: str) -> bool:
+    """Whether *name* is *parts* with anything in between."""
+    first, *inner, last = parts
+    if len(name) < len(first) + len(last) or not (name.startswith(first) and name.endswith(last)):
+        return False
+    at = len(first)
+    for part in inner:
+        at = name.find(part, at, len(name) - len(last))
+        if at < 0:
+            return False
+        at += len(part)
+    return True
 
 
 @dataclass(slots=True)
@@ -48,16 +96,22 @@ class Descriptions:
         included = self._included()
         callers = "\n".join(self._callers())
         passed = {name for pair in _PASSED.findall(callers) for name in pair if name}
-        tops = [path for path in self._candidates() if not included.search(f"\n{path.rpartition('/')[2]}\n")]
+        tops = [path for path in self._candidates() if not included.has(path.rpartition("/")[2])]
         names = Counter(path.rpartition("/")[2] for path in tops)
         for path in tops[:MAX_FILES]:
             base = path.rpartition("/")[2]
             told = base if names[base] == 1 else self._inside(path)
-            is_named = re.search(rf"(?<![\w.-]){re.escape(told)}", callers) is not None
-            arguments = dict.fromkeys(passed, UNKNOWN) if is_named else {}
-            robot = self._robot(path, arguments, is_open=not is_named)
+            is_named = _is_named(told, callers)
+            is_known = is_named and len(passed) <= MAX_PASSED
+            arguments = dict.fromkeys(passed, UNKNOWN) if is_known else {}
+            robot = self._robot(path, arguments, is_open=not is_known)
             if robot is not None and (is_named or (robot.name != "" and robot.links)):
                 yield replace(self._description(robot), is_named=is_named)
+
+    @property
+    def problems(self) -> tuple[Problem, ...]:
+        """The descriptions that were not expanded to their ends."""
+        return tuple(self.sources.problems.values())
 
     def of_command(self, command: str, location: Location | None = None) -> Description | None:
         """What xacro makes for a launch file's *command*; None if it is another command, or its file is not here."""
@@ -112,15 +166,19 @@ class Descriptions:
                 yield file.path
 
     def _callers(self) -> Iterator[str]:
+        left = MAX_CALLERS
         for file in self.workspace.files:
             if file.language in _CALLERS:
                 text = self.workspace.text(file.path)
                 if "xacro" in text or "urdf" in text or "robot_description" in text:
+                    left -= len(text)
+                    if left < 0:
+                        return
                     yield text
 
-    def _included(self) -> re.Pattern[str]:
-        """Matches the names of files that some xacro may include, each between line feeds."""
-        names: dict[str, None] = {}
+    def _included(self) -> Included:
+        """The names of files that some xacro may include."""
+        found = Included()
         for file in self.workspace.files:
             if file.language != "xml" or "include" not in self.workspace.text(file.path):
                 continue
@@ -128,7 +186,5 @@ class Descriptions:
             for node in () if root is None else root.walk():
                 name = node.attributes.get("filename")
                 if node.tag.endswith("include") and isinstance(name, str):
-                    base = _HOLE.sub("\x00", name).rpartition("/")[2]
-                    if base.strip("\x00"):
-                        names["[^\n]*".join(map(re.escape, base.split("\x00")))] = None
-        return re.compile("|".join(f"(?<=\n){name}(?=\n)" for name in names) or r"(?!)")
+                    found.add(name)
+        return found

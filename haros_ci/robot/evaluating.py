@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import ast
 import posixpath
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, Union
 
 from haros_ci.model.robot import Fault, Way
 from haros_ci.robot.expressions import Invalid, Undefined, evaluate, is_open, parsed
-from haros_ci.robot.functions import Function, Module, NotKnown, TooMuch, tokenize
+from haros_ci.robot.functions import Function, Module, NotKnown, TooMuch, tokenize, weight
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.scopes import Scope, World
 from haros_ci.robot.sources import FIND, HERE, Sources
@@ -18,9 +19,17 @@ from haros_ci.robot.texts import parts_of
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 from haros_ci.robot.yaml_values import YamlDict, yaml_value
 
-MAX_STEPS = 3_000_000
+MAX_STEPS = 500_000
+#: What each expansion has even if others have used up what all have together.
+LEAST_STEPS = 2_000
 MAX_TEXT = 20_000
 MAX_FAULTS = 300
+#: Faults for which names are looked for that may be meant.
+MAX_SIMILAR = 50
+
+
+#: Names that may be meant, or what finds them.
+Similar = Union[tuple[str, ...], Callable[[], tuple[str, ...]]]  # noqa: UP007
 
 
 class Evaluating:
@@ -33,7 +42,7 @@ class Evaluating:
         self.way: Way = ()
         self.arguments = arguments
         self.faults: dict[tuple[object, ...], Fault] = {}
-        self.steps = MAX_STEPS
+        self.steps = min(MAX_STEPS, max(sources.steps, LEAST_STEPS))
         self.takes_any = False
         self.world = World(self.text, self._offers())
         self._loaded: dict[str, Any] = {}
@@ -41,18 +50,20 @@ class Evaluating:
     def spend(self, steps: int) -> None:
         """TooMuch once the steps are used up."""
         self.steps -= steps
+        self.sources.steps -= steps
         if self.steps < 0:
             raise TooMuch
 
-    def fault(self, kind: str, name: str, node: Node, *, of: str = "", similar: tuple[str, ...] = ()) -> None:
-        """Note what is wrong at *node*; certain only where nothing unknown leads there."""
+    def fault(self, kind: str, name: str, node: Node, *, of: str = "", similar: Similar = ()) -> None:
+        """Note what is wrong at *node*; certain only where nothing unknown leads there. *similar* may be looked for then."""
         at = node.location
         certain = self.world.maybe == 0 and node.certain
         key = (kind, name, at, of)
         known = self.faults.get(key)
         if (known is None or (certain and not known.certain)) and len(self.faults) < MAX_FAULTS:
+            found = similar if isinstance(similar, tuple) else similar() if len(self.faults) < MAX_SIMILAR else ()
             self.faults[key] = Fault(
-                kind=kind, name=name, location=at, certain=certain, of=of, similar=similar, way=self.way
+                kind=kind, name=name, location=at, certain=certain, of=of, similar=found, way=self.way
             )
 
     def words(self, text: str | Unknown, scope: Scope, node: Node) -> str | Unknown:
@@ -60,9 +71,13 @@ class Evaluating:
         if isinstance(text, str) and "$" not in text:
             return text
         value = self.value(text, scope, node)
+        if isinstance(value, (list, tuple, dict)):
+            self.spend(weight(value) // 8)
         if is_open(value) or isinstance(value, (Scope, Function, Module)):
             return UNKNOWN
-        return str(value)
+        found = str(value)
+        self.spend(len(found) // 64)
+        return found
 
     def value(self, text: str | Unknown, scope: Scope, node: Node) -> Any:
         """*text* evaluated at *node*; UNKNOWN where it is not known, with a fault where that is why."""

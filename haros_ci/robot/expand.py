@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from haros_ci.model.robot import Fault
+from haros_ci.model.workspace import Problem
 from haros_ci.robot.calling import Calling
 from haros_ci.robot.functions import TooMuch
 from haros_ci.robot.legacy import LEGACY, is_call
@@ -21,6 +22,7 @@ from haros_ci.robot.texts import parameters_of, truth
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 
 MAX_DEPTH = 180
+GIVEN_UP = "not expanded to its end: it takes more steps than a description needs. Look for macros, lists or includes that repeat without end"
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +79,7 @@ class Expansion(Calling):
 
     def give_up(self) -> None:
         """What was found stands, but nothing is certain any more."""
+        self.sources.problems[self.path] = Problem(self.path, GIVEN_UP)
         self.world.is_open = True
         self.faults = {key: replace(fault, certain=False) for key, fault in self.faults.items()}
 
@@ -143,7 +146,7 @@ class Expansion(Calling):
     def insert_block(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
         name = str(node.attributes.get("name", ""))
         for key, whole in (("**" + name, False), ("*" + name, True)):
-            if not any(key == each for each in scope.visible()):
+            if not scope.is_set(key):
                 continue
             block = scope.find(key)
             if not isinstance(block, Node):
@@ -208,7 +211,9 @@ class Expansion(Calling):
     def macro(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
         """xacro's grab_macro."""
         name = str(node.attributes.get("name", "")).removeprefix("xacro:")
-        found = list(parameters_of(str(node.attributes.get("params", ""))))
+        params = str(node.attributes.get("params", ""))
+        self.spend(len(params))
+        found = list(parameters_of(params))
         defaults = {key: (forward, default) for key, forward, default in found if forward or default is not None}
         certain = self.world.maybe <= macros.maybe or macros.get(name) is None
         macros.found[name] = Macro(name, node, tuple(key for key, _, _ in found), defaults, certain)
@@ -228,7 +233,8 @@ class Expansion(Calling):
         if isinstance(name, Unknown):
             self.world.is_open = True
             return
-        several = self.sources.matching(name, self.file)
+        self.spend(100)
+        several = self.sources.matching(name, self.file, self.spend)
         if several is not None:
             self.world.is_open = self.world.is_open or not several
             for path in several:

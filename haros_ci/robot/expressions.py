@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import Any, Protocol
 
-from haros_ci.robot.functions import MAX_SIZE, Function, Module, NotKnown, TooMuch, bounded, method
+from haros_ci.robot.functions import MAX_SIZE, Function, Module, NotKnown, TooMuch, bounded, method, weight
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 from haros_ci.robot.yaml_values import YamlDict
 
@@ -120,6 +120,10 @@ _COMPARE: Mapping[type[ast.cmpop], Callable[[Any, Any], Any]] = {
 }
 
 
+#: What makes values that may hold more than what they are made of; what a name or an index gives was weighed before.
+_MAKES = (ast.BinOp, ast.Call, ast.Dict, ast.DictComp, ast.GeneratorExp, ast.List, ast.ListComp, ast.Set, ast.Tuple)
+
+
 def is_open(value: object, depth: int = 0) -> bool:
     """Whether something unknown is in *value*."""
     if isinstance(value, Unknown):
@@ -144,7 +148,16 @@ class _Evaluation:
         handle = getattr(self, f"_{type(node).__name__.lower()}", None)
         if handle is None:
             raise NotKnown
-        return handle(node, depth + 1)
+        found = handle(node, depth + 1)
+        if isinstance(node, _MAKES) and isinstance(found, (str, list, tuple, dict, set)):
+            self.spend(weight(found) // 8)
+        return found
+
+    def is_open(self, value: object) -> bool:
+        """As ``is_open``, for the steps that it takes."""
+        if isinstance(value, (list, tuple, dict)):
+            self.spend(weight(value) // 8)
+        return is_open(value)
 
     def _constant(self, node: ast.Constant, _: int) -> Any:
         if isinstance(node.value, (bytes, complex)) or node.value is Ellipsis:
@@ -157,13 +170,13 @@ class _Evaluation:
     def _binop(self, node: ast.BinOp, depth: int) -> Any:
         left, right = self.value(node.left, depth), self.value(node.right, depth)
         handle = _BINARY.get(type(node.op))
-        if handle is None or is_open(left) or is_open(right):
+        if handle is None or self.is_open(left) or self.is_open(right):
             return UNKNOWN
         return bounded(handle(left, right))
 
     def _unaryop(self, node: ast.UnaryOp, depth: int) -> Any:
         value = self.value(node.operand, depth)
-        return UNKNOWN if is_open(value) else _UNARY[type(node.op)](value)
+        return UNKNOWN if self.is_open(value) else _UNARY[type(node.op)](value)
 
     def _boolop(self, node: ast.BoolOp, depth: int) -> Any:
         """The first operand that decides; after an unknown one, the others are not sure to be looked at."""
@@ -171,7 +184,7 @@ class _Evaluation:
         value: Any = None
         for each in node.values:
             value = self.value(each, depth)
-            if is_open(value):
+            if self.is_open(value):
                 return UNKNOWN
             if bool(value) is stops_at:
                 return value
@@ -181,7 +194,7 @@ class _Evaluation:
         left = self.value(node.left, depth)
         for sign, each in zip(node.ops, node.comparators):
             right = self.value(each, depth)
-            if is_open(left) or is_open(right):
+            if self.is_open(left) or self.is_open(right):
                 return UNKNOWN
             if not _COMPARE[type(sign)](left, right):
                 return False
@@ -190,7 +203,7 @@ class _Evaluation:
 
     def _ifexp(self, node: ast.IfExp, depth: int) -> Any:
         test = self.value(node.test, depth)
-        if is_open(test):
+        if self.is_open(test):
             return UNKNOWN
         return self.value(node.body if test else node.orelse, depth)
 
@@ -202,7 +215,7 @@ class _Evaluation:
 
     def _set(self, node: ast.Set, depth: int) -> Any:
         values = [self.value(each, depth) for each in node.elts]
-        return UNKNOWN if is_open(values) else set(values)
+        return UNKNOWN if self.is_open(values) else set(values)
 
     def _dict(self, node: ast.Dict, depth: int) -> Any:
         found = {}
@@ -210,7 +223,7 @@ class _Evaluation:
             if key is None:
                 raise NotKnown
             name = self.value(key, depth)
-            if is_open(name):
+            if self.is_open(name):
                 return UNKNOWN
             found[name] = self.value(each, depth)
         return found
@@ -222,11 +235,11 @@ class _Evaluation:
                 None if each is None else self.value(each, depth)
                 for each in (node.slice.lower, node.slice.upper, node.slice.step)
             ]
-            if isinstance(value, Unknown) or is_open(parts):
+            if isinstance(value, Unknown) or self.is_open(parts):
                 return UNKNOWN
             return value[slice(*parts)]
         index = self.value(node.slice, depth)
-        if isinstance(value, Unknown) or is_open(index):
+        if isinstance(value, Unknown) or self.is_open(index):
             return UNKNOWN
         if not isinstance(value, (str, list, tuple, dict, range)):
             raise NotKnown
@@ -240,6 +253,7 @@ class _Evaluation:
             return value.get(node.attr, UNKNOWN)
         if hasattr(value, "member"):
             return value.member(node.attr)
+        self.is_open(value)
         found = method(value, node.attr)
         if found is not None:
             return found
@@ -252,11 +266,11 @@ class _Evaluation:
         arguments = []
         for each in node.args:
             value = self.value(each.value if isinstance(each, ast.Starred) else each, depth)
-            arguments += list(bounded(value)) if isinstance(each, ast.Starred) and not is_open(value) else [value]
+            arguments += list(bounded(value)) if isinstance(each, ast.Starred) and not self.is_open(value) else [value]
         named = {each.arg: self.value(each.value, depth) for each in node.keywords if each.arg is not None}
         if not isinstance(function, Function) or len(named) != len(node.keywords):
             return UNKNOWN
-        if is_open(arguments) or is_open(named):
+        if self.is_open(arguments) or self.is_open(named):
             return UNKNOWN
         self.spend(1 + sum(len(each) for each in arguments if hasattr(each, "__len__")) // 16)
         return bounded(function.call(*arguments, **named))
@@ -271,7 +285,7 @@ class _Evaluation:
         pairs = self._collected(
             node.generators, lambda: (self.value(node.key, depth), self.value(node.value, depth)), depth
         )
-        return UNKNOWN if is_open(pairs) else dict(pairs)
+        return UNKNOWN if self.is_open(pairs) else dict(pairs)
 
     def _collected(self, generators: list[ast.comprehension], item: Callable[[], Any], depth: int) -> Any:
         found: list[Any] = []
@@ -294,7 +308,7 @@ class _Evaluation:
             if not self._bind(generators[0].target, each):
                 return False
             tests = [self.value(test, depth) for test in generators[0].ifs]
-            if is_open(tests):
+            if self.is_open(tests):
                 return False
             if all(tests) and not self._turn(generators[1:], item, found, depth + 1):
                 return False

@@ -11,6 +11,8 @@ from typing import Any
 
 MAX_SIZE = 20_000
 MAX_DIGITS = 400
+#: The weight of all that a value holds, each time that it holds it, at most.
+MAX_WEIGHT = 60_000
 
 
 class TooMuch(Exception):
@@ -38,6 +40,32 @@ def bounded(value: Any) -> Any:
     if isinstance(value, int) and not isinstance(value, bool) and value.bit_length() > 4 * MAX_DIGITS:
         raise TooMuch
     return value
+
+
+def weight(value: Any) -> int:
+    """How much is in *value*, however deep, counting what it holds twice twice; TooMuch over ``MAX_WEIGHT``."""
+    found = 0
+    pending = [value]
+    while pending:
+        each = pending.pop()
+        found += 1
+        if isinstance(each, str):
+            found += len(each) // 16
+        elif isinstance(each, dict) and not isinstance(each, Module):
+            pending += each.values()
+        elif isinstance(each, (list, tuple, set, frozenset)):
+            pending += each
+        if found + len(pending) > MAX_WEIGHT:
+            raise TooMuch
+    return found
+
+
+def _sum(values: Iterable[Any], start: Any = 0) -> Any:
+    """The sum of numbers; that of lists is no use to a description, and grows with the square of their number."""
+    found = _items(values)
+    if not all(isinstance(each, (int, float)) for each in (start, *found)):
+        raise NotKnown
+    return sum(found, start)
 
 
 def _items(value: Iterable[Any]) -> list[Any]:
@@ -90,7 +118,7 @@ PYTHON: Mapping[str, Callable[..., Any]] = {
     "set": lambda values=(): set(_items(values)),
     "sorted": lambda values: sorted(_items(values)),
     "str": lambda value="": str(bounded(value)),
-    "sum": lambda values, start=0: sum(_items(values), start),
+    "sum": _sum,
     "tuple": lambda values=(): tuple(_items(values)),
     "zip": lambda *values: [tuple(each) for each in zip(*(_items(value) for value in values))],
 }

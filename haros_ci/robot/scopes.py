@@ -68,7 +68,11 @@ class Scope:
             scope = scope.parent
 
     def has(self, name: str) -> bool:
-        return any(name in scope.entries for scope in self._chain()) or _offered(name, self.world) is not None
+        return self.is_set(name) or _offered(name, self.world) is not None
+
+    def is_set(self, name: str) -> bool:
+        """Whether it is a property here or around."""
+        return any(name in scope.entries for scope in self._chain())
 
     def find(self, name: str) -> Any:
         """The value of a property; Undefined if there is none."""
@@ -93,10 +97,6 @@ class Scope:
             while target is not None and target.is_namespace:
                 target = target.parent
         return target
-
-    def visible(self) -> Iterator[str]:
-        for scope in self._chain():
-            yield from scope.entries
 
     def look_up(self, name: str) -> Any:
         """A name inside an expression."""

@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
-from haros_ci.model.workspace import Workspace
+from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.robot.nodes import Node, nodes_of
 from haros_ci.workspace.xml import XmlError, parse_xml
 
@@ -17,6 +17,8 @@ from haros_ci.workspace.xml import XmlError, parse_xml
 FIND = "/find:/"
 HERE = "/here:/"
 _PATTERN = re.compile(r"[*[?]")
+MAX_STEPS = 3_000_000
+MAX_PATTERN = 300
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +42,12 @@ class Sources:
     look: Look
     packages: Mapping[str, str] = field(init=False)
     names: frozenset[str] = field(init=False)
+    #: What is left for all expansions together.
+    steps: int = field(default=MAX_STEPS, init=False)
+    problems: dict[str, Problem] = field(default_factory=dict, init=False)
     _nodes: dict[str, Node | None] = field(default_factory=dict, init=False)
+    _inside: dict[str, list[str]] = field(default_factory=dict, init=False)
+    _owners: dict[str, tuple[str, str] | None] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
         self.packages = {package.name: package.path for package in self.workspace.packages}
@@ -82,15 +89,19 @@ class Sources:
             return Located()
         if path in self.names:
             return Located(path)
-        owner = max(
-            (p for p in self.packages.items() if p[1] == "." or path.startswith(p[1] + "/")),
-            key=lambda p: len(p[1]),
-            default=None,
-        )
+        owner = self._owner(path)
         if owner is None:
             return Located()
         inner = path if owner[1] == "." else path[len(owner[1]) + 1 :]
         return self.look(owner[0], inner)
+
+    def _owner(self, path: str) -> tuple[str, str] | None:
+        """Name and path of the package around *path*."""
+        folder = path.rpartition("/")[0]
+        if folder not in self._owners:
+            around = (p for p in self.packages.items() if p[1] == "." or f"{folder}/".startswith(p[1] + "/"))
+            self._owners[folder] = max(around, key=lambda p: len(p[1]), default=None)
+        return self._owners[folder]
 
     def mesh(self, name: str, base: str) -> Located:
         """Where the file name of a mesh leads: ``package://pkg/…`` or ``file://…``; others depend on who reads them."""
@@ -100,19 +111,23 @@ class Sources:
             return self.locate(name, base)
         return Located()
 
-    def matching(self, name: str, base: str) -> tuple[str, ...] | None:
+    def matching(self, name: str, base: str, spend: Callable[[int], None]) -> tuple[str, ...] | None:
         """The files that the pattern *name* stands for, sorted; None if that is not known, or *name* is no pattern."""
         if not _PATTERN.search(name):
             return None
         folder, _, pattern = name.rpartition("/")
-        if _PATTERN.search(folder):
+        if _PATTERN.search(folder) or len(pattern) > MAX_PATTERN:
             return ()
         start = self._directory(folder, base)
         if start is None:
             return ()
         start = "" if start == "." else start
-        inside = (path for path in self.names if path.rpartition("/")[0] == start)
-        return tuple(sorted(path for path in inside if fnmatch.fnmatchcase(posixpath.basename(path), pattern)))
+        if not self._inside:
+            for path in sorted(self.names):
+                self._inside.setdefault(path.rpartition("/")[0], []).append(path)
+        inside = self._inside.get(start, [])
+        spend(len(inside))
+        return tuple(path for path in inside if fnmatch.fnmatchcase(posixpath.basename(path), pattern))
 
     def _directory(self, folder: str, base: str) -> str | None:
         if folder.startswith(FIND):

@@ -62,6 +62,7 @@ def truth(value: object) -> bool | None:
 _DEFAULT = r"""\$\{.*?\}|\$\(.*?\)|(?:'[^']*'|\"[^\"]*\"|[^\s'\"])+|"""
 _PARAMETER = re.compile(r"^\s*([^\s:=]+?)\s*:?=\s*(\^\|?)?(" + _DEFAULT + r")(?:\s+|$)(.*)", re.DOTALL)
 MAX_PARAMETERS = 300
+MAX_LENGTH = 20_000
 
 
 def parameters_of(text: str) -> Iterator[tuple[str, bool, str | None]]:
@@ -69,7 +70,7 @@ def parameters_of(text: str) -> Iterator[tuple[str, bool, str | None]]:
 
     What cannot have a default by its name alone is (name, False, None). xacro's parse_macro_arg.
     """
-    left = text[:20_000]
+    left = text[:MAX_LENGTH]
     for _ in range(MAX_PARAMETERS):
         if not left.strip():
             return

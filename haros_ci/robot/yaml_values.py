@@ -13,6 +13,9 @@ from haros_ci.robot.unknown import UNKNOWN
 
 MAX_NODES = 50_000
 MAX_DEPTH = 60
+MAX_CHARACTERS = 500_000
+#: The longest number; ``1:20:20:…`` is one in base 60.
+MAX_NUMBER = 100
 #: The tags that xacro adds for units, with what they are multiplied by.
 UNITS = {
     "!radians": 1.0,
@@ -22,6 +25,7 @@ UNITS = {
     "!foot": 0.3048,
     "!inches": 0.0254,
 }
+_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _SAFE = yaml.SafeLoader("")
 
 
@@ -35,11 +39,25 @@ class _TooMuch(Exception):
 
 def yaml_value(text: str, number: Callable[[str], object]) -> object:
     """The value of the first document of *text*; UNKNOWN if it cannot be read. *number* evaluates what stands after a unit."""
+    if len(text) > MAX_CHARACTERS:
+        return UNKNOWN
     try:
-        node = yaml.compose(text, Loader=yaml.SafeLoader)
+        if _is_too_deep(text):
+            return UNKNOWN
+        node = yaml.compose(text, Loader=_LOADER)
         return None if node is None else _Reader(number).value(node, 0)
     except (yaml.YAMLError, _TooMuch, RecursionError, ValueError, OverflowError):
         return UNKNOWN
+
+
+def _is_too_deep(text: str) -> bool:
+    """Whether more than ``MAX_DEPTH`` collections are open at once, as composing them takes the stack of C."""
+    depth = 0
+    for event in yaml.parse(text, Loader=_LOADER):
+        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+        if depth > MAX_DEPTH:
+            return True
+    return False
 
 
 class _Reader:
@@ -79,7 +97,7 @@ class _Reader:
             if isinstance(value, (int, float)):
                 return float(value) * UNITS[node.tag]
             return UNKNOWN
-        if node.tag not in _KNOWN:
+        if node.tag not in _KNOWN or (len(node.value) > MAX_NUMBER and not node.tag.endswith(":str")):
             return UNKNOWN
         return _SAFE.construct_object(node, deep=True)
 

@@ -8,6 +8,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
+from itertools import islice
 
 from haros_ci.link.roslaunch_files import Files, files_of
 from haros_ci.model.build import Build, Installed
@@ -158,7 +159,7 @@ class Finder:
         return any(
             not any(path == one or path.startswith(f"{one}/") for one in covered)
             for path in self.below(prefix)
-            if posixpath.basename(path) == base
+            if path.endswith(f"/{base}") or path == base
         )
 
     def _is_hidden(self, package: str, start: str, inner: str) -> bool:
@@ -205,10 +206,10 @@ class Finder:
     def _similar(self, start: str, inner: str) -> tuple[str, ...]:
         """Files of the package that may be meant: of the same name elsewhere, else of a similar one."""
         prefix = "" if start == "." else f"{start}/"
-        inside = [path[len(prefix) :] for path in self.below(prefix)]
+        below = self.below(prefix)
         base = posixpath.basename(inner)
-        same = [path for path in inside if posixpath.basename(path) == base]
+        same = [path[len(prefix) :] for path in below if path.endswith(f"/{base}") or path == base]
         suffix = posixpath.splitext(base)[1]
-        alike = [path for path in inside if path.endswith(suffix)][:MAX_ALIKE]
-        self.steps -= 200 * len(alike)
+        alike = [path[len(prefix) :] for path in islice((p for p in below if p.endswith(suffix)), MAX_ALIKE)]
+        self.steps -= 2 * len(below) + 200 * len(alike)
         return tuple(dict.fromkeys((*same, *get_close_matches(inner, alike, MAX_SIMILAR, 0.8))))[:MAX_SIMILAR]
