@@ -83,7 +83,8 @@ def _way(start: str, end: str, group: frozenset[str], edges: Mapping[str, Edges]
     """The shortest way from *start* to what needs *end*, both ends of it included."""
     came: dict[str, str | None] = {start: None}
     queue = [start]
-    for name in queue:
+    while queue:
+        name = queue.pop(0)
         if end in edges[name]:
             way = [name]
             while (before := came[way[-1]]) is not None:

@@ -74,7 +74,7 @@ def _required(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         if not count[tag]:
             yield _finding(package, None, f"the manifest has no <{tag}>, and needs one", tag)
     if count["export"] > 1:
-        yield _finding(package, [*root.all("export")][1], "the manifest has more than one <export>", "export")
+        yield _finding(package, list(root.all("export"))[1], "the manifest has more than one <export>", "export")
     for each in root.all("version"):
         if VERSION.fullmatch(word(each)) is None:
             yield _finding(package, each, f"the version {word(each)!r} is not three numbers (1.2.3)", "version")

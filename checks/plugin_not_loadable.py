@@ -200,7 +200,7 @@ def _exported(
             if each.location.path != path or each.type in wrong or not wanted or set(packages) & set(wanted):
                 continue
             name, where = sorted(wanted.items())[0]
-            package, at = next(iter(packages.items()))
+            package, at = list(packages.items())[0]
             yield Finding(
                 at=at,
                 message=(

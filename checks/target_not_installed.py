@@ -91,7 +91,7 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
                 each.library,
                 f"the library {each.library} is installed to {places[0]}, but component containers load {each.type} from lib",
                 level=Level.ERROR,
-                at=next(i.command.location for i in cmake.installs if each.library in i.things),
+                at=next((i.command.location for i in cmake.installs if each.library in i.things), target.location),
                 related=((each.location, "is registered here"),),
             )
 
@@ -176,7 +176,7 @@ def _misplaced(
         target.name,
         f"the executable {target.output} is installed to {places[0] or 'the prefix'}, but {runner} in {wanted}",
         level=Level.ERROR if related and package.ros == 2 else Level.WARNING,
-        at=next(i.command.location for i in package.cmake.installs if target.name in i.things),
+        at=next((i.command.location for i in package.cmake.installs if target.name in i.things), target.location),
         related=related,
     )
 

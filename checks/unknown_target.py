@@ -69,8 +69,8 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
         names = words[:end] if command.name == "set_target_properties" else words[:1]
         yield from ((name, f"{command.name}() stops the build") for name in names if not _is_made(package, name))
     elif command.name == "install" and words[:1] == ("TARGETS",) and not command.is_test:
-        install = next(each for each in cmake.installs if each.command == command)
-        yield from ((name, "install() stops the build") for name in install.things if not _is_made(package, name))
+        things = [name for each in cmake.installs if each.command == command for name in each.things]
+        yield from ((name, "install() stops the build") for name in things if not _is_made(package, name))
     elif command.name in ("ament_export_targets", "ament_export_interfaces"):
         for name in _sets(package, command):
             yield name, "no install(TARGETS ... EXPORT) puts a target into it, and CMake stops"
