@@ -57,6 +57,5 @@ CHECK = Check(
     summary="The dependencies in a manifest are names that there are.",
     level=Level.ERROR,
     project=check,
-    catalogue="M01",
     tags=("packages",),
 )

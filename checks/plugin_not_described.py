@@ -73,6 +73,5 @@ CHECK = Check(
     summary="Each class that pluginlib's macro registers is in a description of plug-ins.",
     level=Level.WARNING,
     project=check,
-    catalogue="B10",
     tags=("plugins",),
 )

@@ -121,7 +121,7 @@ def _look(tree: Tree, name: str, inner: str) -> None:
             _module(tree, parts[-2], name)
     elif parts[-1].endswith(".py") and len(parts) == 2 and parts[0] == "src":
         _module(tree, parts[-1][:-3], name)
-    elif parts[-1].rpartition(".")[2] == parts[0] in ("msg", "srv", "action"):
+    elif parts[0] in ("msg", "srv", "action") and parts[-1].rpartition(".")[2] == parts[0]:
         tree.interfaces.add((name, parts[0], parts[-1].rpartition(".")[0]))
     else:
         match = _FIND.search(inner)

@@ -115,7 +115,7 @@ def _code(path: str, text: str) -> Iterator[Fact]:
         else re.sub(r"(?m)^\s*#.*$", "", text)
     )
     for found in _STATEMENT.finditer(text):
-        kind = next(kind for kind, names in CALLS.items() if re.fullmatch(names, found[1]))
+        kind = next((kind for kind, names in CALLS.items() if re.fullmatch(names, found[1])), "")
         literal = _LITERAL.search(found[3])
         if literal is not None:
             rest = " ".join(found[3][literal.end() :].split())
