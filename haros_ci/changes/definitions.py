@@ -13,7 +13,27 @@ from haros_ci.model.changes import ADDED, CHANGED, REMOVED, RENAMED, Change
 
 
 def told(found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Interface, ...]]) -> Iterator[Change]:
-    """Each change of an interface; *containing* gives the interfaces that have a message in them."""
+    """Each change of interfaces, once where several have the same; *containing* gives the interfaces that have a message in them."""
+    alike: dict[tuple[object, ...], list[Change]] = {}
+    for change in _one_by_one(found, containing):
+        own = change.names if change.action != CHANGED else ()
+        alike.setdefault((change.action, change.aspect, change.before, change.after, *own), []).append(change)
+    for same in alike.values():
+        first = same[0]
+        if len(same) > 1:
+            said = (f"{each.name}: {word}" for each in same for word in each.details)
+            first = replace(
+                first,
+                names=tuple(each.name for each in same),
+                users=tuple(dict.fromkeys(user for each in same for user in each.users)),
+                details=tuple(said),
+            )
+        yield first
+
+
+def _one_by_one(
+    found: Iterable[InterfaceChange], containing: Callable[[str], tuple[Interface, ...]]
+) -> Iterator[Change]:
     for each in found:
         action = each.what if each.what in (ADDED, REMOVED, RENAMED) else CHANGED
         users = [f"{other.name} ({other.kind})" for other in containing(each.name)] if each.kind == "msg" else []

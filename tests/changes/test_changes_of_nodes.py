@@ -232,6 +232,19 @@ def test_users_of_an_interface_are_named(tmp_path: Path) -> None:
     ]
 
 
+def test_the_same_change_of_several_interfaces_is_told_once(tmp_path: Path) -> None:
+    base = {**talker(), "msg/A.msg": "float64 x\n", "msg/B.msg": "float64 x\n", "msg/C.msg": "float64 x\n"}
+    head = {
+        **base,
+        "msg/A.msg": "float64 x\nint8 n\n",
+        "msg/B.msg": "float64 x\nint8 n\n",
+        "msg/C.msg": "float64 x\nint16 n\n",
+    }
+    first, second = changes(tmp_path, base, head).changes
+    assert (first.names, second.names) == (("demo/msg/A", "demo/msg/B"), ("demo/msg/C",))
+    assert len(first.details) == 4 and first.details[0].startswith("demo/msg/A: wire hash RIHS01_")
+
+
 def test_a_file_that_has_moved_is_no_change(tmp_path: Path) -> None:
     yaml = {"config/a.yaml": "talker:\n  ros__parameters:\n    rate: 1.0\n"}
     moved = {"params/a.yaml": yaml["config/a.yaml"]}
