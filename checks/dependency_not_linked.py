@@ -81,7 +81,7 @@ def _targets(package: ProjectPackage) -> Iterator[Target]:
     for target in package.cmake.targets.values():
         is_code = target.kind in ("executable", "library", "object") and target.sources
         if is_code and not (target.is_conditional or target.is_test or target.component):
-            if target.name not in package.cmake.mentioned:
+            if not package.cmake.may_change(target.name):
                 yield target
 
 

@@ -93,7 +93,7 @@ def _targets(package: ProjectPackage) -> Iterator[Target]:
     """Those that are compiled, and that no command which is not known here may link or order."""
     for target in package.cmake.targets.values():
         is_code = target.kind in ("executable", "library", "object") and target.sources and not target.component
-        if is_code and not target.is_conditional and target.name not in package.cmake.mentioned:
+        if is_code and not target.is_conditional and not package.cmake.may_change(target.name):
             yield target
 
 

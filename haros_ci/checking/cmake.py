@@ -57,6 +57,22 @@ _QUIET = OF_TARGETS | {
     "ament_package",
     "message",
 }
+#: Commands that are given the name of a target, or a word like it, and neither link nor order it.
+_BESIDE = frozenset(
+    (
+        *("class_loader_hide_library_symbols", "catkin_install_python", "pluginlib_export_plugin_description_file"),
+        *(
+            "qt4_wrap_cpp",
+            "qt5_wrap_cpp",
+            "qt4_wrap_ui",
+            "qt5_wrap_ui",
+            "qt5_use_modules",
+            "add_definitions",
+            "configure_file",
+        ),
+        *("ament_environment_hooks", "ament_python_install_package", "target_precompile_headers"),
+    )
+)
 #: Beginnings of what the evaluator says where a part of the build is not seen.
 _UNSEEN = re.compile(r"add_subdirectory\(|include\(|\w+\(\) is not known; what it builds|the name of this |its CMake ")
 #: Without one of them a package is built in another way: for the other ROS, or by itself as an external project.
@@ -139,6 +155,10 @@ class CMake:
                         for part in re.findall(r"[\w.+-]+", word):
                             found.setdefault(part, set()).add(command.name)
         return {word: frozenset(names) for word, names in found.items()}
+
+    def may_change(self, target: str) -> bool:
+        """Whether a command that is not known here may link *target*, or order it: those that use its name otherwise do not."""
+        return bool(self.mentioners.get(target, frozenset()) - _BESIDE)
 
     @cached_property
     def installs(self) -> tuple[Install, ...]:
