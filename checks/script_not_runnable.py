@@ -33,6 +33,18 @@ def check(project: Project) -> Iterator[Finding]:
                 yield from _first_line(each.path, package)
                 yield from _mode(each, package)
         yield from _started(package, launched.get(package.name, {}), seen)
+        yield from _configured(package)
+
+
+def _configured(package: ProjectPackage) -> Iterator[Finding]:
+    """ROS 1's .cfg files: dynamic_reconfigure-macros.cmake runs them while building, by their own first line."""
+    bits = package.project.workspace.executables
+    if bits is None:
+        return
+    for command in package.commands("generate_dynamic_reconfigure_options"):
+        for path in () if command.is_conditional else map(command.place, command.arguments):
+            if path and path.endswith(".cfg") and path not in bits and package.project.text(path).startswith("#!"):
+                yield _bit(path, package, "dynamic_reconfigure runs it while building, which may stop there")
 
 
 def _is_for_programs(each: Installed, package: ProjectPackage) -> bool:
