@@ -6,14 +6,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
-from haros_ci.api.packages import Registration, registrations
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import Registration, exported_under, registrations
 
 #: The macros of pluginlib: what class_loader's own register may be loaded without a description.
 _MACRO = "PLUGINLIB_"
 _TEST = re.compile(r"(?:^|[/_])(?:tests?|mocks?|dummy|examples?)(?:[/_.]|$)")
 #: Where a description may stand, or be made of.
-_TEXTS = (".xml", ".in", ".em", ".xml.jinja", ".yaml", ".cmake", ".txt", ".py")
+_TEXTS = (".xml", ".in", ".em", ".jinja", ".cmake", ".txt")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -61,6 +61,7 @@ def _finding(package: ProjectPackage, each: Registration) -> Finding:
         " know that it is there; add a <class> for it to the exported description",
         about=(package.name, each.type),
         apart=(each.type,),
+        related=tuple((Location(path, 1), "an exported description") for path in exported_under(package)),
     )
 
 
