@@ -14,7 +14,7 @@ from haros_ci.model.architecture import Architecture
 
 #: What is said of such a change.
 UNRUN = "in code that no node of this workspace is known to run"
-HIDDEN = "another plug-in has one of this name, too"
+HIDDEN = "another one of this name is made elsewhere"
 Calls = Mapping[str, tuple[Call, ...]]
 
 
