@@ -24,11 +24,14 @@ def check(project: Project) -> Iterator[Finding]:
         targets = {target.name: target for target in package.build.targets}
         everywhere = _found([file.path for file in package.files if file.language == "cpp"], project)
         wrong: set[str] = set()
+        registered: dict[str, Registered | None] = {}
         for each in components:
             target = targets.get(each.library)
             if target is None or not _is_known(target, package):
                 continue
-            here = _registered(_sources(target, targets), project)
+            if target.name not in registered:
+                registered[target.name] = _registered(_sources(target, targets), project)
+            here = registered[target.name]
             other = everywhere.get(each.type)
             if other is not None and not other.path.endswith(_SOURCES):
                 continue  # a header, which one of its sources may include
@@ -48,7 +51,9 @@ def _missing(
     """The class that CMake names is not one that the library registers."""
     related: tuple[tuple[Location, str], ...] = ()
     last = each.type.rpartition("::")[2]
-    alike = [name for name in here if name.rpartition("::")[2] == last] or (list(here) if len(here) == 1 else [])
+    alike = [name for name in here if name.endswith(last) and name.rpartition("::")[2] == last] or (
+        list(here) if len(here) == 1 else []
+    )
     if each.type in everywhere:
         where = everywhere[each.type]
         hint = f"{where.path} does, which is not among its sources"

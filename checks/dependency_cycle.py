@@ -14,6 +14,9 @@ Edges = Mapping[str, Dependency]
 
 #: The kinds that catkin orders by; the others count for what is needed to run these (catkin_pkg's topological_order).
 ORDERING = (*BUILD, "test_depend")
+#: Packages that are looked at for the shortest of several circles; and those that are named.
+MAX_STEPS = 200_000
+SHOWN = 20
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -53,12 +56,14 @@ def _finding(
         (place(packages[one], edges[one][other]), f"{one} needs {other} ({edges[one][other].kind})")
         for one, other in _steps(cycle)
     ]
+    more = (f"{len(cycle) - SHOWN} more",) if len(cycle) > SHOWN else ()
+    shown = " -> ".join((*cycle[:SHOWN], *more, cycle[0]))
     return Finding(
         at=way[0][0],
-        message=f"{' -> '.join((*cycle, cycle[0]))}: the packages depend on each other, so {tool} finds no order to build"
+        message=f"{shown}: the packages depend on each other, so {tool} finds no order to build"
         " them in and stops; take one of the dependencies out",
         about=tuple(sorted(cycle)),
-        related=tuple(way[1:]),
+        related=tuple(way[1:SHOWN]),
     )
 
 
@@ -68,10 +73,15 @@ def _shortest(group: frozenset[str], edges: Mapping[str, Edges], tool: str) -> t
     colcon refuses any, as dependencies of all kinds come first. To catkin a circle of run dependencies alone is none.
     """
     best: tuple[str, ...] = ()
+    left = MAX_STEPS
     for one in sorted(group):
+        if best and left < 0:
+            break
         for other, need in sorted(edges[one].items()):
             if other in group and (tool == "colcon" or need.kind in ORDERING):
-                found = (one, *_way(other, one, group, edges))
+                way, steps = _way(other, one, group, edges)
+                left -= steps
+                found = (one, *way)
                 if not best or len(found) < len(best):
                     best = found
         if len(best) == 2:
@@ -79,8 +89,8 @@ def _shortest(group: frozenset[str], edges: Mapping[str, Edges], tool: str) -> t
     return best
 
 
-def _way(start: str, end: str, group: frozenset[str], edges: Mapping[str, Edges]) -> tuple[str, ...]:
-    """The shortest way from *start* to what needs *end*, both ends of it included."""
+def _way(start: str, end: str, group: frozenset[str], edges: Mapping[str, Edges]) -> tuple[tuple[str, ...], int]:
+    """The shortest way from *start* to what needs *end*, both ends of it included, and how many packages were looked at for it."""
     came: dict[str, str | None] = {start: None}
     queue = [start]
     while queue:
@@ -89,12 +99,12 @@ def _way(start: str, end: str, group: frozenset[str], edges: Mapping[str, Edges]
             way = [name]
             while (before := came[way[-1]]) is not None:
                 way.append(before)
-            return tuple(reversed(way))
+            return tuple(reversed(way)), len(queue)
         for needed in sorted(edges[name]):
             if needed in group and needed not in came:
                 came[needed] = name
                 queue.append(needed)
-    return ()
+    return (), len(queue)
 
 
 def _circles(graph: Mapping[str, tuple[str, ...]]) -> Iterator[frozenset[str]]:

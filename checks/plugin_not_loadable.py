@@ -6,7 +6,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Container, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 from haros_ci.api.packages import (
@@ -37,6 +37,14 @@ class _Package:
     registered: tuple[Registration, ...]
     exports: dict[str, dict[str, Location]]
     libraries: dict[str, Target]
+    #: The macros by class, and by the last part of its name.
+    by_type: dict[str, list[Registration]] = field(default_factory=dict)
+    by_last: dict[str, list[Registration]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for each in self.registered:
+            self.by_type.setdefault(each.type, []).append(each)
+            self.by_last.setdefault(each.type.rpartition("::")[2], []).append(each)
 
     @property
     def described(self) -> list[PluginClass]:
@@ -47,7 +55,7 @@ class _Package:
         ]
 
     def of(self, name: str) -> list[Registration]:
-        return [each for each in self.registered if each.type == name]
+        return self.by_type.get(name, [])
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -152,7 +160,7 @@ def _left_over(each: PluginClass, found: _Package, finding: Finding) -> Finding:
 
 def _not_registered(each: PluginClass, library: Target, found: _Package, macros: list[Registration]) -> Finding:
     last = each.type.rpartition("::")[2]
-    alike = [m for m in found.registered if m.type.rpartition("::")[2] == last and m.type != each.type]
+    alike = [m for m in found.by_last.get(last, ()) if m.type != each.type]
     related: tuple[tuple[Location, str], ...] = ()
     if macros:
         hint = f"{macros[0].location.path} does, which is not among its sources"

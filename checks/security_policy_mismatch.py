@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache, partial
 
 from haros_ci.api import Check, End, Finding, Level, Project, System, SystemNode
-from haros_ci.api.security import NodeProfile, Permission, Policy, enclave_of, is_common, read_policy, verdict
+from haros_ci.api.security import NodeProfile, Permission, Policy, Rules, enclave_of, is_common, read_policy
 
 #: What a node does that a rule is about, as an order.
 DOES = {
@@ -29,11 +30,16 @@ def check(project: Project) -> Iterator[Finding]:
             if node.ros == 2 and node.known and node.kind != "library":
                 running.setdefault(node.name, []).append((system, node))
     for policy in policies:
+        rules = cache(partial(_rules, policy))
         for name in dict.fromkeys(profile.node for profile in policy.profiles):
             nodes = _governed(project, policy, running.get(name, []))
             if nodes:
-                yield from _forbidden(policy, name, nodes)
+                yield from _forbidden(policy, name, nodes, rules)
                 yield from _unused(policy, name, nodes)
+
+
+def _rules(policy: Policy, enclave: str) -> Rules:
+    return Rules(policy.rules(enclave))
 
 
 def _policies(project: Project) -> Iterator[Policy]:
@@ -55,7 +61,7 @@ def _governed(project: Project, policy: Policy, found: list[tuple[System, System
     ]
 
 
-def _forbidden(policy: Policy, name: str, nodes: list[SystemNode]) -> Iterator[Finding]:
+def _forbidden(policy: Policy, name: str, nodes: list[SystemNode], rules: Callable[[str], Rules]) -> Iterator[Finding]:
     """What is not allowed in any enclave that the node may be in."""
     told: set[tuple[str, str]] = set()
     profiles = policy.of(name)
@@ -63,12 +69,12 @@ def _forbidden(policy: Policy, name: str, nodes: list[SystemNode]) -> Iterator[F
         enclave = enclave_of(node.raw)
         enclaves = [enclave] if enclave is not None else list(dict.fromkeys(profile.enclave for profile in profiles))
         here = [profile for profile in profiles if profile.enclave in enclaves]
-        if not here or not all(policy.is_told(each) for each in enclaves):
+        if not here or not all(policy.is_told(each) and rules(each).is_whole for each in enclaves):
             continue
         for end in node.ends:
             if end.implicit or not end.known or end.kind not in DOES or (end.kind, end.name) in told:
                 continue
-            verdicts = {verdict(end.kind, end.name, policy.rules(each)) for each in enclaves}
+            verdicts = {rules(each).verdict(end.kind, end.name) for each in enclaves}
             if "allowed" not in verdicts:
                 told.add((end.kind, end.name))
                 yield _refusal(policy, here[0], end, verdicts)

@@ -69,7 +69,7 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
         names = words[:end] if command.name == "set_target_properties" else words[:1]
         yield from ((name, f"{command.name}() stops the build") for name in names if not _is_made(package, name))
     elif command.name == "install" and words[:1] == ("TARGETS",) and not command.is_test:
-        things = [name for each in cmake.installs if each.command == command for name in each.things]
+        things = [name for each in cmake.installs if each.command is command for name in each.things]
         yield from ((name, "install() stops the build") for name in things if not _is_made(package, name))
     elif command.name in ("ament_export_targets", "ament_export_interfaces"):
         for name in _sets(package, command):
@@ -104,9 +104,8 @@ def _sets(package: ProjectPackage, command: CMakeCommand) -> Iterator[str]:
         else command.arguments
     )
     for name in words:
-        others = (each for each in package.build.commands if each.name != command.name)
         if name != "HAS_LIBRARY_TARGET" and name not in sets and "$" not in name:
-            if not any(name in each.arguments for each in others):
+            if package.cmake.uses.get(name, frozenset()) <= {command.name}:
                 yield name
 
 
@@ -171,14 +170,14 @@ def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple
     tokens = {token for token in re.split(r"[_-]", package.name) if len(token) > 2}
     if package.commands(*_OUTSIDE):
         return
+    own = {target.output for target in package.cmake.targets.values() if target.kind in ("library", "interface")}
+    linked = {link.word for links in package.cmake.links.values() for link in links}
     for name in words:
         if name in _SETTINGS or _is_made(package, name):
             continue
-        own = [target.output for target in package.cmake.targets.values() if target.kind in ("library", "interface")]
         if name in own:
             continue
-        linked = any(link.word == name for links in package.cmake.links.values() for link in links)
-        if not linked and (name.startswith(package.name) or tokens & set(re.split(r"[_-]", name))):
+        if name not in linked and (name.startswith(package.name) or tokens & set(re.split(r"[_-]", name))):
             yield name, "packages that use it cannot find the library"
 
 
@@ -206,12 +205,8 @@ def _is_made(package: ProjectPackage, name: str) -> bool:
 
 def _is_written(package: ProjectPackage, name: str) -> bool:
     """Whether the name comes of the package's own text: as it stands, or with its project's name in it."""
-    texts = [package.project.text(path) for path in {command.location.path for command in package.build.commands}]
-    word = re.compile(rf"(?<![\w.+-]){re.escape(name)}(?![\w.+-])")
-    if any(word.search(text) for text in texts):
-        return True
-    parts = [r"\$\{PROJECT_NAME\}".join(map(re.escape, name.split(package.name)))] if package.name in name else []
-    return any(re.search(rf"(?<![\w.+-]){part}(?![\w.+-])", text) for part in parts for text in texts)
+    written = package.cmake.written
+    return name in written or "${PROJECT_NAME}".join(name.split(package.name)) in written
 
 
 def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: str) -> Finding:

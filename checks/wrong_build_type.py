@@ -28,10 +28,11 @@ CATKIN = ("catkin_package", "catkin_metapackage")
 
 
 def check(project: Project) -> Iterator[Finding]:
+    bringing = _bringing(project)
     for package in project.packages:
         if package.manifest is not None and not is_nested(package):
             yield from _build_type(package)
-            yield from _build_tool(project, package)
+            yield from _build_tool(package, bringing)
 
 
 def _build_type(package: ProjectPackage) -> Iterator[Finding]:
@@ -129,7 +130,7 @@ def _other(package: ProjectPackage, at: Location, kind: str, call: CMakeCommand,
     )
 
 
-def _build_tool(project: Project, package: ProjectPackage) -> Iterator[Finding]:
+def _build_tool(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[Finding]:
     """The build tool is a package like any other: what calls it depends on it."""
     catkin = _call(package, *CATKIN)
     kinds = {need.kind for need in needs(package) if need.name == "catkin"}
@@ -155,7 +156,7 @@ def _build_tool(project: Project, package: ProjectPackage) -> Iterator[Finding]:
             )
     found = _finds(package, "ament_cmake_auto") or _finds(package, "ament_cmake_ros") or _finds(package, "ament_cmake")
     if package.ros == 2 and found is not None and [word(e) for e in build_types(package)] == ["ament_cmake"]:
-        if not _brings_ament(project, {need.name for need in needs(package, *BUILD)}):
+        if not any(_is_cmake(need.name) or need.name in bringing for need in needs(package, *BUILD)):
             name = found.arguments[0]
             yield _finding(
                 package,
@@ -169,19 +170,23 @@ def _build_tool(project: Project, package: ProjectPackage) -> Iterator[Finding]:
             )
 
 
-def _brings_ament(project: Project, names: set[str]) -> bool:
-    """Whether one of *names* is ament's CMake, may be, or needs it wherever it is used itself."""
-    seen: set[str] = set()
-    rest = list(names)
+def _bringing(project: Project) -> frozenset[str]:
+    """The packages that ament's CMake, or what may be it, comes along with wherever they are used."""
+    users: dict[str, list[str]] = {}
+    for package in project.packages:
+        for need in needs(package, *EXPORTED):
+            users.setdefault(need.name, []).append(package.name)
+    rest = [name for name in users if _is_cmake(name)]
+    found: set[str] = set()
     while rest:
-        name = rest.pop()
-        if "cmake" in name:
-            return True
-        if name not in seen:
-            seen.add(name)
-            other = project.package(name)
-            rest += [need.name for need in needs(other, *EXPORTED)] if other is not None else []
-    return False
+        new = set(users.get(rest.pop(), ())) - found
+        found |= new
+        rest += new
+    return frozenset(found)
+
+
+def _is_cmake(name: str) -> bool:
+    return "cmake" in name
 
 
 def _call(package: ProjectPackage, *names: str) -> CMakeCommand | None:

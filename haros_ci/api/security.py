@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.security.enclaves import enclave_of, is_common
-from haros_ci.security.permissions import Permission, verdict
+from haros_ci.security.permissions import Permission, Rules, verdict
 from haros_ci.security.policy import NodeProfile, Policy, read_policy
 
 __all__ = [
@@ -13,6 +13,7 @@ __all__ = [
     "Policy",
     "enclave_of",
     "is_common",
+    "Rules",
     "read_policy",
     "verdict",
 ]

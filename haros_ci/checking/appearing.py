@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 
 from haros_ci.checking.project import Project, ProjectPackage
 
@@ -16,23 +16,13 @@ def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bo
     *quiet* are the commands that make nothing.
     """
     project, base = package.project, posixpath.basename(path)
-    if any(path == module or path.startswith(f"{module}/") for module in submodules(project)):
+    if any(path == module or path.startswith(f"{module}/") for module in project.submodules):
         return True
     if any(path == link or path.startswith(f"{link}/") for link, _ in project.workspace.links):
         return True
     stem = base.partition(".")[0]
-    for command in package.build.commands:
-        if command.name not in quiet and any(base in word or (stem and stem == word) for word in command.arguments):
-            return True
-    return _is_ignored(project, path)
-
-
-def submodules(project: Project) -> Iterator[str]:
-    """The directories that git fills from other repositories (gitmodules(5))."""
-    for name in project.workspace.names:
-        if posixpath.basename(name) == ".gitmodules":
-            for found in re.finditer(r"(?m)^\s*path\s*=\s*(\S+)\s*$", project.text(name)):
-                yield posixpath.normpath(posixpath.join(posixpath.dirname(name), found[1]))
+    words, text = package.cmake.words(frozenset(quiet))
+    return bool(stem and stem in words) or base in text or _is_ignored(project, path)
 
 
 def _is_ignored(project: Project, path: str) -> bool:
@@ -42,8 +32,8 @@ def _is_ignored(project: Project, path: str) -> bool:
     while folder:
         folder = posixpath.dirname(folder)
         ignored = project.text(posixpath.join(folder, ".gitignore"))
-        if re.search(rf"(?m)^/?(?:[^#\n]*/)?{re.escape(base)}/?\s*$", ignored):
+        if base in ignored and re.search(rf"(?m)^/?(?:[^#\n]*/)?{re.escape(base)}/?[ \t\r]*$", ignored):
             return True
-        if suffix and re.search(rf"(?m)^\*\*?/?\*?{re.escape(suffix)}\s*$", ignored):
+        if suffix and suffix in ignored and re.search(rf"(?m)^\*\*?/?\*?{re.escape(suffix)}[ \t\r]*$", ignored):
             return True
     return False

@@ -128,6 +128,7 @@ class CMake:
     def __init__(self, package: ProjectPackage) -> None:
         self.package = package
         self.commands = package.build.commands
+        self._words: dict[frozenset[str], tuple[frozenset[str], str]] = {}
         self.targets: Mapping[str, Target] = {target.name: target for target in package.build.targets}
 
     @cached_property
@@ -159,6 +160,28 @@ class CMake:
     def may_change(self, target: str) -> bool:
         """Whether a command that is not known here may link *target*, or order it: those that use its name otherwise do not."""
         return bool(self.mentioners.get(target, frozenset()) - _BESIDE)
+
+    @cached_property
+    def uses(self) -> Mapping[str, frozenset[str]]:
+        """The names of the commands that each word is an argument of."""
+        found: dict[str, set[str]] = {}
+        for command in self.commands:
+            for word in command.arguments:
+                found.setdefault(word, set()).add(command.name)
+        return {word: frozenset(names) for word, names in found.items()}
+
+    def words(self, quiet: frozenset[str]) -> tuple[frozenset[str], str]:
+        """The arguments of all commands but those named in *quiet*, and all of them as one text."""
+        if quiet not in self._words:
+            found = frozenset(word for word, names in self.uses.items() if not names <= quiet)
+            self._words[quiet] = found, "\n".join(found)
+        return self._words[quiet]
+
+    @cached_property
+    def written(self) -> frozenset[str]:
+        """The words of the texts that its commands stand in, those that begin or go on with the project's name as they are."""
+        texts = [self.package.project.text(path) for path in {command.location.path for command in self.commands}]
+        return frozenset(word for text in texts for word in re.findall(r"(?:\$\{PROJECT_NAME\}|[\w.+-])+", text))
 
     @cached_property
     def installs(self) -> tuple[Install, ...]:

@@ -71,7 +71,7 @@ def is_nested(package: ProjectPackage) -> bool:
     """Whether it lies inside another package: catkin and colcon do not look there, so it is nothing that is built."""
     parts = package.path.split("/")
     above = {"/".join(parts[:end]) for end in range(1, len(parts))} | {"."}
-    return any(other.path in above and other.path != package.path for other in package.project.packages)
+    return not package.project.roots.isdisjoint(above - {package.path})
 
 
 def reaches(package: ProjectPackage, kinds: tuple[str, ...], *wanted: str) -> bool | None:

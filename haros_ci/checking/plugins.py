@@ -7,6 +7,7 @@ import posixpath
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.build import Target
@@ -111,8 +112,20 @@ def loaders(project: Project) -> dict[str, dict[str, Location]]:
 
 def is_written(name: str, macros: Iterable[str], paths: Iterable[str], project: Project) -> bool:
     """Whether the text of a file has one of *macros* with *name*, outside of line comments: where it was not read as such."""
-    pattern = re.compile(rf"^[^/\n]*\b(?:{'|'.join(macros)})\s*\(\s*{re.escape(name)}\s*[,)]", re.MULTILINE)
-    return any(pattern.search(project.text(path)) for path in paths)
+    wanted = tuple(macros)
+    return any(name in _written(project.text(path), wanted) for path in paths)
+
+
+@lru_cache(maxsize=512)
+def _written(text: str, macros: tuple[str, ...]) -> frozenset[str]:
+    """What stands first between the parentheses of the macros, up to each comma."""
+    pattern = re.compile(rf"\b(?:{'|'.join(macros)})[ \t]*\(\s*([^()\n]{{1,500}})")
+    found: set[str] = set()
+    for match in pattern.finditer(text):
+        if "/" not in text[text.rfind("\n", 0, match.start()) + 1 : match.start()]:
+            parts = match[1].split(",")[:8]
+            found.update(",".join(parts[:count]).strip() for count in range(1, len(parts) + 1))
+    return frozenset(found)
 
 
 def is_asked_for(names: Iterable[str], project: Project) -> bool:

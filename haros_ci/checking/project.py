@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import posixpath
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
@@ -177,6 +179,11 @@ class Project:
         """By path."""
         return tuple(self._packages.values())
 
+    @cached_property
+    def roots(self) -> frozenset[str]:
+        """The paths of its packages."""
+        return frozenset(package.path for package in self.packages)
+
     def package(self, name: str) -> ProjectPackage | None:
         return self._packages.get(name)
 
@@ -188,6 +195,16 @@ class Project:
             while (path := path.rpartition("/")[0]) and path not in found:
                 found.add(path)
         return frozenset(found)
+
+    @cached_property
+    def submodules(self) -> tuple[str, ...]:
+        """The directories that git fills from other repositories (gitmodules(5))."""
+        return tuple(
+            posixpath.normpath(posixpath.join(posixpath.dirname(name), found[1]))
+            for name in sorted(self.workspace.names)
+            if name.rpartition("/")[2] == ".gitmodules"
+            for found in re.finditer(r"(?m)^[ \t]*path[ \t]*=[ \t]*(\S+)[ \t\r]*$", self.text(name))
+        )
 
     def exists(self, path: str) -> bool:
         """Whether there is a file or a directory of this root-relative path."""

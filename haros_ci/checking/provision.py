@@ -10,6 +10,7 @@ from functools import cached_property
 
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
+from haros_ci.model.package import Package
 
 _PYTHON = re.compile(r"(?:python3?|python2)-(.+?)(?:-pip)?$")
 #: What is not there because another package needs it.
@@ -18,6 +19,8 @@ _OWN_ONLY = ("test_depend", "doc_depend")
 
 #: What packages of messages are named, and what comes with each at least.
 _SHOWN = 3
+#: Packages that are looked at for what others bring, in all; a thousand packages that need each other have a million.
+MAX_STEPS = 3_000_000
 _INTERFACES = ("_msgs", "_interfaces", "_srvs")
 
 
@@ -41,6 +44,10 @@ class Provisions:
     def __init__(self, project: Project) -> None:
         self.project = project
         self._brought: dict[tuple[str, int | None], frozenset[str] | None] = {}
+        self._steps = MAX_STEPS
+        self._named: dict[str, list[Package]] = {}
+        for raw in project.workspace.packages:
+            self._named.setdefault(raw.name, []).append(raw)
 
     def of(self, package: ProjectPackage, *, tests: bool = True) -> Provision:
         """All that *package* declares, of whatever kind, with what that brings along; without *tests* not what only these get."""
@@ -50,6 +57,9 @@ class Provisions:
         is_open = interfaces = system = False
         while todo:
             name = todo.pop()
+            self._steps -= 1
+            if self._steps < 0:
+                return Provision(frozenset(names), is_open=True)
             brought = self.brought(name, package.ros)
             if brought is None and name.endswith(_INTERFACES):
                 interfaces = True
@@ -95,8 +105,8 @@ class Provisions:
 
     def _aside(self, package: ProjectPackage) -> Iterator[str]:
         """Packages of the workspace that are other versions of this one's manifest: of the same name, elsewhere."""
-        for raw in self.project.workspace.packages:
-            if raw.name == package.name and raw.path != package.path:
+        for raw in self._named.get(package.name, ()):
+            if raw.path != package.path:
                 yield from (dependency.name for dependency in raw.dependencies)
 
 

@@ -15,6 +15,9 @@ from haros_ci.model.program import Class
 #: The base class that a plug-in needs to be a nodelet.
 NODELET = "nodelet::Nodelet"
 
+#: Targets by name, and by package and name.
+Linkable = tuple[dict[str, Target], dict[str, dict[str, Target]]]
+
 
 @dataclass(frozen=True, slots=True)
 class Programs:
@@ -35,11 +38,12 @@ def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, s
     Those that are built for tests only come with *tests*.
     """
     found: dict[tuple[str, str], tuple[Entry, frozenset[str]]] = {}
+    named = linkable(programs)
     for package, build in sorted(programs.builds.items()):
         for target in build.targets:
             if target.kind != "executable" or (target.is_test and not tests):
                 continue
-            files = files_of(programs, target)
+            files = files_of(programs, target, named)
             entry = _main(programs, (*target.sources, *target.conditional_sources))
             if entry is not None:
                 found.setdefault((package, target.output), (entry, files))
@@ -111,12 +115,12 @@ def described_classes(programs: Programs) -> Iterator[tuple[PluginClass, Source,
                 yield plugin, *candidates[0], files
 
 
-def files_of(programs: Programs, target: Target) -> frozenset[str]:
-    """The sources of a target and of all workspace libraries that it links, transitively."""
-    every = [t for build in programs.builds.values() for t in build.targets if t.kind != "executable"]
-    by_name = {t.name: t for t in every} | {f"{t.package}::{t.name}": t for t in every}
-    own = programs.builds.get(target.package)
-    local = {t.name: t for t in own.targets} if own is not None else {}
+def files_of(programs: Programs, target: Target, named: Linkable | None = None) -> frozenset[str]:
+    """The sources of a target and of all workspace libraries that it links, transitively; *named* is ``linkable``, made once for many."""
+    if not target.links:
+        return frozenset((*target.sources, *target.conditional_sources))
+    by_name, in_packages = named or linkable(programs)
+    local = in_packages.get(target.package, {})
     files: set[str] = set()
     seen: set[str] = set()
     waiting = [target]
@@ -130,6 +134,13 @@ def files_of(programs: Programs, target: Target) -> frozenset[str]:
                 seen.add(linked.name)
                 waiting.append(linked)
     return frozenset(files)
+
+
+def linkable(programs: Programs) -> Linkable:
+    """What can be linked by name: from anywhere, and within each package."""
+    every = [t for build in programs.builds.values() for t in build.targets if t.kind != "executable"]
+    by_name = {t.name: t for t in every} | {f"{t.package}::{t.name}": t for t in every}
+    return by_name, {name: {t.name: t for t in build.targets} for name, build in programs.builds.items()}
 
 
 def _main(programs: Programs, paths: Iterable[str]) -> Entry | None:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
+from itertools import islice
 
 from haros_ci.model.location import Location
 
@@ -29,6 +30,8 @@ LISTS = {
     "services": ("service", ("reply", "request")),
     "actions": ("action", ("call", "execute")),
 }
+#: Patterns of one enclave that names are compared with.
+MAX_PATTERNS = 300
 _PARTS = ("cancel_goal", "get_result", "send_goal")
 _NEWS = ("feedback", "status")
 
@@ -77,18 +80,40 @@ def verdict(kind: str, name: str, rules: Iterable[Permission]) -> str:
 
     What a rule denies stays denied, whatever allows it; all that an end needs has to be allowed.
     """
-    rules = tuple(rules)
-    found = "allowed"
-    for need in needs_of(kind, name):
-        matching = [rule for rule in rules if _covers(rule, need)]
-        if any(not rule.allows for rule in matching):
-            return "denied"
-        if not matching:
-            found = "missing"
-    return found
+    return Rules(rules).verdict(kind, name)
 
 
-def _covers(rule: Permission, need: Need) -> bool:
-    return any(
-        part.verb == need.verb and fnmatchcase(need.topic, part.topic) for part in needs_of(rule.kind, rule.name)
-    )
+class Rules:
+    """The rules of one enclave, put in order for many questions. Not *is_whole* if there are more patterns than are looked at."""
+
+    def __init__(self, rules: Iterable[Permission]) -> None:
+        self._plain: dict[Need, bool] = {}
+        self._patterns: dict[Need, bool] = {}
+        self._said: dict[tuple[str, str], str] = {}
+        for rule in rules:
+            found = self._patterns if rule.is_pattern else self._plain
+            for need in needs_of(rule.kind, rule.name):
+                found[need] = found.get(need, True) and rule.allows
+        self.is_whole = len(self._patterns) <= MAX_PATTERNS
+
+    def verdict(self, kind: str, name: str) -> str:
+        """As ``verdict``."""
+        key = (kind, name)
+        if key not in self._said:
+            self._said[key] = self._verdict(kind, name)
+        return self._said[key]
+
+    def _verdict(self, kind: str, name: str) -> str:
+        found = "allowed"
+        for need in needs_of(kind, name):
+            says = [self._plain[need]] if need in self._plain else []
+            says += (
+                allows
+                for part, allows in islice(self._patterns.items(), MAX_PATTERNS)
+                if part.verb == need.verb and fnmatchcase(need.topic, part.topic)
+            )
+            if not all(says):
+                return "denied"
+            if not says:
+                found = "missing"
+        return found

@@ -20,6 +20,8 @@ MAX_DEPTH = 8
 MAX_PROFILES = 2_000
 MAX_RULES = 20_000
 MAX_INCLUDES = 2_000
+#: Elements that includes may bring.
+MAX_INCLUDED = 20_000
 MAX_NAME = 300
 _POINTER = re.compile(r"xpointer\((/[\w/]+)/\*\)")
 #: An element with the path of the file that it stands in.
@@ -69,6 +71,7 @@ class _Reader:
         self.element = element
         self.is_whole = True
         self.count = 0
+        self.included_elements = 0
 
     def policy(self, path: str, root: Element) -> Policy:
         profiles = tuple(
@@ -126,16 +129,23 @@ class _Reader:
         target = posixpath.normpath(posixpath.join(posixpath.dirname(path), include.attributes.get("href", "")))
         pointer = _POINTER.fullmatch(include.attributes.get("xpointer", "").strip())
         self.count += 1
-        root = self.element(target) if not target.startswith(("/", "..")) and self.count <= MAX_INCLUDES else None
+        is_over = self.count > MAX_INCLUDES or self.included_elements > MAX_INCLUDED
+        root = self.element(target) if not target.startswith(("/", "..")) and not is_over else None
         if root is None or pointer is None or depth >= MAX_DEPTH:
             self.is_whole = False
             return
         first, *rest = pointer[1].strip("/").split("/")
         found: list[Placed] = [(root, target)] if root.tag == first else []
         for tag in rest:
+            self.included_elements += sum(len(parent.children) for parent, _ in found) // 64
             found = [each for parent in found for each in self.children(parent, tag, depth=depth + 1)]
         for parent in found:
-            yield from self.children(parent, *tags, depth=depth + 1)
+            for each in self.children(parent, *tags, depth=depth + 1):
+                self.included_elements += 1
+                if self.included_elements > MAX_INCLUDED:
+                    self.is_whole = False
+                    return
+                yield each
 
 
 def expanded(name: str, base: str, node: str) -> str:
