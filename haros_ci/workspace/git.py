@@ -12,6 +12,8 @@ import os
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Timer
+from typing import Any
 
 from haros_ci.results.result import Provenance
 from haros_ci.workspace.files import TooLarge, read_regular
@@ -90,8 +92,9 @@ def run_git(
     cwd: Path | None = None,
     stdin: bytes = b"",
     environment: dict[str, str] | None = None,
+    limit: int | None = None,
 ) -> bytes:
-    """Run one git command on *repository* and return what it prints; GitError if it fails."""
+    """Run one git command on *repository* and return what it prints; GitError if it fails, or prints more than *limit* bytes."""
     program = _program(repository.top)
     if program is None:
         raise GitError("git is not installed")
@@ -100,24 +103,42 @@ def run_git(
         argv += ["-c", override]
     inherited = {k: v for k, v in os.environ.items() if not k.startswith("GIT_") or k in KEPT}
     paths = {"GIT_DIR": str(repository.top / ".git"), "GIT_WORK_TREE": str(repository.top)}
+    options: dict[str, Any] = {
+        "cwd": cwd or repository.top,
+        "env": {**inherited, **ENVIRONMENT, **paths, **(environment or {})},
+        "stdout": subprocess.PIPE,
+        "stderr": subprocess.DEVNULL,
+    }
     try:
-        done = subprocess.run(
-            [*argv, *arguments],
-            input=stdin,
-            cwd=cwd or repository.top,
-            env={**inherited, **ENVIRONMENT, **paths, **(environment or {})},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            timeout=TIMEOUT,
-            check=False,
-        )
+        if limit is not None:
+            return _first_bytes([*argv, *arguments], options, arguments[0], limit)
+        done = subprocess.run([*argv, *arguments], input=stdin, timeout=TIMEOUT, check=False, **options)
     except subprocess.TimeoutExpired as err:
         raise GitError(f"git {arguments[0]} took longer than {TIMEOUT:.0f} s") from err
     except OSError as err:
         raise GitError(f"git cannot be started: {err.strerror}") from err
     if done.returncode != 0:
         raise GitError(f"git {arguments[0]} failed with exit code {done.returncode}", done.returncode)
-    return done.stdout
+    printed: bytes = done.stdout
+    return printed
+
+
+def _first_bytes(argv: list[str], options: dict[str, Any], command: str, limit: int) -> bytes:
+    """What *argv* prints, as long as it is no more than *limit* bytes: a few objects can stand for trees without end."""
+    with subprocess.Popen(argv, stdin=subprocess.DEVNULL, **options) as process:
+        assert process.stdout is not None
+        clock = Timer(TIMEOUT, process.kill)
+        clock.start()
+        try:
+            data: bytes = process.stdout.read(limit + 1)
+        finally:
+            clock.cancel()
+        if len(data) > limit:
+            process.kill()
+            raise GitError(f"git {command} prints more than {limit} bytes")
+        if code := process.wait(TIMEOUT):
+            raise GitError(f"git {command} failed with exit code {code}", code)
+    return data
 
 
 def listed_files(

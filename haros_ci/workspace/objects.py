@@ -20,6 +20,10 @@ BATCH = 32_000_000
 #: Symbolic links that are looked into, and how many one may lead through.
 MAX_LINKS = 500
 MAX_STEPS = 8
+#: What a listing of all files may have, in bytes; and a path that a disk takes, in directories and characters.
+MAX_LISTING = 40_000_000
+MAX_DEPTH = 200
+MAX_PATH = 4_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +48,7 @@ def read_tree(
     mount = f"{top.relative_to(root).as_posix()}/" if root != top and not inside else ""
     arguments = ("ls-tree", "-r", "-l", "-z", "--full-tree", commit, *(("--", inside) if inside else ()))
     tree: dict[str, Blob] = {}
-    for record in run_git(repository, *arguments).split(b"\0"):
+    for record in run_git(repository, *arguments, limit=MAX_LISTING).split(b"\0"):
         kind, _, name = record.partition(b"\t")
         path = mount + os.fsdecode(name).removeprefix(inside)
         if not record or not _is_safe(path):
@@ -140,7 +144,10 @@ def _read_submodule(path: str, commit: str, workspace: Workspace) -> dict[str, B
 
 def _is_safe(path: str) -> bool:
     """Whether *path* stays where it is put: a tree from elsewhere can hold any name."""
-    return not any(part in ("", ".", "..") or part.lower() == ".git" for part in path.split("/"))
+    parts = path.split("/")
+    if len(parts) > MAX_DEPTH or len(path) > MAX_PATH:
+        return False
+    return not any(part in ("", ".", "..") or part.lower() == ".git" for part in parts)
 
 
 def _size(text: bytes) -> int:
