@@ -8,6 +8,7 @@ relative, others in full. Lists and entries are sorted, so that the same system 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from xml.sax.saxutils import escape, quoteattr
@@ -17,6 +18,8 @@ from haros_ci.security.enclaves import enclave_of
 from haros_ci.security.permissions import ENDS, LISTS
 
 VERSION = "0.2.0"
+#: A name that can stand in a policy: no pattern, and nothing that XML or a terminal takes for something else.
+_NAME = re.compile(r"/[^\s*?\[\]#]*")
 #: What each node takes besides what the model has: time sources listen to /clock and /parameter_events (rclcpp, rclpy).
 LISTENS = ("/clock", "/parameter_events")
 
@@ -40,6 +43,9 @@ def policy_of(nodes: Iterable[Node]) -> Written | None:
     for node in wanted:
         process = node.process or node.name
         path = given.get(process, process)
+        if "?" not in node.name + path and not (_is_plain(node.name) and _is_plain(path)):
+            gaps.append(f"{node.name}: ROS 2 takes no such name, so it has no profile")
+            continue
         if "?" in node.name or "?" in path:
             gaps.append(f"{node.package}/{node.type}: the name of its node is not known, so it has no profile")
             continue
@@ -65,6 +71,8 @@ def _profile(name: str, nodes: list[Node], gaps: list[str]) -> Iterator[str]:
         for end in node.endpoints:
             if end.kind in names and "?" in end.name:
                 gaps.append(f"{name}: it has {_WORDS[end.kind]} whose name is not known ({end.name})")
+            elif end.kind in names and not _is_plain(end.name):
+                gaps.append(f"{name}: it has {_WORDS[end.kind]} with a name that ROS 2 does not take ({end.name})")
             elif end.kind in names:
                 names[end.kind].add(end.name)
     names["subscribers"].update(LISTENS)
@@ -87,6 +95,10 @@ _WORDS = {
     "action_servers": "an action server",
     "action_clients": "an action client",
 }
+
+
+def _is_plain(name: str) -> bool:
+    return _NAME.fullmatch(name) is not None and name.isprintable()
 
 
 def _relative(name: str, node: str, space: str) -> str:
