@@ -59,14 +59,14 @@ def check(flags: Flags) -> int:
 def show_patch(report: Report, workspace: Workspace, settings: Settings) -> int:
     """``--diff``: what ``--fix`` would change, as a patch; nothing is written."""
     from haros_ci.fixing import patch, plan
-    from haros_ci.report.escape import multiline
+    from haros_ci.report.escape import patch as shown
 
     made = plan(report.shown(), workspace.text)
     text = patch(made)
     read_here = sys.stdout.isatty() or os.environ.get(
         "GITHUB_ACTIONS"
     )  # by a person, or a runner that obeys what it reads
-    click.echo(multiline(text) if read_here else text, nl=False)
+    click.echo(shown(text) if read_here else text, nl=False)
     if set(report.failed_tools()) - settings.allow_tool_failure:
         return EXIT_TOOL_TROUBLE
     return 1 if made.files else 0

@@ -79,10 +79,18 @@ def patch(made: Plan) -> str:
 
 def _patch(file: Mended) -> Iterator[str]:
     if file.is_executable:
-        yield f"diff --git a/{file.path} b/{file.path}\nold mode 100644\nnew mode 100755\n"
+        yield f"diff --git {_named('a/' + file.path)} {_named('b/' + file.path)}\nold mode 100644\nnew mode 100755\n"
     before, after = (re.findall(r"[^\n]*\n|[^\n]+", text) for text in (file.before, file.after))
-    for line in unified_diff(before, after, f"a/{file.path}", f"b/{file.path}"):
+    for line in unified_diff(before, after, _named(f"a/{file.path}"), _named(f"b/{file.path}")):
         yield line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
+
+
+def _named(path: str) -> str:
+    """*path* as git writes it: in quotes where a reader would take it for another (git-config(1), core.quotePath)."""
+    if path.isprintable() and '"' not in path and "\\" not in path:
+        return path
+    plain = (chr(byte) if 32 <= byte < 127 and byte not in b'"\\' else f"\\{byte:03o}" for byte in path.encode())
+    return f'"{"".join(plain)}"'
 
 
 def write(root: Path, made: Plan) -> dict[str, str]:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from haros_ci.checking.check import About, Check, Finding
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
@@ -12,6 +12,7 @@ from haros_ci.checking.project import Project
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.location import Location
 from haros_ci.model.presence import assignment, in_words, together
+from haros_ci.results.fix import is_counted_alike
 from haros_ci.results.result import Graph, Notification, Related, Result, Vertex
 from haros_ci.results.rule import Level
 
@@ -94,7 +95,7 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
             continue
         try:
             for finding in check.project(project):
-                each = _Told(check, finding, None, ())
+                each = _Told(check, _mendable(finding, project.text), None, ())
                 results.setdefault((*each.key, subject(finding.about)), _result(each, 0, tool))
         except Exception as err:  # a fault of one check must not lose the others
             said = f"the check {check.id} failed: {type(err).__name__}: {err}"
@@ -102,8 +103,22 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
     return Checked(tuple(sorted(results.values(), key=lambda result: result.sort_key)), (), tuple(failures))
 
 
+def _mendable(finding: Finding, text: Callable[[str], str]) -> Finding:
+    """*finding* with the fixes that are sure to be made where they are meant to."""
+    if not finding.fixes:
+        return finding
+    fixes = tuple(
+        fix
+        for fix in finding.fixes
+        if all(edit.is_executable or is_counted_alike(text(edit.path)) for edit in fix.edits)
+    )
+    return replace(finding, fixes=fixes)
+
+
 def _told(check: Check, finding: Finding, system: System) -> _Told | None:
     """The finding with the arguments nearest to the defaults under which it can happen; None if there are none."""
+    if system.workspace is not None:
+        finding = _mendable(finding, system.workspace.text)
     presence = together(
         finding.presence, *(each.presence for each in finding.about if isinstance(each, (End, SystemNode)))
     )

@@ -13,6 +13,7 @@ _UNSAFE = "\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u20
 _COMMAND = "##["
 _UNSAFE_IN_TEXT = re.compile(f"[{_UNSAFE}]|(?<=##)\\[")
 _UNSAFE_IN_LINE = re.compile(f"[{_UNSAFE}\n]|(?<=##)\\[")
+_HEAD = re.compile(r"^([^\S\n]*):(?=:)", re.MULTILINE)
 _MARKDOWN_ACTIVE = re.compile(r"[!#$&()*+:<=>@\[\\\]^_`{|}~]")
 
 
@@ -31,6 +32,11 @@ def multiline(text: str) -> str:
     if text.isprintable() and _COMMAND not in text:
         return text
     return _UNSAFE_IN_TEXT.sub(REPLACEMENT, text.replace("\r\n", "\n"))
+
+
+def patch(text: str) -> str:
+    """As ``multiline``, for a patch that is read and not applied: a line of context may begin as a workflow command does."""
+    return _HEAD.sub(rf"\1{REPLACEMENT}", multiline(text))
 
 
 def workflow_data(text: str) -> str:

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 
 #: As editors and XML have it; ``str.splitlines`` knows more ends than they do.
 LINE_END = re.compile(r"\r\n|\n|\r")
+#: What some readers take for the end of a line and others do not: where it stands, lines are not counted alike.
+_ODD_END = re.compile("\r(?!\n)|[\v\f\x1c-\x1e\x85\u2028\u2029]")
 #: Line and column, 1-based; columns count Unicode code points (SARIF §3.30).
 Point = tuple[int, int]
 
@@ -39,6 +41,11 @@ class Fix:
 
     description: str
     edits: tuple[Edit, ...]
+
+
+def is_counted_alike(text: str) -> bool:
+    """Whether all that read *text* agree on its lines, so that an edit stands where it is meant to."""
+    return _ODD_END.search(text) is None
 
 
 def applied(text: str, edits: Iterable[Edit]) -> str:
