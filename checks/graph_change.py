@@ -30,31 +30,40 @@ def check(project: Project) -> Iterator[Finding]:
     for old, new in both(project):
         if causes.touches(new):
             yield from _remaps(old, new, causes)
-            yield from _values(new, causes)
+    yield from _values(project, causes)
     yield from _displays(project)
 
 
 def _ends(project: Project) -> Iterator[Finding]:
-    """Ends at a name that nobody gives any more, one finding for each call."""
-    told: dict[tuple[str, Location], tuple[Lost, dict[str, End]]] = {}
+    """Ends at a name that nobody gives any more, one finding for what one renaming or removal has done."""
+    groups: dict[tuple[str, ...], list[tuple[Lost, End]]] = {}
     for lost in lost_in(project):
-        for end in lost.left:
-            told.setdefault((lost.name, end.location), (lost, {}))[1].setdefault(end.node.name, end)
-    for (name, at), (lost, ends) in told.items():
-        nodes = sorted(ends)
-        end = ends[nodes[0]]
+        new = lost.change.name if lost.change.action == "renamed" else ""
+        key = (lost.kind, _last(lost.name), lost.change.what, lost.change.action, _last(new), str(lost.is_new_name))
+        groups.setdefault(key, []).extend((lost, end) for end in lost.left)
+    for group in groups.values():
+        lost, end = min(
+            group, key=lambda each: (len(each[0].name), each[0].name, each[1].node.name, each[1].location.sort_key)
+        )
+        nodes = sorted({each.node.name for _, each in group if each.name == end.name} - {end.node.name})
         does, result = DOES[end.kind]
-        who = nodes[0] + (f" and {len(nodes) - 1} more" if len(nodes) > 1 else "")
+        who = end.node.name + (f" and {len(nodes)} more" if nodes else "")
+        name = lost.name
         if lost.is_new_name:
             said = f"{who} {does} {end.name} now, as {name} was {change_said(lost.change, name)}, but only {name} is given: {result}"
         else:
             said = f"{who} still {does} {name}, {_gone(lost.change, name)}: {result}"
+        others = {each.location: (each.location, str(each)) for _, each in group if each.location != end.location}
         yield Finding(
-            at=at,
+            at=end.location,
             message=f"{said}; give both the same name, or remap one",
-            about=(name, *nodes[:SHOWN]),
-            related=tuple(_cause(lost.change)),
+            about=(name, end.node.name, *nodes[:SHOWN]),
+            related=(*_cause(lost.change), *list(others.values())[:SHOWN]),
         )
+
+
+def _last(name: str) -> str:
+    return name.rpartition("/")[2]
 
 
 def _gone(change: Change, name: str) -> str:
@@ -97,33 +106,42 @@ def _remaps(old: System, new: System, causes: Causes) -> Iterator[Finding]:
                     break
 
 
-def _values(new: System, causes: Causes) -> Iterator[Finding]:
-    """Values for a parameter that the node had, and has no more."""
-    for given in new.given:
-        if given.node.names.has(given.key) or given.node.raw.takes_undeclared:
-            continue
-        name = f"{given.node.name}:{given.key}"
-        change = causes.named("parameter", name, new)
-        if change is not None and given.key not in given.node.names.declared:
-            yield _value(given.at, name.partition(":")[2], given.node.name, change, name)
-    read = {end.name for node in new.nodes for end in node.of("getters")}
-    for parameter in new.parameters:
-        if ":" in parameter.name or parameter.name in read or parameter.unknowns:
-            continue
-        change = causes.named("parameter", parameter.name, new)
+def _values(project: Project, causes: Causes) -> Iterator[Finding]:
+    """Values for a parameter that the nodes which get them had, and have no more; one finding for each line."""
+    told: dict[tuple[Location, str], tuple[Change, str, dict[str, None]]] = {}
+    for _, new in both(project):
+        if causes.touches(new):
+            for at, key, node, name in (*_given(new), *_set(new)):
+                change = causes.named("parameter", name, new)
+                if change is not None:
+                    told.setdefault((at, key), (change, name, {}))[2][node or (change.nodes or ("",))[0]] = None
+    for (at, key), (change, name, nodes) in told.items():
+        names = sorted(nodes)
+        owner = f" of {names[0]}" + (f" and {len(names) - 1} more" if len(names) > 1 else "")
+        yield Finding(
+            at=at,
+            message=(
+                f"{key}{owner} is still set here, but the parameter was {change_said(change, name)}: the value has no effect"
+            ),
+            about=(key, *names[:SHOWN]),
+            related=tuple(_cause(change)),
+        )
+
+
+def _given(system: System) -> Iterator[tuple[Location, str, str, str]]:
+    """Place, name, node and full name of each value that no node takes (ROS 2)."""
+    for given in system.given:
+        if given.place not in system.taken and given.place not in system.whole.taken:
+            yield given.at, given.key, given.node.name, f"{given.node.name}:{given.key}"
+
+
+def _set(system: System) -> Iterator[tuple[Location, str, str, str]]:
+    """The same of ROS 1."""
+    read = {end.name for node in system.nodes for end in node.of("getters")}
+    for parameter in system.parameters:
         at = parameter.origin or parameter.location
-        if change is not None and at is not None:
-            yield _value(at, parameter.name, change.nodes[0] if change.nodes else "", change, parameter.name)
-
-
-def _value(at: Location, key: str, node: str, change: Change, name: str) -> Finding:
-    owner = f" of {node}" if node else ""
-    return Finding(
-        at=at,
-        message=f"{key}{owner} is still set here, but the parameter was {change_said(change, name)}: the value has no effect",
-        about=(node or key, key),
-        related=tuple(_cause(change)),
-    )
+        if ":" not in parameter.name and parameter.name not in read and not parameter.unknowns and at is not None:
+            yield at, parameter.name, "", parameter.name
 
 
 def _displays(project: Project) -> Iterator[Finding]:

@@ -74,16 +74,21 @@ def _lost_in(old: System, new: System, changes: Causes) -> Iterator[Lost]:
         kinds = (channel.givers[0].kind, channel.takers[0].kind)
         here = now.get((channel.kind, channel.name))
         takers = tuple(end for end in here.takers if not end.implicit) if here is not None else ()
-        if takers and here is not None and not here.givers and not _may_have(new, kinds[0], channel.name):
+        if (
+            takers
+            and here is not None
+            and not here.givers
+            and not _may_have(new, old, kinds[0], channel.name, channel.types)
+        ):
             change = changes.of(channel.givers, channel.name, new)
             if change is not None:
                 yield Lost(channel.name, channel.kind, takers, change, new)
         elif here is not None and here.givers and not here.takers:
-            yield from _renamed_away(channel, now, changes, new)
+            yield from _renamed_away(channel, now, changes, new, old)
 
 
 def _renamed_away(
-    channel: Channel, now: dict[tuple[str, str], Channel], changes: Causes, system: System
+    channel: Channel, now: dict[tuple[str, str], Channel], changes: Causes, system: System, old: System
 ) -> Iterator[Lost]:
     """Takers that have another name now, under which nobody gives anything."""
     change = changes.of(channel.takers, channel.name, system)
@@ -92,7 +97,7 @@ def _renamed_away(
     for name in change.names:
         other = now.get((channel.kind, name))
         if other is not None and other.takers and not other.givers:
-            if not _may_have(system, channel.givers[0].kind, name):
+            if not _may_have(system, old, channel.givers[0].kind, name, channel.types):
                 yield Lost(channel.name, channel.kind, other.takers, change, system, is_new_name=True)
 
 
@@ -100,9 +105,16 @@ def _channels(system: System) -> tuple[Channel, ...]:
     return (*system.topics, *system.services, *system.actions)
 
 
-def _may_have(system: System, kind: str, name: str) -> bool:
-    """Whether a node may have an end of that name whose name is not wholly known."""
-    return any(not end.known and may_be_same(end.name, name) for node in system.nodes for end in node.of(kind))
+def _may_have(system: System, old: System, kind: str, name: str, types: tuple[str, ...]) -> bool:
+    """Whether a node may have an end of that name, of one of *types*, whose name was known in the *old* system and is not any more."""
+    before = {(end.node.name, end.name, end.type) for node in old.nodes for end in node.of(kind)}
+    vague = (end for node in system.nodes for end in node.of(kind) if not end.known)
+    return any(
+        (end.type is None or end.type in types)
+        and (end.node.name, end.name, end.type) not in before
+        and may_be_same(end.name, name)
+        for end in vague
+    )
 
 
 class Causes:
