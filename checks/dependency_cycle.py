@@ -99,12 +99,12 @@ def _way(start: str, end: str, group: frozenset[str], edges: Mapping[str, Edges]
             way = [name]
             while (before := came[way[-1]]) is not None:
                 way.append(before)
-            return tuple(reversed(way)), len(queue)
+            return tuple(reversed(way)), len(came)
         for needed in sorted(edges[name]):
             if needed in group and needed not in came:
                 came[needed] = name
                 queue.append(needed)
-    return (), len(queue)
+    return (), len(came)
 
 
 def _circles(graph: Mapping[str, tuple[str, ...]]) -> Iterator[frozenset[str]]:

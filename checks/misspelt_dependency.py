@@ -8,6 +8,10 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, is_slip
 from haros_ci.api.packages import Need, Sources, imports_of, needs_of
 
+#: Of so many names of one package it is told what is meant by them, and so many needs are looked at for it.
+MAX_UNKNOWN = 100
+MAX_NEEDS = 2_000
+
 
 def check(project: Project) -> Iterator[Finding]:
     sources = Sources(project)
@@ -21,9 +25,15 @@ def check(project: Project) -> Iterator[Finding]:
             for need in (*needs_of(package, sources, tests=tests), *imports_of(package, sources, tests=tests))
             if not need.providers & package.declared
         ]
-        for name in unknown:
+        for name in unknown[:MAX_UNKNOWN]:
             meant = next(
-                ((each, need) for need in needs for each in sorted(need.providers) if _is_meant(name, each)), None
+                (
+                    (each, need)
+                    for need in needs[:MAX_NEEDS]
+                    for each in sorted(need.providers)
+                    if _is_meant(name, each)
+                ),
+                None,
             )
             if meant is not None:
                 yield _finding(package, name, *meant)

@@ -22,14 +22,14 @@ def check(project: Project) -> Iterator[Finding]:
         missing = [each for each in _registered(package) if _last(each.type) not in described]
         if not missing:
             continue
-        texts = [
-            project.text(path)
-            for path in sorted(project.workspace.names)
+        words = {
+            word
+            for path in project.workspace.names
             if path.endswith(_TEXTS) and (package.path == "." or path.startswith(f"{package.path}/"))
-        ]
+            for word in re.findall(r"\w+", project.text(path))
+        }
         for each in missing:
-            name = re.compile(rf"\b{re.escape(_last(each.type))}\b")
-            if not any(name.search(text) for text in texts):
+            if _last(each.type) not in words:
                 yield _finding(package, each)
 
 

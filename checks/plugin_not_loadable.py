@@ -26,6 +26,7 @@ from haros_ci.api.packages import (
 
 _COMPONENT = "rclcpp_components::NodeFactory"
 _ROOTS = ("library", "class_libraries")
+MAX_LEFT_OVER = 50  # descriptions of one package that are looked for in all files
 _TEST = re.compile(r"(?:^|/)(?:tests?|examples?|templates?)(?:/|$)")
 
 
@@ -37,25 +38,20 @@ class _Package:
     registered: tuple[Registration, ...]
     exports: dict[str, dict[str, Location]]
     libraries: dict[str, Target]
-    #: The macros by class, and by the last part of its name.
     by_type: dict[str, list[Registration]] = field(default_factory=dict)
-    by_last: dict[str, list[Registration]] = field(default_factory=dict)
+    by_last: dict[str, list[Registration]] = field(default_factory=dict)  # by the last part of the class's name
+    described: list[PluginClass] = field(default_factory=list)
+    awaits_description: bool = False  # a class is registered that no description names
+    left_over: int = 0
 
     def __post_init__(self) -> None:
         for each in self.registered:
             self.by_type.setdefault(each.type, []).append(each)
             self.by_last.setdefault(each.type.rpartition("::")[2], []).append(each)
-
-    @property
-    def described(self) -> list[PluginClass]:
-        return [
-            each
-            for each in self.package.build.plugins
-            if each.base != _COMPONENT and each.location.path in self.exports
-        ]
-
-    def of(self, name: str) -> list[Registration]:
-        return self.by_type.get(name, [])
+        every = self.package.build.plugins
+        self.described += (each for each in every if each.base != _COMPONENT and each.location.path in self.exports)
+        types = {plugin.type for plugin in self.described}
+        self.awaits_description = any(each.type not in types for each in self.registered)
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -80,6 +76,7 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
     """Each class of the descriptions: its library, its macro in it, its base."""
+    seen_through: dict[str, bool] = {}
     for each in found.described:
         if "." in each.type or not each.library or "$" in each.library or "@" in each.library:
             continue  # Python's, or made by the build
@@ -88,9 +85,12 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
             if not _may_be_elsewhere(each, found, others):
                 yield _left_over(each, found, _no_library(each, found))
             continue
-        if not _is_whole(library, found.package) or registers_otherwise(found.package, _code(library, found)):
+        if library.name not in seen_through:
+            is_open = not _is_whole(library, found.package)
+            seen_through[library.name] = not (is_open or registers_otherwise(found.package, _code(library, found)))
+        if not seen_through[library.name]:
             continue
-        macros = found.of(each.type)
+        macros = found.by_type.get(each.type, [])
         inside = _code(library, found)
         here = [macro for macro in macros if macro.location.path in inside]
         if not here and all(_is_source(macro.location.path) for macro in macros):
@@ -115,7 +115,7 @@ def _library(each: PluginClass, found: _Package) -> Target | None:
 
 def _may_be_elsewhere(each: PluginClass, found: _Package, others: Container[str]) -> bool:
     """Whether what is not seen may make the library: another package, unknown makers of targets, names that a build decides on."""
-    if not found.of(each.type) and each.type in others:
+    if not found.by_type.get(each.type, []) and each.type in others:
         return True
     words = ("is not known", "only known in a build")
     return not found.package.build.targets or any(
@@ -127,7 +127,7 @@ def _may_be_elsewhere(each: PluginClass, found: _Package, others: Container[str]
 def _no_library(each: PluginClass, found: _Package) -> Finding:
     name = posixpath.basename(each.library)
     lacking = found.package.ros == 1 and f"lib{name}" in found.libraries
-    macros = [macro for macro in found.of(each.type) if _is_source(macro.location.path)]
+    macros = [macro for macro in found.by_type.get(each.type, []) if _is_source(macro.location.path)]
     makers = sorted({file_name(t) for m in macros for t in found.libraries.values() if m.location.path in t.sources})
     if lacking:
         hint = f"the file is lib{name}.so, and ROS 1 adds no lib: write lib/lib{name}"
@@ -148,9 +148,12 @@ def _no_library(each: PluginClass, found: _Package) -> Finding:
 def _left_over(each: PluginClass, found: _Package, finding: Finding) -> Finding:
     """A warning where the description is all that is left: no class of the package has the name, none waits for a description,
     and no file asks for it. Then nothing stops working, but whoever lists what there is to load shows one that is not."""
-    described, programs = {other.type for other in found.described}, found.package.project.programs
+    found.left_over += 1
+    if found.left_over > MAX_LEFT_OVER:
+        return finding
+    programs = found.package.project.programs
     is_there = each.type.rpartition("::")[2] in class_names(programs.get(file.path) for file in found.package.files)
-    if is_there or any(macro.type not in described for macro in found.registered):
+    if is_there or found.awaits_description:
         return finding
     if is_asked_for((each.name, each.type), found.package.project):
         return finding

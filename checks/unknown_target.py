@@ -186,12 +186,14 @@ def _needed(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[s
     project = package.project
     finds = package.commands("find_package", "pkg_check_modules", "find_library", "fetchcontent_declare")
     found = {word for each in finds for word in each.arguments}
+    scripts = [path for path in project.workspace.names if path.endswith(".cmake")]
     for name in words:
         if name in found or "$" in name or project.package(name) is not None or not _is_written(package, name):
             continue
         known = project.knowledge.is_package(name) or project.knowledge.provider_of_cmake(name)
-        given = any(path.endswith((f"Find{name}.cmake", f"{name}Config.cmake")) for path in project.workspace.names)
-        if project.knowledge.is_package(name) is not None and not known and not given and not package.build.problems:
+        if project.knowledge.is_package(name) is None or known or package.build.problems:
+            continue
+        if not any(path.endswith((f"Find{name}.cmake", f"{name}Config.cmake")) for path in scripts):
             yield name, "there is no such package, and packages that use it stop at find_package()"
 
 
@@ -209,13 +211,17 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
     return name in written or "${PROJECT_NAME}".join(name.split(package.name)) in written
 
 
+#: Names that are compared with one that is not known.
+MAX_NAMES = 300
+
+
 def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: str) -> Finding:
     is_made = name in package.cmake.targets
     names = sorted(package.cmake.targets)
     if command.name == "ament_export_dependencies":
         names = sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
     near = [] if is_made else [each for each in names if each.lower() == name.lower()]
-    near = near or ([] if is_made else get_close_matches(name, names, 1, 0.75))
+    near = near or ([] if is_made else get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75))
     is_only_exported = is_made or command.name == "ament_export_dependencies"
     hint = f"; did you mean {near[0]}?" if near else "" if is_only_exported else "; name what it makes, or drop it"
     said = f"{package.name} exports {name}" if is_only_exported else f"{name} is nothing that {package.name} makes"

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 from haros_ci.checking.includes import reached
 from haros_ci.checking.project import ProjectPackage
@@ -31,6 +32,8 @@ _WRITING = (
     "add_custom_target",
     "execute_process",
 )
+#: Of a call so many lines are looked at.
+MAX_LINES = 200
 _TESTING = re.compile(r"^[ \t]*(?:else)?if[ \t]*\([^)\n]*\b(?:CATKIN_ENABLE_TESTING|BUILD_TESTING)\b", re.I | re.M)
 
 
@@ -73,10 +76,17 @@ def _found(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[N
 
 def _may_be_for_tests(name: str, command: CMakeCommand, text: str) -> bool:
     """Whether *name* came to the command by a variable, and what stands before it asks whether tests are built."""
-    lines = text.splitlines(keepends=True)
+    lines, asks = _read(text)
     line = command.location.line or 1
-    call = "".join(lines[line - 1 :]).partition(")")[0]
-    return name not in call and _TESTING.search("".join(lines[: line - 1])) is not None
+    call = "".join(lines[line - 1 : line - 1 + MAX_LINES]).partition(")")[0]
+    return name not in call and asks is not None and asks < line
+
+
+@lru_cache(maxsize=8)
+def _read(text: str) -> tuple[list[str], int | None]:
+    """The lines of *text*, and the first that asks whether tests are built."""
+    found = _TESTING.search(text)
+    return text.splitlines(keepends=True), None if found is None else text.count("\n", 0, found.end()) + 1
 
 
 def _alike(name: str) -> frozenset[str]:

@@ -7,6 +7,7 @@ import posixpath
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
+from operator import itemgetter
 from typing import TYPE_CHECKING, Protocol
 
 from haros_ci.changes.revision import Revision, changes_of
@@ -104,7 +105,16 @@ class ProjectPackage:
 
     def commands(self, *names: str) -> tuple[CMakeCommand, ...]:
         """The commands of its CMake with one of *names*, in the order in which they run."""
-        return tuple(command for command in self.build.commands if command.name in names)
+        found = [each for name in dict.fromkeys(names) for each in self._commands.get(name, ())]
+        return tuple(command for _, command in (sorted(found, key=itemgetter(0)) if len(names) > 1 else found))
+
+    @cached_property
+    def _commands(self) -> dict[str, list[tuple[int, CMakeCommand]]]:
+        """The commands by their names, each with its place among all."""
+        found: dict[str, list[tuple[int, CMakeCommand]]] = {}
+        for number, command in enumerate(self.build.commands):
+            found.setdefault(command.name, []).append((number, command))
+        return found
 
     def at(self, *tags: str) -> Location:
         """The first element of the manifest with one of *tags*, else its root."""
