@@ -17,7 +17,7 @@ _ASIDE = re.compile(
 )
 _OF_ROS1 = re.compile(r"<node\b[^<>]*\stype\s*=|\$\(arg\s")
 #: Where a model or a page names a file of a package.
-_COMMENT = re.compile(r"<!--.*?-->", re.S)
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.S)
 _NAMED = re.compile(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-]+)\)/)([\w./+-]+)")
 #: How the manifest of a ROS 1 package names the descriptions of its plug-ins, and rqt's and rosdoc's files.
 _EXPORTED = re.compile(r"""\bplugin\s*=\s*["']\$\{prefix\}/([\w./+-]+)["']""")

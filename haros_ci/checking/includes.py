@@ -12,7 +12,7 @@ from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
 from haros_ci.model.location import Location
 
-_COMMENT = re.compile(r"/\*.*?\*/", re.S)
+_COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.S)  # one that is not closed goes to the end
 _DIRECTIVE = re.compile(r"^[ \t]*#[ \t]*(include|if|ifdef|ifndef|elif|else|endif|define)\b[ \t]*(.*)$", re.M)
 _GUARD = re.compile(r"(?:ifndef|if\s*!\s*defined\s*\(?)\s*(\w+)")
 _TARGET = re.compile(r"([<\"])([^>\"\n]+)[>\"]")

@@ -24,8 +24,8 @@ TYPES = {
 }
 TYPES |= {f"{sign}int{bits}": f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)}
 _TOKEN = re.compile(
-    r"(?P<skip>\s+|//[^\n]*|/\*.*?\*/|\#[^\n]*)"
-    r'|(?P<token>L?"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'|[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*|[-+]?(?:0[xX][0-9a-fA-F]+|\d[\w.]*(?:[eE][-+]?\d+)?|\.\d+)|.)',
+    r"(?P<skip>\s+|//[^\n]*|/\*.*?(?:\*/|\Z)|\#[^\n]*)"
+    r'|(?P<token>L?"(?:[^"\\\n]|\\[^\n])*"?|\'(?:[^\'\\\n]|\\[^\n])*\'?|[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*|[-+]?(?:0[xX][0-9a-fA-F]+|\d[\w.]*(?:[eE][-+]?\d+)?|\.\d+)|.)',
     re.S,
 )
 _PARTS = {"msg": ("",), "srv": ("_Request", "_Response"), "action": ("_Goal", "_Result", "_Feedback")}
