@@ -15,7 +15,7 @@ from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.inspection import Architectures, asks, inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
-from haros_ci.linters.linter import LintOptions
+from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.run import lint
 from haros_ci.model.workspace import Store, Workspace
@@ -153,7 +153,7 @@ def lint_options(settings: Settings) -> LintOptions:
     """The part of the settings that the linters room sees."""
     chosen = dict(settings.linters)
     return LintOptions(
-        enabled=frozenset(name for name, s in chosen.items() if s.enabled),
+        enabled=frozenset(name for name, s in chosen.items() if s.enabled) | named(settings),
         disabled=frozenset(name for name, s in chosen.items() if s.enabled is False) | unheard(settings),
         timeouts={name: s.timeout for name, s in chosen.items() if s.timeout is not None},
         timeout=settings.linter_timeout,
@@ -163,6 +163,13 @@ def lint_options(settings: Settings) -> LintOptions:
         compile_database=settings.compile_database,
         root=settings.root,
     )
+
+
+def named(settings: Settings) -> frozenset[str]:
+    """The linters that run only if asked for, and that a selector names: ``flake8``, ``flake8:E501``."""
+    policies = (settings.policy, *(entry.policy for entry in settings.per_path), settings.command_line)
+    words = {selector.partition(":")[0] for policy in policies for selector in policy.select}
+    return frozenset(linter.NAME for linter in LINTERS if linter.WHEN is When.ASKED and linter.NAME in words)
 
 
 def unheard(settings: Settings) -> frozenset[str]:

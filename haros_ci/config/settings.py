@@ -13,7 +13,7 @@ PROFILES = ("ros", "strict", "google", "bugs-only", "architecture", "all")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LinterSettings:
-    """What a project says of one tool. ``enabled`` None means: run it if it is on by default or installed.
+    """What a project says of one tool. ``enabled`` None means: as the tool's adapter has it (linters.linter.When).
 
     ``timeout`` is in seconds for one batch; ``arguments`` are passed on only under ``--trust-config``.
     """

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from posixpath import join, normpath
 
 from haros_ci.linters import installed
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -19,7 +19,7 @@ from haros_ci.results.rule import Level
 
 NAME = "catkin_lint"
 LANGUAGES = frozenset({"package"})
-DEFAULT = False
+WHEN = When.INSTALLED
 COST = 60.0
 
 #: The manifest of a package that is only to be known.

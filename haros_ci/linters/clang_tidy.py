@@ -11,7 +11,7 @@ from posixpath import relpath
 
 from haros_ci.linters import includes, installed
 from haros_ci.linters.compile_db import flags_by_file
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -20,7 +20,7 @@ from haros_ci.results.rule import Level
 
 NAME = "clang-tidy"
 LANGUAGES = frozenset({"cpp"})
-DEFAULT = False
+WHEN = When.INSTALLED
 COST = 300.0
 #: One file in a process: it would name a header's finding for the first file only.
 BATCH_SECONDS = 1e-6

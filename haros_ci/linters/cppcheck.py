@@ -10,7 +10,7 @@ from functools import lru_cache, partial
 from posixpath import join, relpath
 
 from haros_ci.linters import compile_db, includes, installed, ros_macros
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.tool_xml import Element, elements
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -20,7 +20,7 @@ from haros_ci.results.rule import Level
 
 NAME = "cppcheck"
 LANGUAGES = frozenset({"cpp"})
-DEFAULT = True
+WHEN = When.ALWAYS
 COST = 15.0
 
 #: Preprocessor configurations per file: on navigation2 a second one cost half as much again and found 3 more of 822.
@@ -90,7 +90,12 @@ def command(program: Program, batch: Batch) -> Command:
             *program.argv,
             *("--quiet", "--xml", "--enable=warning,style,performance,portability", "--inline-suppr"),
             *("--emit-duplicates", "--check-level=normal", f"--max-configs={MAX_CONFIGS}", f"--language={language}"),
-            *(f"--library={library}", "--library=boost,googletest,qt", *defines, *(f"-I{join(root, d)}" for d in directories)),
+            *(
+                f"--library={library}",
+                "--library=boost,googletest,qt",
+                *defines,
+                *(f"-I{join(root, d)}" for d in directories),
+            ),
             f"--file-list={names}",
         ),
         cwd=batch.scratch,

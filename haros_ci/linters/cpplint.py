@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from posixpath import dirname, join
 
 from haros_ci.linters import installed
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -18,7 +18,7 @@ from haros_ci.results.rule import Level
 
 NAME = "cpplint"
 LANGUAGES = frozenset({"cpp"})
-DEFAULT = True
+WHEN = When.ALWAYS
 COST = 12.0
 
 CONFIG = "CPPLINT.cfg"

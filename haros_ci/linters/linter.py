@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from enum import Enum
 from pathlib import Path
 from typing import Protocol
 
@@ -26,8 +27,8 @@ class Program:
 class LintOptions:
     """The part of the settings that adapters see.
 
-    ``enabled`` are the tools asked for by name, ``disabled`` those switched off; any other tool runs if it is on by
-    default or installed. ``root`` is the user's checkout, from which no program is ever taken (the workspace under
+    ``enabled`` are the tools asked for by name, ``disabled`` those switched off; of any other its ``WHEN`` tells
+    whether it runs. ``root`` is the user's checkout, from which no program is ever taken (the workspace under
     analysis may be a copy of a base revision). ``timeout`` is in seconds for one process.
     """
 
@@ -106,6 +107,17 @@ class GaveUp:
     line: int | None = None
 
 
+class When(Enum):
+    """When a tool runs, unless it is switched off: ALWAYS (missing is trouble), where it is INSTALLED, or if ASKED for.
+
+    A tool is asked for by the settings' ``linters`` or by a selector that names it; missing is then trouble, too.
+    """
+
+    ALWAYS = "always"
+    INSTALLED = "where it is installed"
+    ASKED = "if asked for"
+
+
 class Linter(Protocol):
     """An adapter module. ``COST`` is seconds per megabyte of source on one core, for scheduling only.
 
@@ -115,7 +127,7 @@ class Linter(Protocol):
 
     NAME: str
     LANGUAGES: frozenset[str]
-    DEFAULT: bool
+    WHEN: When
     COST: float
 
     def locate(self, options: LintOptions) -> Program | None:
@@ -150,4 +162,5 @@ __all__ = [
     "Related",
     "Result",
     "Unit",
+    "When",
 ]

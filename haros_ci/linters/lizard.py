@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from haros_ci.linters import installed, metrics
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, When
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 
 NAME = "lizard"
 LANGUAGES = frozenset({"cpp"})
-DEFAULT = True
+WHEN = When.ALWAYS
 COST = 2.7
 
 

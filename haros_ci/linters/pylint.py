@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from posixpath import dirname
 
 from haros_ci.linters import imports, installed, python2
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.pylint_config import config_path, inert_options
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -18,7 +18,7 @@ from haros_ci.results.rule import Level
 
 NAME = "pylint"
 LANGUAGES = frozenset({"python"})
-DEFAULT = True
+WHEN = When.ALWAYS
 COST = 35.0
 #: Long batches: every process starts for half a second and reads the standard library's modules anew.
 BATCH_SECONDS = 10.0

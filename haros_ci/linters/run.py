@@ -10,7 +10,7 @@ from pathlib import Path
 
 from haros_ci.linters import rows, schedule
 from haros_ci.linters.execute import Outcome, Task, execute
-from haros_ci.linters.linter import GaveUp, Linter, LintOptions, Program, Unit
+from haros_ci.linters.linter import GaveUp, Linter, LintOptions, Program, Unit, When
 from haros_ci.linters.process import Processes
 from haros_ci.linters.rows import Answer, Wanted
 from haros_ci.model.workspace import Store, Workspace
@@ -59,7 +59,7 @@ def lint(
     """One run per tool that applies, named after its adapter; ``rules`` are left empty.
 
     Only results that are *wanted* (tool, rule, path) and in files to report on are kept, sorted, each once. A tool that
-    is missing although asked for or on by default, crashes, times out or talks nonsense makes its own run unsuccessful
+    is missing although it always runs or was asked for, crashes, times out or talks nonsense makes its own run unsuccessful
     and nothing else. Answers are cached per file, failures never.
     """
     options = replace(options, root=options.root or workspace.root)
@@ -70,11 +70,12 @@ def lint(
 
     works: list[_Work | Run] = []
     for linter in linters:
-        if linter.NAME in options.disabled:
+        asked = linter.NAME in options.enabled
+        if linter.NAME in options.disabled or (linter.WHEN is When.ASKED and not asked):
             continue
         plan = _plan(linter, workspace, options, store) if _concerns(linter, workspace) else ()
         units = tuple(unit for unit in plan if _is_asked_for(unit, workspace))
-        needed = linter.DEFAULT or linter.NAME in options.enabled
+        needed = asked or linter.WHEN is When.ALWAYS
         if not units and not needed:
             continue
         program = linter.locate(options)
@@ -92,7 +93,7 @@ def lint(
                 work.missing.append(unit)
             else:
                 work.take(unit, answer)
-        if not units and linter.NAME in options.enabled:
+        if not units and asked:
             note = f"{linter.NAME} found nothing to analyse here"
             work.notifications.append(Notification(Level.NOTE, note, linter.NAME))
         works.append(work)

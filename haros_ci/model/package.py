@@ -6,7 +6,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 #: The kinds of file that anything here reads. ``cpp`` is C and C++, headers included.
-LANGUAGES = ("cpp", "python", "launch", "package", "cmake", "yaml", "interface", "xml", "setup")
+LANGUAGES = (
+    "cpp",
+    "python",
+    "launch",
+    "package",
+    "cmake",
+    "yaml",
+    "interface",
+    "xml",
+    "setup",
+    "shell",
+    "dockerfile",
+    "markdown",
+)
 
 
 @dataclass(frozen=True, slots=True)

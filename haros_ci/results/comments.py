@@ -27,6 +27,8 @@ _PATTERNS = {
     "yaml": r"""(?<![^\s,:\[{-])"[^"\\]*(?:\\[\s\S]?[^"\\]*)*"?|(?<![^\s,:\[{-])'[^'\n]*'?|(?<!\S)#[^\n]*""",
     "cmake": r'"[^"\\]*(?:\\[\s\S]?[^"\\]*)*"?|#\[(?P<end>=*)\[[\s\S]*?(?:\](?P=end)\]|\Z)|#[^\n]*',
     "interface": r"""^[ \t]*w?string[ \t]+\w+[ \t]*=[^\n]*|"[^"\n]*"?|'[^'\n]*'?|#[^\n]*""",
+    "shell": r"""\\[\s\S]|"[^"\\]*(?:\\[\s\S]?[^"\\]*)*"?|'[^']*'?|(?<![^\s;&|()])#[^\n]*""",
+    "dockerfile": r"^[ \t]*#[^\n]*",
     "xml": r"<!\[CDATA\[[\s\S]*?(?:\]\]>|\Z)|<!--[\s\S]*?(?:-->|\Z)",
 }
 _MARKS = {"c": ("//", "/*"), "xml": ("<!--",)}
@@ -39,6 +41,9 @@ _BY_LANGUAGE = {
     "interface": "interface",
     "package": "xml",
     "xml": "xml",
+    "shell": "shell",
+    "dockerfile": "dockerfile",
+    "markdown": "xml",
 }
 _BY_SUFFIX = {".py": "python", ".yaml": "yaml", ".yml": "yaml", ".cfg": "yaml"}
 _SPACE = re.compile(r"\s+")

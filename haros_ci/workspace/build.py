@@ -21,7 +21,7 @@ from haros_ci.workspace.cmake_state import MAX_MESSAGE, MAX_PROBLEMS, Made, Stat
 from haros_ci.workspace.cmake_targets import FLAG
 from haros_ci.workspace.exported import linked
 from haros_ci.workspace.interfaces import read_interface
-from haros_ci.workspace.language import HEAD, is_python_script
+from haros_ci.workspace.language import HEAD, script_language
 from haros_ci.workspace.plugins_xml import exported_descriptions, read_plugins
 from haros_ci.workspace.reconfigure import read_config
 from haros_ci.workspace.setup_cfg import script_directories
@@ -209,6 +209,6 @@ def _scripts(workspace: Workspace, package: Package, paths: list[str], installed
     found = {thing.path for thing in installed if thing.kind == "program" and thing.path in paths}
     for path in paths:
         is_other = path.endswith((".cfg", ".launch.py", "__init__.py")) or path == f"{_base(package)}setup.py"
-        if not is_other and is_python_script(workspace.text(path)[:HEAD].encode()):
+        if not is_other and script_language(workspace.text(path)[:HEAD].encode()) == "python":
             found.add(path)
     return tuple(sorted(found))

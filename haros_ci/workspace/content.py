@@ -16,7 +16,15 @@ _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 
 def examine(path: str, language: str, data: bytes) -> tuple[bool, Problem | None]:
-    """Whether the file is text to analyse, and a problem to report: the reason if it is not, a remark if it is."""
+    """Whether the file is text to analyse, and a problem to report: the reason if it is not, a remark if it is.
+
+    Of prose nothing is reported: no tool that runs by default reads it.
+    """
+    usable, problem = _examined(path, language, data)
+    return usable, None if language == "markdown" else problem
+
+
+def _examined(path: str, language: str, data: bytes) -> tuple[bool, Problem | None]:
     if data.startswith(_UTF_16):
         return False, Problem(path, "skipped: encoded as UTF-16; save it as UTF-8")
     if b"\0" in data:

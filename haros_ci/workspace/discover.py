@@ -15,7 +15,7 @@ from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.assemble import Alias, Content, assemble
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import TooLarge, Tree, read_head, read_regular
-from haros_ci.workspace.language import HEAD, is_python_script, suffix_of
+from haros_ci.workspace.language import HEAD, script_language, suffix_of
 from haros_ci.workspace.listing import list_files
 from haros_ci.workspace.selection import Candidate, Scope, select
 
@@ -24,7 +24,7 @@ MAX_FILE_SIZE = 2_000_000
 #: Where the CMakeLists.txt leads to that catkin_init_workspace puts into every ``src``.
 CATKIN_TOP_LEVEL = "/catkin/cmake/toplevel.cmake"
 
-_CAN_BE_SCRIPTS = (None, "python", "setup")
+_CAN_BE_SCRIPTS = (None, "python", "setup", "shell")
 _EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
 
 
@@ -137,15 +137,15 @@ class _Disk:
                 yield Content(path, "package", data)
 
     def _content(self, candidate: Candidate) -> Content | None:
-        """The contents; None if it is no regular file or, where only contents can tell, no Python script."""
+        """The contents; None if it is no regular file or, where only contents can tell, no script."""
         place = self._tree.place(candidate.path)
         language = candidate.language
         if language is None:
             if suffix_of(candidate.path.rpartition("/")[2]) and not _may_be_script(place):
                 return None
-            if not is_python_script(read_head(place, HEAD)):
+            language = script_language(read_head(place, HEAD))
+            if language is None:
                 return None
-            language = "python"
         data = read_regular(place, self._limit)
         return None if data is None else Content(candidate.path, language, data)
 

@@ -5,10 +5,15 @@ from __future__ import annotations
 
 import re
 
-#: How much of a file is_python_script wants to see.
+#: How much of a file script_language wants to see.
 HEAD = 128
 
-NAMES = {"CMakeLists.txt": "cmake", "package.xml": "package", "setup.cfg": "setup"}
+NAMES = {
+    "CMakeLists.txt": "cmake",
+    "package.xml": "package",
+    "setup.cfg": "setup",
+    **dict.fromkeys(("Dockerfile", "Containerfile"), "dockerfile"),
+}
 
 #: Launch files by both conventions, ``x.launch.xml`` and ``x_launch.xml``; Python ones are Python.
 LAUNCH_ENDINGS = tuple(f"{mark}launch.{kind}" for mark in "._" for kind in ("xml", "yaml", "yml"))
@@ -23,10 +28,15 @@ SUFFIXES = {
     **dict.fromkeys(("yaml", "yml"), "yaml"),
     **dict.fromkeys(("msg", "srv", "action"), "interface"),
     **dict.fromkeys(("xml", "urdf", "xacro", "srdf", "sdf"), "xml"),
+    **dict.fromkeys(("sh", "bash"), "shell"),
+    "dockerfile": "dockerfile",
+    "md": "markdown",
 }
 
-#: ``#!/usr/bin/python3``, ``#!/usr/bin/env python``, ``#!/usr/bin/env -S python3 -u``
-_SHEBANG = re.compile(rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*)?(?:\S*/)?python[\d.]*(?:\s|$)")
+#: ``#!/usr/bin/python3``, ``#!/usr/bin/env python``, ``#!/usr/bin/env -S python3 -u``, ``#!/bin/sh -e``
+_SHEBANG = re.compile(
+    rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*)?(?:\S*/)?(?:(python)[\d.]*|(?:ba|da|k)?sh)(?:\s|$)"
+)
 
 
 def language_of(name: str) -> str | None:
@@ -35,7 +45,7 @@ def language_of(name: str) -> str | None:
         return NAMES[name]
     if name.endswith(LAUNCH_ENDINGS):
         return "launch"
-    return SUFFIXES.get(suffix_of(name))
+    return "dockerfile" if name.startswith("Dockerfile.") else SUFFIXES.get(suffix_of(name))
 
 
 def suffix_of(name: str) -> str:
@@ -44,6 +54,7 @@ def suffix_of(name: str) -> str:
     return suffix.lower() if stem else ""
 
 
-def is_python_script(head: bytes) -> bool:
-    """Whether a file that begins with *head* asks for a Python interpreter."""
-    return _SHEBANG.match(head) is not None
+def script_language(head: bytes) -> str | None:
+    """``python`` or ``shell`` if a file that begins with *head* asks for such an interpreter."""
+    found = _SHEBANG.match(head)
+    return None if found is None else "python" if found[1] else "shell"

@@ -48,7 +48,7 @@ class Scope:
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A path to read; *language* None when only the first line can tell whether it is a Python script."""
+    """A path to read; *language* None when only the first line can tell whether it is a script."""
 
     path: str
     language: str | None

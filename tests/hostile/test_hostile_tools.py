@@ -19,7 +19,7 @@ DRIVER = """
 import json, sys
 from types import SimpleNamespace
 from haros_ci import registry
-from haros_ci.linters.linter import Command, Finding, Program
+from haros_ci.linters.linter import Command, Finding, Program, When
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -30,7 +30,7 @@ def parse(output, batch):
         yield Finding(path, Result("fake", "x", Level.WARNING, message, Location(path, line)))
 
 registry.LINTERS = (*registry.LINTERS, SimpleNamespace(
-    NAME="fake", LANGUAGES=frozenset({{"python"}}), DEFAULT=True, COST=1.0,
+    NAME="fake", LANGUAGES=frozenset({{"python"}}), WHEN=When.ALWAYS, COST=1.0,
     locate=lambda options: {program},
     fingerprint=lambda workspace, options: {script!r},
     dependencies=lambda workspace, file: (),

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Workspace
@@ -92,7 +92,7 @@ class FakeLinter:
 
     NAME: str = "fake"
     LANGUAGES: frozenset[str] = frozenset({"python"})
-    DEFAULT: bool = True
+    WHEN: When = When.ALWAYS
     COST: float = 1.0
     BATCH_SECONDS: float = 1e9
     installed: bool = True

@@ -14,7 +14,7 @@ import pytest
 from linter_samples import MemoryStore, everything, workspace
 
 from haros_ci.linters import catkin_lint, clang_tidy, cppcheck, cpplint, lizard, pylint, radon, ruff
-from haros_ci.linters.linter import Linter, LintOptions
+from haros_ci.linters.linter import Linter, LintOptions, When
 from haros_ci.linters.run import lint
 from haros_ci.model.package import Package
 from haros_ci.registry import LINTERS
@@ -77,11 +77,13 @@ def found(run: Run) -> set[tuple[str, str, int | None]]:
 )
 def test_every_default_tool_finds_its_defects(tmp_path: Path, linter: Linter, expected: set[object]) -> None:
     done = run(tmp_path, linter, FILES)
-    assert linter.DEFAULT and done.tool.version[0].isdigit()
+    assert linter.WHEN is When.ALWAYS and done.tool.version[0].isdigit()
     assert expected <= found(done)
 
 
-@pytest.mark.parametrize("linter", [linter for linter in LINTERS if linter.DEFAULT], ids=lambda linter: linter.NAME)
+@pytest.mark.parametrize(
+    "linter", [linter for linter in LINTERS if linter.WHEN is When.ALWAYS], ids=lambda linter: linter.NAME
+)
 def test_every_default_tool_is_quiet_on_nothing(tmp_path: Path, linter: Linter) -> None:
     assert run(tmp_path, linter, {"empty.xml": ""}).results == ()
 

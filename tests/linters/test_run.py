@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from linter_samples import FakeLinter, MemoryStore, everything, workspace
 
-from haros_ci.linters.linter import LintOptions
+from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.run import lint
 from haros_ci.results.result import Run
 from haros_ci.results.rule import Level
@@ -71,19 +71,37 @@ def test_a_hanging_tool_is_stopped_and_others_go_on(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("default", "options", "runs"),
+    ("when", "options", "runs"),
     [
-        (True, LintOptions(), [False]),
-        (False, LintOptions(enabled=frozenset({"fake"})), [False]),
-        (False, LintOptions(), []),
-        (True, LintOptions(disabled=frozenset({"fake"})), []),
+        (When.ALWAYS, LintOptions(), [False]),
+        (When.INSTALLED, LintOptions(enabled=frozenset({"fake"})), [False]),
+        (When.ASKED, LintOptions(enabled=frozenset({"fake"})), [False]),
+        (When.INSTALLED, LintOptions(), []),
+        (When.ASKED, LintOptions(), []),
+        (When.ALWAYS, LintOptions(disabled=frozenset({"fake"})), []),
     ],
 )
-def test_a_missing_tool(tmp_path: Path, default: bool, options: LintOptions, runs: list[bool]) -> None:
-    linter = FakeLinter(DEFAULT=default, installed=False)
+def test_a_missing_tool(tmp_path: Path, when: When, options: LintOptions, runs: list[bool]) -> None:
+    linter = FakeLinter(WHEN=when, installed=False)
     done = lint(workspace(tmp_path, CLEAN), [linter], options, MemoryStore(), everything)
     assert [run.successful for run in done] == runs
     assert all("not installed" in run.notifications[0].message for run in done)
+
+
+@pytest.mark.parametrize(
+    ("when", "options", "runs"),
+    [
+        (When.ALWAYS, LintOptions(), True),
+        (When.INSTALLED, LintOptions(), True),
+        (When.ASKED, LintOptions(enabled=frozenset({"fake"})), True),
+        (When.ASKED, LintOptions(), False),
+        (When.INSTALLED, LintOptions(disabled=frozenset({"fake"})), False),
+        (When.ASKED, LintOptions(disabled=frozenset({"fake"})), False),
+    ],
+)
+def test_when_a_tool_runs(tmp_path: Path, when: When, options: LintOptions, runs: bool) -> None:
+    done = lint(workspace(tmp_path, CLEAN), [FakeLinter(WHEN=when)], options, MemoryStore(), everything)
+    assert [run.successful for run in done] == [True] * runs
 
 
 def test_a_tool_that_cannot_start(tmp_path: Path) -> None:

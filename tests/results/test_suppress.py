@@ -14,7 +14,7 @@ from haros_ci.results.suppress import suppress
 
 LANGUAGES = {
     "cpp": "cpp", "py": "python", "yaml": "yaml", "cmake": "cmake", "msg": "interface", "launch": "launch",
-    "xml": "package", "bin": "",
+    "xml": "package", "sh": "shell", "dockerfile": "dockerfile", "md": "markdown", "bin": "",
 }  # fmt: skip
 
 
@@ -74,6 +74,11 @@ FIRES: list[tuple[str, str, int]] = [
     ("a.launch", "<!-- haros: ignore[bad] -->\n<a/>\n", 2),
     ("a.launch", "<!--\n haros:ignore-next-line -->\n<a/>\n", 3),
     ("package.xml", "<!-- haros:ignore-next-line -->\n<a/>\n", 2),
+    ("a.sh", "# haros: ignore[bad] because\necho $1\n", 2),
+    ("a.sh", "echo 'it' \"#\" $#  # haros: ignore[bad]\n", 1),
+    ("a.sh", "echo it\\'s  # haros: ignore[bad]\n", 1),
+    ("a.dockerfile", "# haros: ignore[bad]\nRUN apt update\n", 2),
+    ("a.md", "<!-- haros: ignore[bad] -->\nA robto.\n", 2),
 ]
 QUIET: list[tuple[str, str, int]] = [
     ("a.cpp", "int a;  // haros: ignore[worse]\n", 1),
@@ -102,6 +107,11 @@ QUIET: list[tuple[str, str, int]] = [
     ("a.launch", "<a/>  # haros:ignore-line\n", 1),
     ("a.launch", '<a b="haros:ignore-line"/>\n', 1),
     ("a.launch", "<a><![CDATA[\n<!-- haros:ignore-line -->\n]]></a>\n", 2),
+    ("a.sh", "echo '\n# haros:ignore-line'\n", 2),
+    ("a.sh", "echo a#haros:ignore-line\n", 1),
+    ("a.sh", 'echo "# haros:ignore-line"\n', 1),
+    ("a.dockerfile", "RUN a  # haros:ignore-line\n", 1),
+    ("a.md", "# haros:ignore-line\n", 1),
     ("a.bin", "// haros:ignore-line\n", 1),
 ]
 

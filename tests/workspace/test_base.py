@@ -34,7 +34,7 @@ def test_an_unchanged_tree_is_the_same_in_the_base(git: Git) -> None:
             "vendor/v.cpp": b"",
             "build/COLCON_IGNORE": b"",
             "build/b.py": b"",
-            "README.md": b"",
+            "README.rst": b"",
         }
     )
     (git.top / "arm" / "scripts" / "run.v2").chmod(0o755)
@@ -314,7 +314,7 @@ def test_names_and_contents_that_are_skipped_on_disk_are_skipped_here(git: Git) 
 
 
 def test_nothing_is_left_of_a_tree_with_no_files(git: Git) -> None:
-    git.commit({"README.md": b""})
+    git.commit({"README.rst": b""})
     git.commit({"a.cpp": b""})
     with base_workspace(discover(git.top, (".",)), "HEAD~1") as base:
         assert base.workspace.files == () and base.workspace.packages == ()

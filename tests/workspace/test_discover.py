@@ -28,7 +28,7 @@ PACKAGE = {
     "scripts/teleop": b"#!/usr/bin/env python3\nprint()\n",
     "README.md": b"# arm\n",
 }
-PACKAGE_FILES = ["CMakeLists.txt", "package.xml", "scripts/teleop", "src/arm.cpp"]
+PACKAGE_FILES = ["CMakeLists.txt", "README.md", "package.xml", "scripts/teleop", "src/arm.cpp"]
 
 
 def test_a_single_package(tmp_path: Path) -> None:
@@ -36,7 +36,7 @@ def test_a_single_package(tmp_path: Path) -> None:
     assert [file.path for file in workspace.files] == PACKAGE_FILES
     assert [(package.name, package.path) for package in workspace.packages] == [("arm", ".")]
     assert {file.package for file in workspace.files} == {"arm"}
-    source = workspace.files[3]
+    source = workspace.files[4]
     assert (source.language, source.size) == ("cpp", 14)
     assert source.digest == hashlib.sha256(b"int main() {}\n").hexdigest()
     assert workspace.targets is None and workspace.problems == () and workspace.faults == ()
@@ -197,7 +197,7 @@ def test_not_left_out(tmp_path: Path, extra: dict[str, bytes], in_git: bool) -> 
     root = plant(tmp_path / "ws", {**SOURCE, **extra})
     if in_git:
         Git(root)
-    sources = {name for name in extra if name.endswith((".cpp", ".py", "CMakeLists.txt", "package.xml"))}
+    sources = {name for name in extra if name.endswith((".cpp", ".py", ".md", ".bash", "CMakeLists.txt", "package.xml"))}
     assert set(found(root)) == {*SOURCE_FILES, *sources}
 
 
@@ -222,6 +222,7 @@ def test_what_git_ignores_is_left_out(git: Git) -> None:
     (git.top / "src" / "arm.cpp").unlink()  # tracked, but deleted
     assert found(git.top) == [
         "CMakeLists.txt",
+        "README.md",
         "keep.gen.cpp",
         "new.cpp",
         "package.xml",

@@ -230,7 +230,7 @@ def test_scripts_are_known_by_their_first_line(root: Path) -> None:
     plant(root, {"node.v2": b"#!/usr/bin/python\n", "plain.v2": b"#!/usr/bin/python\n", "x.in": b"#!/usr/bin/python\n"})
     (root / "node.v2").chmod(0o755)
     (root / "run.sh").chmod(0o755)
-    assert outcome(root) == (["node.v2", "run"], [])
+    assert outcome(root) == (["node.v2", "run", "run.sh"], [])
 
 
 def test_an_entity_bomb_is_a_fault(root: Path) -> None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.workspace.language import is_python_script, language_of
+from haros_ci.workspace.language import language_of, script_language
 
 
 @pytest.mark.parametrize(
@@ -33,6 +33,13 @@ from haros_ci.workspace.language import is_python_script, language_of
         ("Move.srv", "interface"),
         ("Dock.action", "interface"),
         ("setup.cfg", "setup"),
+        ("run.sh", "shell"),
+        ("env.bash", "shell"),
+        ("Dockerfile", "dockerfile"),
+        ("Dockerfile.humble", "dockerfile"),
+        ("ros.Dockerfile", "dockerfile"),
+        ("Containerfile", "dockerfile"),
+        ("README.md", "markdown"),
     ],
 )
 def test_known(name: str, language: str) -> None:
@@ -72,7 +79,7 @@ def test_unknown(name: str) -> None:
     ],
 )
 def test_python_scripts(head: bytes) -> None:
-    assert is_python_script(head)
+    assert script_language(head) == "python"
 
 
 @pytest.mark.parametrize(
@@ -93,4 +100,19 @@ def test_python_scripts(head: bytes) -> None:
     ],
 )
 def test_other_scripts(head: bytes) -> None:
-    assert not is_python_script(head)
+    assert script_language(head) != "python"
+
+
+@pytest.mark.parametrize(
+    "head", [b"#!/bin/sh\n", b"#!/bin/bash -e\n", b"#!/usr/bin/env bash\n", b"#! /bin/dash", b"#!/bin/ksh\n"]
+)
+def test_shell_scripts(head: bytes) -> None:
+    assert script_language(head) == "shell"
+
+
+@pytest.mark.parametrize(
+    "head",
+    [b"", b"# !/bin/sh\n", b"#!/bin/zsh\n", b"#!/usr/bin/fish\n", b"#!/usr/bin/shell\n", b"#!/bin/csh\n", b"sh\n"],
+)
+def test_no_shell_scripts(head: bytes) -> None:
+    assert script_language(head) is None
