@@ -299,6 +299,16 @@ def explain(rule: str) -> int:
     return commands.explain(rule)
 
 
+@haros_ci.command()
+@click.argument("path", required=False, type=click.Path())
+@click.option("--dry-run", is_flag=True, help="Only show what would be written.")
+def init(**flags: Any) -> int:
+    """Write a GitHub workflow, a pre-commit configuration and a project file for the workspace; overwrite nothing."""
+    from haros_ci import init_command
+
+    return init_command.init(flags)
+
+
 @haros_ci.command("new-check")
 @click.argument("name")
 def new_check_(name: str) -> int:

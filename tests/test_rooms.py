@@ -78,6 +78,8 @@ DOORS: dict[str, set[str]] = {
         "workspace",
     },
     "security": {"model"},
+    "starting": {"model"},
+    "init_command": {"config", "errors", "report", "starting", "workspace"},
     "policy_command": {
         "architecture",
         "commands",
@@ -121,7 +123,7 @@ DOORS: dict[str, set[str]] = {
     },
     "new_check": {"errors"},
     "baseline_command": {"baselines", "cli", "commands", "config", "errors", "output", "report", "results"},
-    "cli": {"baseline_command", "commands", "diff_command", "errors", "model_command", "new_check", "policy_command", "query_command", "report"},
+    "cli": {"baseline_command", "commands", "diff_command", "errors", "init_command", "model_command", "new_check", "policy_command", "query_command", "report"},
     "__main__": {"cli"},
     "__init__": set(),
 }
