@@ -95,7 +95,7 @@ def varied(
         programs(workspace, built, store, problems, processes),
         launch_reader(workspace),
         built,
-        api_rows(project.get("apis"), where, problems),
+        api_rows(project.get("apis"), where, problems, plugin_rows(settings)),
         wanted=chosen_ones,
         environment=environment,
         known=known,
@@ -309,8 +309,19 @@ def known_types(declared: object, where: str, problems: list[Problem], here: fro
     return known
 
 
-def api_rows(declared: object, where: str, problems: list[Problem]) -> dict[tuple[str, int], tuple[Row, ...]]:
-    """The API rows by language and ROS version; those of the project file come first."""
+def plugin_rows(settings: Settings) -> tuple[Row, ...]:
+    """The API rows of plug-ins, in their order."""
+    if not settings.plugins:
+        return ()
+    from haros_ci.plugins.load import load
+
+    return tuple(row for plugin in load(settings.plugins, settings.root) for row in plugin.rows)
+
+
+def api_rows(
+    declared: object, where: str, problems: list[Problem], more: tuple[Row, ...] = ()
+) -> dict[tuple[str, int], tuple[Row, ...]]:
+    """The API rows by language and ROS version; those of the project file come first, then *more*, those of plug-ins."""
     own: list[Row] = []
     for number, item in enumerate(declared if isinstance(declared, (list, tuple)) else (), start=1):
         try:
@@ -319,4 +330,4 @@ def api_rows(declared: object, where: str, problems: list[Problem]) -> dict[tupl
             own.append(load_row(item))
         except RowError as err:
             problems.append(Problem(where, f"row {number} of 'apis': {err}"))
-    return {(language, ros): (*own, *rows(language, ros)) for language in ("cpp", "python") for ros in (1, 2)}
+    return {(language, ros): (*own, *more, *rows(language, ros)) for language in ("cpp", "python") for ros in (1, 2)}

@@ -79,6 +79,10 @@ def options(*decorators: Callable[[Any], Any]) -> Callable[[Any], Any]:
 
 LEVELS = click.Choice(["error", "warning", "note", "never"])
 
+plugin_option = click.option(
+    "--plugin", type=Words(), metavar="MODULE", multiple=True, help="Take in this plug-in (docs/plugins.md)."
+)
+
 what_options = options(
     click.argument("paths", nargs=-1, type=click.Path()),
     click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found."),
@@ -88,6 +92,7 @@ what_options = options(
     click.option("--ignore", type=Words(), multiple=True, help="Turn rules off."),
     click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
     click.option("--compile-database", type=click.Path(), help="compile_commands.json, or its directory."),
+    plugin_option,
     click.option("--trust-config", is_flag=True, help="Let the workspace's tool configuration run code."),
     click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores."),
     click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),
@@ -204,6 +209,7 @@ def show(**flags: Any) -> int:
 @click.option("--check-readme", is_flag=True, help="Compare with the interface tables of the packages' READMEs.")
 @click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
 @click.option("--isolated", is_flag=True, help="Read no project file.")
+@plugin_option
 @click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
 @click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
 @click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
@@ -230,6 +236,7 @@ def model(**flags: Any) -> int:
 @click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
 @click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
 @click.option("--isolated", is_flag=True, help="Read no project file.")
+@plugin_option
 @click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
 @click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
 @click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
@@ -247,6 +254,7 @@ def query(**flags: Any) -> int:
 @click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
 @click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
 @click.option("--isolated", is_flag=True, help="Read no project file.")
+@plugin_option
 @click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
 @click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
 @click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
@@ -266,6 +274,7 @@ def policy(**flags: Any) -> int:
 @click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed.")
 @click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
 @click.option("--isolated", is_flag=True, help="Read no project file.")
+@plugin_option
 @click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
 @click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
 @click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
@@ -283,20 +292,22 @@ def diff(**flags: Any) -> int:
     "--checks", "as_checks", is_flag=True, help="Only our own checks, as the Markdown table of docs/checks.md."
 )
 @click.option("--profile", metavar="NAME", default="ros", show_default=True, help="Mark what this profile enables.")
-def rules(as_json: bool, as_checks: bool, profile: str) -> int:
+@plugin_option
+def rules(**flags: Any) -> int:
     """List every documented rule: id, level, and whether the profile enables it."""
     from haros_ci import commands
 
-    return commands.check_table() if as_checks else commands.rules(as_json=as_json, profile=profile)
+    return commands.check_table() if flags["as_checks"] else commands.rules(flags)
 
 
 @haros_ci.command()
 @click.argument("rule")
-def explain(rule: str) -> int:
+@plugin_option
+def explain(rule: str, **flags: Any) -> int:
     """Say what a RULE means, why it matters and how to silence it."""
     from haros_ci import commands
 
-    return commands.explain(rule)
+    return commands.explain(rule, flags)
 
 
 @haros_ci.command()

@@ -7,7 +7,7 @@ import json
 import os
 import sys
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,8 +19,9 @@ from haros_ci.cli import EXIT_TOOL_TROUBLE
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.output import parse_outputs, rendered, write
+from haros_ci.output import RendererError, parse_outputs, rendered, write
 from haros_ci.results.result import Report
+from haros_ci.results.rule import Rule
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
 
 Flags = Mapping[str, Any]
@@ -28,8 +29,9 @@ Flags = Mapping[str, Any]
 
 def check(flags: Flags) -> int:
     """``haros-ci check``: analyse, write every output asked for, and give the exit code of design.md."""
-    outputs = parse_outputs(flags["output"])
     settings = settings_from(flags)
+    renderers = renderers_of(settings)
+    outputs = parse_outputs(flags["output"], renderers)
     if flags["show_settings"]:
         from haros_ci.config.describe import describe
 
@@ -40,8 +42,16 @@ def check(flags: Flags) -> int:
         return show_patch(report, workspace, settings)
     if flags["fix"] and mend(report, workspace, settings):
         report, workspace = run(settings, flags)
+    failed = False
     for format, path in outputs:
-        text = rendered(report, workspace.text, format, flags, to_file=path is not None)
+        try:
+            text = rendered(report, workspace.text, format, flags, renderers, to_file=path is not None)
+        except RendererError as err:
+            from haros_ci.report.escape import terminal
+
+            click.echo(f"error: {terminal(str(err))}", err=True)
+            failed = True
+            continue
         if path is None and format in ("sarif", "json"):
             text = text.replace("##[", r"##\u005b")  # else a command to a GitHub runner that reads this log
         write(text, path)
@@ -53,7 +63,16 @@ def check(flags: Flags) -> int:
         from haros_ci.report.text import summary_line
 
         click.echo(summary_line(report), err=True)
-    return exit_code(report, settings)
+    return EXIT_TOOL_TROUBLE if failed else exit_code(report, settings)
+
+
+def renderers_of(settings: Settings) -> Mapping[str, Callable[[Report], str]]:
+    """The formats that plug-ins bring."""
+    if not settings.plugins:
+        return {}
+    from haros_ci.registry import registry
+
+    return registry(settings).renderers
 
 
 def show_patch(report: Report, workspace: Workspace, settings: Settings) -> int:
@@ -150,6 +169,7 @@ def settings_from(flags: Flags) -> Settings:
         "jobs": flags.get("jobs") or cores(),
         "compile_database": flags.get("compile_database"),
         "imports": tuple(flags.get("imports") or ()),
+        "plugins": plugins_of(flags),
         "baseline": flags.get("baseline"),
         "baseline_rev": flags.get("baseline_rev"),
         "no_baseline": flags.get("no_baseline") or False,
@@ -185,6 +205,11 @@ def reader_at(root: Path, rev: str | None) -> Callable[[Path], bytes | None] | N
     return lambda path: read_at(root, base, path.relative_to(root).as_posix()) if path.is_relative_to(root) else None
 
 
+def plugins_of(flags: Flags) -> tuple[str, ...]:
+    """The plug-ins that the command line names, and then those of the environment."""
+    return (*flatten(flags.get("plugin")), *os.environ.get("HAROS_CI_PLUGINS", "").replace(",", " ").split())
+
+
 def flatten(groups: tuple[tuple[str, ...], ...] | None) -> tuple[str, ...]:
     return tuple(word for group in groups or () for word in group)
 
@@ -204,10 +229,17 @@ def cache_dir(flags: Flags, root: Path) -> Path | None:
 # -- rules and cache ----------------------------------------------------------------------------------------------
 
 
-def rules(*, as_json: bool, profile: str) -> int:
-    """``haros-ci rules``: every documented rule, marked when *profile* turns it on."""
-    from haros_ci.pipeline import documented_rules
+def documented_rules(flags: Flags) -> Iterator[tuple[str, Rule]]:
+    """Every documented rule, those of plug-ins included, with its tool's name."""
+    from haros_ci.registry import registry
 
+    root = Path.cwd()
+    return registry(Settings(root=root, plugins=tuple(dict.fromkeys(plugins_of(flags))))).documented_rules()
+
+
+def rules(flags: Flags) -> int:
+    """``haros-ci rules``: every documented rule, marked when the profile turns it on."""
+    profile = flags["profile"]
     if profile not in PROFILES:
         raise UserError(f"unknown profile '{profile}'", help=f"one of {', '.join(PROFILES)}")
     rows = [
@@ -220,9 +252,9 @@ def rules(*, as_json: bool, profile: str) -> int:
             "catalogue": rule.catalogue or None,
             "tags": list(rule.tags),
         }
-        for tool, rule in documented_rules()
+        for tool, rule in documented_rules(flags)
     ]
-    if as_json:
+    if flags["as_json"]:
         click.echo(json.dumps(rows, indent=1, ensure_ascii=False))
         return 0
     for row in rows:
@@ -232,18 +264,16 @@ def rules(*, as_json: bool, profile: str) -> int:
 
 def check_table() -> int:
     """``haros-ci rules --checks``: docs/checks.md."""
-    from haros_ci.pipeline import documented_rules
+    from haros_ci.registry import built_in
     from haros_ci.report.check_table import render
 
-    click.echo(render(rule for _, rule in documented_rules() if "architecture" in rule.tags), nl=False)
+    click.echo(render(rule for _, rule in built_in().documented_rules() if "architecture" in rule.tags), nl=False)
     return 0
 
 
-def explain(name: str) -> int:
+def explain(name: str, flags: Flags) -> int:
     """``haros-ci explain RULE``: what the rule says, why it matters, how to turn it off."""
-    from haros_ci.pipeline import documented_rules
-
-    known = list(documented_rules())
+    known = list(documented_rules(flags))
     names = [((r.id, f"{tool}:{r.id}", *r.aliases, *r.deprecated_ids), tool, r) for tool, r in known]
     found = [(tool, rule) for own, tool, rule in names if name in own]
     if not found:  # G06 and g06 are one

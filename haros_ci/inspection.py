@@ -13,7 +13,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.element import Element
 from haros_ci.model.workspace import Problem, Store, Workspace
-from haros_ci.registry import check_rules, checks
+from haros_ci.registry import Registry, registry
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level, Rule
@@ -34,9 +34,10 @@ ARCHITECTURE = "architecture"
 class Architectures:
     """The architecture of each workspace of a run, made once: that of the base revision is asked for by both sides."""
 
-    def __init__(self, settings: Settings, store: Store) -> None:
+    def __init__(self, settings: Settings, store: Store, known: Registry | None = None) -> None:
         self.settings = settings
         self.store = store
+        self.registry = known or registry(settings)
         self._made: dict[Path, Linked] = {}
 
     def of(self, workspace: Workspace) -> Linked:
@@ -57,7 +58,8 @@ def inspected(
 ) -> Run:
     """*run* with what the checks and queries say of the architecture, where any of them is on; what changed since *base*."""
     settings = architectures.settings
-    chosen = tuple(check for check in checks() if is_on(check_rules()[check.id], workspace, selection))
+    known = architectures.registry
+    chosen = tuple(check for check in known.checks if is_on(known.check_rules[check.id], workspace, selection))
     if not (chosen or asks(settings)) or only_files(workspace, settings):
         return run
     from haros_ci.checking.run import Assigned, run_checks, run_on_project

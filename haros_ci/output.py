@@ -7,6 +7,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import click
@@ -15,15 +16,26 @@ from haros_ci.errors import UserError
 from haros_ci.results.result import Report
 
 FORMATS = ("text", "sarif", "github", "json")
+#: What plug-ins make of a report, by the name of the format.
+Renderers = Mapping[str, Callable[[Report], str]]
+Outputs = tuple[tuple[str, Path | None], ...]
 
 
-def parse_outputs(wanted: tuple[str, ...]) -> tuple[tuple[str, Path | None], ...]:
-    """``FORMAT[=PATH]`` as pairs; at most one format may go to stdout beside none other."""
+class RendererError(Exception):
+    """A format of a plug-in could not be written."""
+
+
+def parse_outputs(wanted: tuple[str, ...], renderers: Renderers = MappingProxyType({})) -> Outputs:
+    """``FORMAT[=PATH]`` as pairs, formats of plug-ins (*renderers*) included; at most one may go to stdout beside none other."""
+    known = (*FORMATS, *renderers)
+    clash = next((format for format in renderers if format in FORMATS), None)
+    if clash is not None:
+        raise UserError(f"the format '{clash}' of a plug-in is one of haros-ci's own", help="give it another name")
     outputs = []
     for item in wanted or ("text",):
         format, _, path = item.partition("=")
-        if format not in FORMATS:
-            raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(FORMATS)}")
+        if format not in known:
+            raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(known)}")
         outputs.append((format, Path(path) if path else None))
     on_stdout = [format for format, path in outputs if path is None]
     if len(on_stdout) > 1 and set(on_stdout) - {"text", "github"}:
@@ -34,9 +46,18 @@ def parse_outputs(wanted: tuple[str, ...]) -> tuple[tuple[str, Path | None], ...
 
 
 def rendered(
-    report: Report, source: Callable[[str], str], format: str, flags: Mapping[str, Any], *, to_file: bool
+    report: Report,
+    source: Callable[[str], str],
+    format: str,
+    flags: Mapping[str, Any],
+    renderers: Renderers = MappingProxyType({}),
+    *,
+    to_file: bool,
 ) -> str:
+    """The report in *format*; RendererError if a plug-in's could not be made."""
     match format:
+        case _ if format in renderers:
+            return of_plugin(report, renderers[format], to_file=to_file)
         case "sarif":
             from haros_ci.report.sarif import render as sarif
 
@@ -58,6 +79,18 @@ def rendered(
             color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
             width = int(os.environ.get("COLUMNS") or 0) or 120
             return text(report, color=color, width=width, why=flags["why"], source=source)
+
+
+def of_plugin(report: Report, render: Callable[[Report], str], *, to_file: bool) -> str:
+    """What a plug-in makes of *report*; read by a person or a runner, it moves no cursor and gives no commands."""
+    from haros_ci.report.escape import patch as shown
+
+    try:
+        text = render(report)
+    except RuntimeError as err:
+        raise RendererError(str(err)) from err
+    read_here = not to_file and (sys.stdout.isatty() or os.environ.get("GITHUB_ACTIONS"))
+    return shown(text) if read_here else text
 
 
 def write(text: str, path: Path | None) -> None:

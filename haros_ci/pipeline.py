@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,7 +19,7 @@ from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.run import lint
 from haros_ci.model.workspace import Store, Workspace
-from haros_ci.registry import LINTERS, check_rules
+from haros_ci.registry import Registry, registry
 from haros_ci.results import own
 from haros_ci.results.fingerprint import fingerprint
 from haros_ci.results.result import Artifact, Coverage, Notification, Report, Result, Run, Tool
@@ -35,23 +35,23 @@ Progress = Callable[[str], None]
 METRICS = "metrics"
 MEASURED_BY = ("lizard", "radon")
 
-#: The names that results of ours carry.
-TOOLS = (own.TOOL, *catalogue.TOOLS)
-ADAPTERS = tuple(linter.NAME for linter in LINTERS)
-#: Tools with more rules than the catalogue lists: any id of theirs may be selected.
-OPEN_ENDED = ("catkin_lint", "clang-tidy", "cppcheck", "pylint", "ruff")
-
 
 def analyse(settings: Settings, store: Store, *, progress: Progress | None = None) -> tuple[Report, Workspace]:
     """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed."""
-    rules = with_queries(settings)
+    known = registry(settings)
+    rules = with_queries(settings, known)
     selection = Selection(settings, rules, unlisted=catalogue.rule)
     misfits = check_selectors(
-        settings, rules, TOOLS, linters=ADAPTERS, unserved=catalogue.UNSERVED, open_tools=OPEN_ENDED
+        settings,
+        rules,
+        known.tools,
+        linters=known.adapters,
+        unserved=catalogue.UNSERVED,
+        open_tools=known.open_ended,
     )
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     workspace = narrowed(workspace, settings, selection)
-    architectures = Architectures(settings, store)
+    architectures = Architectures(settings, store, known)
     with at_base(workspace, settings) as base:
         past = base if isinstance(base, Base) else None
         runs = examine(workspace, selection, architectures, progress, past)
@@ -106,9 +106,10 @@ def examine(
 
     With *base*, the revision before, they also say what has changed.
     """
-    options = lint_options(architectures.settings)
-    raw = lint(workspace, LINTERS, options, architectures.store, selection.wants, progress)
-    own_one = inspected(own_run(workspace), workspace, selection, architectures, progress, base)
+    known = architectures.registry
+    options = lint_options(architectures.settings, known)
+    raw = lint(workspace, known.linters, options, architectures.store, selection.wants, progress)
+    own_one = inspected(own_run(workspace, known), workspace, selection, architectures, progress, base)
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     return finished(distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection)
@@ -149,12 +150,12 @@ def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection) 
     return fingerprint(runs, workspace.text, language)
 
 
-def lint_options(settings: Settings) -> LintOptions:
+def lint_options(settings: Settings, known: Registry) -> LintOptions:
     """The part of the settings that the linters room sees."""
     chosen = dict(settings.linters)
     return LintOptions(
-        enabled=frozenset(name for name, s in chosen.items() if s.enabled) | named(settings),
-        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False) | unheard(settings),
+        enabled=frozenset(name for name, s in chosen.items() if s.enabled) | named(settings, known),
+        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False) | unheard(settings, known),
         timeouts={name: s.timeout for name, s in chosen.items() if s.timeout is not None},
         timeout=settings.linter_timeout,
         jobs=settings.jobs,
@@ -165,19 +166,19 @@ def lint_options(settings: Settings) -> LintOptions:
     )
 
 
-def named(settings: Settings) -> frozenset[str]:
+def named(settings: Settings, known: Registry) -> frozenset[str]:
     """The linters that run only if asked for, and that a selector names: ``flake8``, ``flake8:E501``."""
     policies = (settings.policy, *(entry.policy for entry in settings.per_path), settings.command_line)
     words = {selector.partition(":")[0] for policy in policies for selector in policy.select}
-    return frozenset(linter.NAME for linter in LINTERS if linter.WHEN is When.ASKED and linter.NAME in words)
+    return frozenset(linter.NAME for linter in known.linters if linter.WHEN is When.ASKED and linter.NAME in words)
 
 
-def unheard(settings: Settings) -> frozenset[str]:
+def unheard(settings: Settings, known: Registry) -> frozenset[str]:
     """The linters that need not run: all in the profile of the checks alone, unless the command line selects other rules."""
-    checks = check_rules().keys()
+    checks = known.check_rules.keys()
     selected = {text.removeprefix(f"{own.TOOL}:") for text in settings.command_line.select}
     has_others = not selected <= checks or any(entry.profile for entry in settings.per_path)
-    return frozenset(ADAPTERS) if settings.profile == "architecture" and not has_others else frozenset()
+    return frozenset(known.adapters) if settings.profile == "architecture" and not has_others else frozenset()
 
 
 def selected(results: Iterable[Result], selection: Selection, workspace: Workspace) -> tuple[Result, ...]:
@@ -210,9 +211,9 @@ def distribute(runs: Iterable[Run], results: Iterable[Result]) -> tuple[Run, ...
     )
 
 
-def own_run(workspace: Workspace) -> Run:
+def own_run(workspace: Workspace, known: Registry) -> Run:
     """What haros-ci itself says: manifests that cannot be read."""
-    tool = Tool(own.TOOL, __version__, PROJECT_URL, f"haros-ci {__version__}")
+    tool = Tool(own.TOOL, __version__, PROJECT_URL, f"haros-ci {__version__}", known.components)
     analysed = frozenset(f.path for f in workspace.files if workspace.reports_on(f.path))
     return Run(tool, results=own.manifest_results(workspace.faults), analysed=analysed)
 
@@ -235,26 +236,14 @@ def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
     return (*others, metrics)
 
 
-def rules_of(tool: str) -> Mapping[str, Rule]:
-    """The documented rules of a tool, haros-ci itself included."""
-    return {**own.RULES, **check_rules()} if tool == own.TOOL else catalogue.rules_of(tool)
-
-
-def with_queries(settings: Settings) -> Callable[[str], Mapping[str, Rule]]:
-    """``rules_of`` with the queries of the project file as rules of ours."""
+def with_queries(settings: Settings, known: Registry) -> Callable[[str], Mapping[str, Rule]]:
+    """The documented rules of each tool, with the queries of the project file as rules of ours."""
     if not asks(settings):
-        return rules_of
+        return known.rules_of
     from haros_ci.query.declared import rules
 
-    own_ones = {**rules_of(own.TOOL), **rules(settings.project)}
-    return lambda tool: own_ones if tool == own.TOOL else rules_of(tool)
-
-
-def documented_rules() -> Iterator[tuple[str, Rule]]:
-    """Every documented rule with its tool's name, in order."""
-    for tool in sorted(TOOLS):
-        for _, rule in sorted(rules_of(tool).items()):
-            yield tool, rule
+    own_ones = {**known.rules_of(own.TOOL), **rules(settings.project)}
+    return lambda tool: own_ones if tool == own.TOOL else known.rules_of(tool)
 
 
 def described(run: Run, selection: Selection) -> Run:

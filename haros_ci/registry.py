@@ -1,18 +1,108 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The built-in linters, in the order of their runs, and the built-in checks with their rules."""
+"""What a run can do: the built-in linters, checks and formats, and those that plug-ins bring, as one value."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
+from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from haros_ci import PROJECT_URL
 from haros_ci.checking.check import Check
-from haros_ci.linters import catkin_lint, clang_tidy, cppcheck, cpplint, lizard, pylint, radon, ruff
+from haros_ci.config.settings import Settings
+from haros_ci.linters import catalogue, catkin_lint, clang_tidy, cppcheck, cpplint, lizard, pylint, radon, ruff
 from haros_ci.linters.linter import Linter
+from haros_ci.results import own
+from haros_ci.results.result import Report, Tool
 from haros_ci.results.rule import Rule
 
+if TYPE_CHECKING:
+    from haros_ci.plugins.plugin import Plugin
+
 LINTERS: tuple[Linter, ...] = (cppcheck, cpplint, pylint, lizard, radon, ruff, clang_tidy, catkin_lint)
+#: Tools with more rules than the catalogue lists: any id of theirs may be selected.
+OPEN_ENDED = ("catkin_lint", "clang-tidy", "cppcheck", "pylint", "ruff")
+#: Names in front of a rule's id that are no tool's.
+TAKEN = ("architecture", "haros-ci", "metrics", "user")
+
+
+@dataclass(frozen=True, slots=True)
+class Registry:
+    """*linters* in the order of their runs, *checks* with their *check_rules* by id, *renderers* by the name of their format.
+
+    *tool_rules* are the documented rules of linters that the catalogue does not know, *open_ended* the tools that may report others.
+    *components* are the plug-ins as SARIF lists them.
+    """
+
+    linters: tuple[Linter, ...]
+    checks: tuple[Check, ...]
+    check_rules: Mapping[str, Rule]
+    tool_rules: Mapping[str, Mapping[str, Rule]] = field(default_factory=lambda: MappingProxyType({}))
+    open_ended: tuple[str, ...] = OPEN_ENDED
+    renderers: Mapping[str, Callable[[Report], str]] = field(default_factory=lambda: MappingProxyType({}))
+    components: tuple[Tool, ...] = ()
+
+    @property
+    def adapters(self) -> tuple[str, ...]:
+        """The names of all linters, as the key ``linters`` has them."""
+        return tuple(linter.NAME for linter in self.linters)
+
+    @property
+    def tools(self) -> tuple[str, ...]:
+        """The names that results of ours carry."""
+        return (own.TOOL, *catalogue.TOOLS, *self.tool_rules)
+
+    def rules_of(self, tool: str) -> Mapping[str, Rule]:
+        """The documented rules of a tool, haros-ci itself included."""
+        if tool == own.TOOL:
+            return {**own.RULES, **self.check_rules}
+        return self.tool_rules[tool] if tool in self.tool_rules else catalogue.rules_of(tool)
+
+    def documented_rules(self) -> Iterator[tuple[str, Rule]]:
+        """Every documented rule with its tool's name, in order."""
+        for tool in sorted(self.tools):
+            for _, rule in sorted(self.rules_of(tool).items()):
+                yield tool, rule
+
+
+def registry(settings: Settings) -> Registry:
+    """What a run under *settings* can do; UserError for a plug-in that cannot be used."""
+    if not settings.plugins:
+        return built_in()
+    from haros_ci.plugins.load import load
+
+    return with_plugins(built_in(), load(settings.plugins, settings.root))
+
+
+@cache
+def built_in() -> Registry:
+    """What haros-ci can do by itself."""
+    return Registry(LINTERS, checks(), check_rules())
+
+
+def with_plugins(before: Registry, plugins: tuple[Plugin, ...]) -> Registry:
+    """*before* and what *plugins* bring, in their order; UserError where names clash."""
+    from haros_ci.plugins.load import without_clashes
+
+    names = {name for rule in before.rules_of(own.TOOL).values() for name in (rule.id, *rule.aliases)}
+    without_clashes(plugins, checks=names, tools=(*before.tools, *before.adapters, *TAKEN))
+    rules = dict(before.check_rules)
+    tool_rules = dict(before.tool_rules)
+    for plugin in plugins:
+        rules |= plugin.check_rules()
+        tool_rules |= plugin.rules
+    return Registry(
+        linters=(*before.linters, *(linter for plugin in plugins for linter in plugin.linters)),
+        checks=(*before.checks, *(check for plugin in plugins for check in plugin.checks)),
+        check_rules=MappingProxyType(rules),
+        tool_rules=MappingProxyType(tool_rules),
+        open_ended=(*before.open_ended, *(tool for plugin in plugins for tool in plugin.rules)),
+        renderers=MappingProxyType({f: render for plugin in plugins for f, render in plugin.renderers.items()}),
+        components=(*before.components, *(Tool(p.name, p.version or f"0+{p.digest}") for p in plugins)),
+    )
 
 
 @cache

@@ -26,7 +26,8 @@ DOORS: dict[str, set[str]] = {
     "query": {"model", "results"},
     "report": {"errors", "model", "results"},
     "checking": {"changes", "code", "errors", "interfaces", "knowledge", "model", "results"},
-    "registry": {"checking", "errors", "linters", "model", "results"},
+    "plugins": {"checking", "errors", "linters", "model", "results"},
+    "registry": {"checking", "config", "errors", "linters", "model", "plugins", "results"},
     "api": {"changes", "checking", "code", "interfaces", "knowledge", "model", "results", "security"},
     # the call graph stands on the index of the programs; it knows no system and no check
     "code": {"link", "model"},
@@ -50,7 +51,7 @@ DOORS: dict[str, set[str]] = {
     "pipeline": {"baselines", "config", "errors", "inspection", "linters", "model", "query", "registry", "results", "workspace"},
     "forks": set(),
     "wanted": {"errors", "link", "model"},
-    "architecture": {"config", "errors", "exactness", "extract", "forks", "link", "model", "wanted", "workspace"},
+    "architecture": {"config", "errors", "exactness", "extract", "forks", "link", "model", "plugins", "wanted", "workspace"},
     "exactness": {"config", "extract", "linters", "model"},
     "model_command": {
         "architecture",
@@ -117,6 +118,7 @@ DOORS: dict[str, set[str]] = {
         "model",
         "output",
         "pipeline",
+        "registry",
         "report",
         "results",
         "workspace",

@@ -77,7 +77,7 @@ class Check:
     tags: tuple[str, ...] = ()
     profiles: tuple[str, ...] | None = None
 
-    def rule(self, page: str, help_uri: str) -> Rule:
+    def rule(self, page: str, help_uri: str | None) -> Rule:
         """The rule of its results; *page* is the text of its page."""
         return Rule(
             id=self.id,

@@ -46,7 +46,7 @@ def load(
     below the root at the base revision, None if it is not there; without it files are read from disk.
 
     *command_line* holds flags by their Python name, those not given None or empty; keys that are no setting are passed
-    over. Its values beat per-path ones, those the file's, and those the profile; ``exclude`` adds up.
+    over. Its values beat per-path ones, those the file's, and those the profile; ``exclude`` and ``plugins`` add up.
     """
     settings = Settings(root=root, trust_config=trust_config)
     if isolated and project is not None:
@@ -164,6 +164,8 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
     for name in ("baseline_rev", "require_baseline", "jobs", "cache_dir"):
         if flags.get(name):
             changes[name] = flags[name]
+    if plugins := _words(flags.get("plugins")):
+        changes["plugins"] = tuple(dict.fromkeys((*plugins, *settings.plugins)))
     for name in ("imports", "paths"):
         if flags.get(name):
             changes[name] = tuple(flags[name])

@@ -54,7 +54,7 @@ class Settings:
     ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
     ``project`` is the project file as plain data. ``packages`` are the packages to analyse, empty for all.
     ``ignore_files`` are HAROS patterns on ``<package>/<path in package>`` (``Selection.ignores_file`` matches them).
-    ``plugins`` are those a trusted project file names. ``origins`` says where a value stands, ``FILE:LINE`` or
+    ``plugins`` are modules, those of the command line and the environment before those that a trusted project file names. ``origins`` says where a value stands, ``FILE:LINE`` or
     ``command line``, by key (``fail-on``), ``selector <text>``, ``haros <text>`` (a selector of a HAROS ignore list) or
     ``linter <tool>``; what it does not name is a default.
     ``notes`` are sentences on how the configuration was read (what was accepted but has no effect, what differs at

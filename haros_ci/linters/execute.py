@@ -79,7 +79,10 @@ def _ask(task: Task, units: tuple[Unit, ...], processes: Processes, scratch: Pat
     own, working = scratch / "own", scratch / "home"
     own.mkdir(parents=True)
     batch = Batch(workspace, tuple(unit.file for unit in units), task.options, own, units[0].group)
-    command = task.linter.command(task.program, batch)
+    try:
+        command = task.linter.command(task.program, batch)
+    except ValueError as err:  # of a plug-in's adapter
+        raise _Failed(str(err)) from err
     output = processes.run(command, root=workspace.root, scratch=working, timeout=task.timeout)
     if output.truncated:
         raise _Failed("wrote more than it may")

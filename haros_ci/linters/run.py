@@ -73,34 +73,45 @@ def lint(
         asked = linter.NAME in options.enabled
         if linter.NAME in options.disabled or (linter.WHEN is When.ASKED and not asked):
             continue
-        plan = _plan(linter, workspace, options, store) if _concerns(linter, workspace) else ()
-        units = tuple(unit for unit in plan if _is_asked_for(unit, workspace))
-        needed = asked or linter.WHEN is When.ALWAYS
-        if not units and not needed:
-            continue
-        program = linter.locate(options)
-        if program is None:
-            if needed:
-                works.append(_missing(linter))
-            continue
-        work = _Work(linter, program, units)
-        fingerprint = linter.fingerprint(workspace, options)
-        for unit in units:
-            key = work.keys[unit.file.path] = digests.key(linter.NAME, program.version, fingerprint, unit)
-            cached = store.get(linter.NAME, unit.file.path, key)
-            answer = None if cached is None else rows.decode(cached, unit.file.path, keep, digests.known)
-            if answer is None:
-                work.missing.append(unit)
-            else:
-                work.take(unit, answer)
-        if not units and asked:
-            note = f"{linter.NAME} found nothing to analyse here"
-            work.notifications.append(Notification(Level.NOTE, note, linter.NAME))
-        works.append(work)
+        try:
+            work = _begun(linter, workspace, options, store, keep, digests)
+        except ValueError as err:  # of a plug-in's adapter
+            work = _broken(linter, f"{linter.NAME}: {err}")
+        if work is not None:
+            works.append(work)
     incomplete = [work for work in works if isinstance(work, _Work) and work.missing]
     if incomplete:
         _analyse(incomplete, workspace, options, store, keep, digests, progress)
     return tuple(work if isinstance(work, Run) else _run(work, workspace) for work in works)
+
+
+def _begun(
+    linter: Linter, workspace: Workspace, options: LintOptions, store: Store, keep: Wanted, digests: _Digests
+) -> _Work | Run | None:
+    """What *linter* has to do, with what is known of it already; None if nothing, a failed run if it is missing."""
+    plan = _plan(linter, workspace, options, store) if _concerns(linter, workspace) else ()
+    units = tuple(unit for unit in plan if _is_asked_for(unit, workspace))
+    asked = linter.NAME in options.enabled
+    needed = asked or linter.WHEN is When.ALWAYS
+    if not units and not needed:
+        return None
+    program = linter.locate(options)
+    if program is None:
+        return _missing(linter) if needed else None
+    work = _Work(linter, program, units)
+    fingerprint = linter.fingerprint(workspace, options)
+    for unit in units:
+        key = work.keys[unit.file.path] = digests.key(linter.NAME, program.version, fingerprint, unit)
+        cached = store.get(linter.NAME, unit.file.path, key)
+        answer = None if cached is None else rows.decode(cached, unit.file.path, keep, digests.known)
+        if answer is None:
+            work.missing.append(unit)
+        else:
+            work.take(unit, answer)
+    if not units and asked:
+        note = f"{linter.NAME} found nothing to analyse here"
+        work.notifications.append(Notification(Level.NOTE, note, linter.NAME))
+    return work
 
 
 class _Digests:
@@ -144,7 +155,11 @@ def _is_asked_for(unit: Unit, workspace: Workspace) -> bool:
 
 
 def _missing(linter: Linter) -> Run:
-    message = f"{linter.NAME} is not installed, so nothing was checked with it; install it or switch it off"
+    why = "is not installed, so nothing was checked with it; install it or switch it off"
+    return _broken(linter, f"{linter.NAME} {why}")
+
+
+def _broken(linter: Linter, message: str) -> Run:
     return Run(
         Tool(linter.NAME),
         notifications=(Notification(Level.ERROR, message, linter.NAME),),

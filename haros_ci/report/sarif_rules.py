@@ -11,7 +11,7 @@ from haros_ci import PROJECT_URL
 from haros_ci.report.escape import markdown, markdown_code, multiline, terminal
 from haros_ci.report.message import sentence, shorten
 from haros_ci.report.sarif_objects import om
-from haros_ci.results.result import Notification, Run
+from haros_ci.results.result import Notification, Run, Tool
 from haros_ci.results.rule import Level, Rule
 
 MAX_NAME, MAX_DESCRIPTION, MAX_HELP = 255, 1024, 20_000
@@ -77,8 +77,14 @@ def build_tool(run: Run, rules: tuple[Rule, ...]) -> om.Tool:
             rules=[build_rule(rule, run, cwe) for rule in rules],
             notifications=[_descriptor(id) for id in troubles(run)] or None,
             supported_taxonomies=[_cwe_component()] if cwe else None,
-        )
+        ),
+        extensions=[_extension(plugin) for plugin in tool.extensions] or None,
     )
+
+
+def _extension(plugin: Tool) -> om.ToolComponent:
+    """A plug-in (§3.18.3); its rules stand with the driver's, which reports them."""
+    return om.ToolComponent(name=shorten(terminal(plugin.name), MAX_NAME), version=terminal(plugin.version) or None)
 
 
 def troubles(run: Run) -> tuple[str, ...]:

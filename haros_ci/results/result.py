@@ -120,12 +120,13 @@ class Notification:
 
 @dataclass(frozen=True, slots=True)
 class Tool:
-    """The program that produced a run; *version* is "" when unknown."""
+    """The program that produced a run; *version* is "" when unknown. *extensions* are the plug-ins that took part."""
 
     name: str
     version: str = ""
     information_uri: str = ""
     full_name: str = ""
+    extensions: tuple[Tool, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
