@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from haros_ci.config import globs
+from haros_ci.model import globs
 from haros_ci.config.settings import PROFILES, Policy, Settings
 from haros_ci.config.suggestion import quoted, suggestion
 from haros_ci.errors import UserError
@@ -144,6 +144,7 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
     changes: dict[str, Any] = {}
     if profile := flags.get("profile"):
         changes["profile"] = _choice("--profile", profile, PROFILES)
+        changes["per_package"] = tuple(replace(entry, profile=None) for entry in settings.per_package)
         changes["per_path"] = tuple(replace(entry, profile=None) for entry in settings.per_path)
     if fail_on := flags.get("fail_on"):
         word = _choice("--fail-on", fail_on, ("error", "warning", "note", "never"))
@@ -172,7 +173,7 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
     if forgiven := _words(flags.get("allow_tool_failure")):
         changes["allow_tool_failure"] = frozenset(forgiven)
 
-    said = {name.replace("_", "-"): "command line" for name in changes if name not in ("per_path", "command_line")}
+    said = {name.replace("_", "-"): "command line" for name in changes if name not in ("per_package", "per_path", "command_line")}
     return replace(settings, **changes, origins=tuple(sorted({**dict(settings.origins), **said}.items())))
 
 

@@ -7,17 +7,20 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from haros_ci.config.declared import EXEC_KEYS, read_declared
+from haros_ci.config.exemptions import read_exemptions
 from haros_ci.config.haros import HOME_KEYS, PROJECT_KEYS, read_haros
-from haros_ci.config.settings import PROFILES, LinterSettings, PathPolicy, Policy
+from haros_ci.config.settings import PROFILES, LinterSettings, PackagePolicy, PathPolicy, Policy
 from haros_ci.config.shapes import MAX_ENTRIES, File, Named, kind
 from haros_ci.config.suggestion import quoted
 from haros_ci.config.yaml_lines import Value, parse, plain
 from haros_ci.errors import UserError
 from haros_ci.model.api import RowError, load_row
+from haros_ci.model.declared_tool import DeclaredTool
 from haros_ci.results.rule import Level
 
 OWN_KEYS = (
-    "profile", "select", "ignore", "levels", "per-path", "exclude", "linters", "fail-on", "max-file-size",
+    "profile", "select", "ignore", "levels", "per-package", "per-path", "exceptions", "exclude", "linters", "fail-on", "max-file-size",
     "compile-database", "baseline", "plugins", "apis", "known_nodes",
 )  # fmt: skip
 KNOWN_KEYS = (*OWN_KEYS, *PROJECT_KEYS, *HOME_KEYS)
@@ -60,7 +63,9 @@ def read_project(data: bytes, name: str, *, trust_config: bool = False) -> Proje
         origins.setdefault(f"haros {selector.text}", f"{name}:{selector.line}")
     own = _Own(file, trust_config, origins)
     policy = own.policy(top)
+    per_package = own.per_package(top)
     per_path = own.per_path(top)
+    exemptions = read_exemptions(file, top.get("exceptions"), own.selector)
     own.check_numbers(per_path)
     own.check_apis(top)
     if "known_nodes" in top:
@@ -71,8 +76,11 @@ def read_project(data: bytes, name: str, *, trust_config: bool = False) -> Proje
             ignore=(*policy.ignore, *dict.fromkeys(n.text for n in haros.ignore)),
             levels=policy.levels,
         ),
+        "per_package": per_package,
         "per_path": per_path,
+        "exemptions": exemptions,
         "linters": own.linters(top, haros.disabled),
+        "declared": own.declared(top),
         "packages": haros.packages,
         "ignore_files": haros.ignore_files,
         "project": plain(document.top) if document.top and top else {},
@@ -167,22 +175,39 @@ class _Own:
     def per_path(self, top: dict[str, Value]) -> tuple[PathPolicy, ...]:
         if "per-path" not in top:
             return ()
+        form = "per-path: {'test/**': {ignore: […]}}"
         policies: list[PathPolicy] = []
-        for globs, value in self.file.map(
-            top["per-path"], "'per-path'", "per-path: {'test/**': {ignore: […]}}"
-        ).items():
-            form = f"{quoted(globs)}: {{ignore: […]}}"
-            entries = self.file.map(value, f"per-path {quoted(globs)}", form, ("profile", *POLICY_KEYS))
-            policies.append(
-                PathPolicy(
-                    globs=tuple(self.path_glob(Named(glob.strip(), value.key_line)) for glob in globs.split(",")),
-                    policy=self.policy(entries),
-                    profile=self.file.choice(entries["profile"], "'profile'", PROFILES)
-                    if "profile" in entries
-                    else None,
-                )
-            )
+        for globs, value in self.file.map(top["per-path"], "'per-path'", form).items():
+            policy, profile = self.local(globs, value, "per-path")
+            names = tuple(self.path_glob(Named(glob.strip(), value.key_line)) for glob in globs.split(","))
+            policies.append(PathPolicy(globs=names, policy=policy, profile=profile))
         return tuple(policies)
+
+    def per_package(self, top: dict[str, Value]) -> tuple[PackagePolicy, ...]:
+        if "per-package" not in top:
+            return ()
+        form = "per-package: {my_driver: {profile: strict}}"
+        policies: list[PackagePolicy] = []
+        entry: tuple[Policy, str | None]
+        for names, value in self.file.map(top["per-package"], "'per-package'", form).items():
+            if isinstance(value.data, str):  # as in Statick's profile.yaml: a name and its level
+                entry = Policy(), self.file.choice(value, f"the profile of {quoted(names)}", PROFILES)
+            else:
+                entry = self.local(names, value, "per-package")
+            globs = tuple(name.strip() for name in names.split(",") if name.strip())
+            if not globs or len(names) > MAX_ROW_TEXT:
+                raise self.file.error(value.key_line, f"{quoted(names[:40])} names no package", f"write {form}")
+            policies.append(PackagePolicy(names=globs, policy=entry[0], profile=entry[1]))
+        if sum(len(each.names) for each in policies) > MAX_PATH_GLOBS:
+            raise UserError(f"{self.file.name}: more than {MAX_PATH_GLOBS} names in 'per-package'", help="use globs")
+        return tuple(policies)
+
+    def local(self, names: str, value: Value, where: str) -> tuple[Policy, str | None]:
+        """The policy and the profile of an entry of ``per-path`` or ``per-package``."""
+        form = f"{quoted(names)}: {{ignore: […]}}"
+        entries = self.file.map(value, f"{where} {quoted(names)}", form, ("profile", *POLICY_KEYS))
+        chosen = self.file.choice(entries["profile"], "'profile'", PROFILES) if "profile" in entries else None
+        return self.policy(entries), chosen
 
     def path_glob(self, glob: Named) -> str:
         if glob.text.startswith("!"):
@@ -200,13 +225,21 @@ class _Own:
                 chosen[tool] = self.linter(tool, value)
         return tuple(sorted(chosen.items(), key=lambda entry: entry[0]))
 
+    def declared(self, top: dict[str, Value]) -> tuple[DeclaredTool, ...]:
+        """The tools with an ``exec``, in the order of their names."""
+        entries = top["linters"].data if "linters" in top else None
+        if not isinstance(entries, dict):
+            return ()
+        found = (read_declared(self.file, str(tool), value, trust=self.trust_config) for tool, value in entries.items())
+        return tuple(sorted((tool for tool in found if tool is not None), key=lambda tool: tool.name))
+
     def linter(self, tool: str, value: Value) -> LinterSettings:
         file, what = self.file, f"linter {quoted(tool)}"
         if isinstance(value.data, bool):
             return LinterSettings(enabled=value.data)
         if not isinstance(value.data, dict):
             raise file.error(value.line, f"{what} must be true, false or a map", f"write {tool}: {{timeout: 60}}")
-        entries = file.map(value, what, f"{tool}: {{timeout: 60}}", LINTER_KEYS)
+        entries = file.map(value, what, f"{tool}: {{timeout: 60}}", (*LINTER_KEYS, *EXEC_KEYS))
         arguments = (
             tuple(n.text for n in file.texts(entries["arguments"], "arguments")) if "arguments" in entries else ()
         )

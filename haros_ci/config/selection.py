@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from haros_ci.config import globs
+from haros_ci.model import globs
 from haros_ci.config.selector import NO_MATCH, Rank, rank
 from haros_ci.config.settings import Policy, Settings
 from haros_ci.results.result import Result

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 
-from haros_ci.config.globs import compiled
+from haros_ci.model.globs import compiled
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.config.suggestion import did_you_mean, nearest, quoted, suggestion
 from haros_ci.errors import UserError

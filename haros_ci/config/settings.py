@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from haros_ci.model.declared_tool import DeclaredTool
 from haros_ci.results.rule import Level
 
 PROFILES = ("ros", "strict", "google", "bugs-only", "architecture", "all")
@@ -47,6 +48,31 @@ class PathPolicy:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class PackagePolicy:
+    """A Policy (and, if set, a profile) for the files of packages whose name matches one of *names* (globs)."""
+
+    names: tuple[str, ...]
+    policy: Policy
+    profile: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Exemption:
+    """Findings that the project accepts: those that fit all of what is given.
+
+    ``files`` are globs, ``packages`` globs of names, ``rules`` selectors, ``message`` a pattern of linear_regex.py that
+    is searched for. ``origin`` is ``FILE:LINE`` and tells two exemptions apart.
+    """
+
+    files: tuple[str, ...] = ()
+    packages: tuple[str, ...] = ()
+    rules: tuple[str, ...] = ()
+    message: str = ""
+    reason: str = ""
+    origin: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Settings:
     """Everything a run depends on besides the workspace's bytes.
 
@@ -54,7 +80,9 @@ class Settings:
     ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
     ``project`` is the project file as plain data. ``packages`` are the packages to analyse, empty for all.
     ``ignore_files`` are HAROS patterns on ``<package>/<path in package>`` (``Selection.ignores_file`` matches them).
-    ``plugins`` are modules, those of the command line and the environment before those that a trusted project file names. ``origins`` says where a value stands, ``FILE:LINE`` or
+    ``plugins`` are modules, those of the command line and the environment before those that a trusted project file names.
+    ``declared`` are the tools that the project file declares, trusted or not: they run only under ``trust_config``.
+    ``origins`` says where a value stands, ``FILE:LINE`` or
     ``command line``, by key (``fail-on``), ``selector <text>``, ``haros <text>`` (a selector of a HAROS ignore list) or
     ``linter <tool>``; what it does not name is a default.
     ``notes`` are sentences on how the configuration was read (what was accepted but has no effect, what differs at
@@ -68,9 +96,12 @@ class Settings:
     profile: str = "ros"
     policy: Policy = Policy()
     command_line: Policy = Policy()
+    per_package: tuple[PackagePolicy, ...] = ()
     per_path: tuple[PathPolicy, ...] = ()
+    exemptions: tuple[Exemption, ...] = ()
     exclude: tuple[str, ...] = ()
     linters: tuple[tuple[str, LinterSettings], ...] = ()
+    declared: tuple[DeclaredTool, ...] = ()
     linter_timeout: float = 600.0
     fail_on: Level | None = Level.WARNING
     jobs: int = 1

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from haros_ci.config import globs
+from haros_ci.model import globs
 from haros_ci.config.suggestion import did_you_mean, quoted, suggestion
 from haros_ci.config.yaml_lines import Value
 from haros_ci.errors import UserError

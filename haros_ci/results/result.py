@@ -31,11 +31,12 @@ class Related:
 
 @dataclass(frozen=True, slots=True)
 class Suppression:
-    """SARIF §3.35: *kind* is ``inSource`` or ``external``; *location* is the comment's."""
+    """SARIF §3.35: *kind* is ``inSource`` or ``external``; *location* is the comment's, *source* ``FILE:LINE`` of an exception."""
 
     kind: str
     justification: str = ""
     location: Location | None = None
+    source: str = ""
 
 
 @dataclass(frozen=True, slots=True)

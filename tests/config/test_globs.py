@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.config.globs import fault, matches
+from haros_ci.model.globs import fault, matches
 
 
 @pytest.mark.parametrize(
