@@ -49,6 +49,9 @@ DOORS: dict[str, set[str]] = {
     },
     "robot": {"link", "model", "workspace"},
     "pipeline": {"baselines", "config", "errors", "inspection", "linters", "model", "query", "registry", "results", "workspace"},
+    # what the syntax says of functions, and the index of the programs of classes
+    "measuring": {"code", "extract", "link", "model"},
+    "measures": {"config", "linters", "model", "results"},
     "forks": set(),
     "wanted": {"errors", "link", "model"},
     "architecture": {"config", "errors", "exactness", "extract", "forks", "link", "model", "plugins", "wanted", "workspace"},

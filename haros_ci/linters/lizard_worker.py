@@ -14,13 +14,22 @@ from typing import Any
 if not __package__:  # run as a script: haros_ci itself, also where it is not installed
     sys.path.append(str(Path(__file__).resolve().parents[2]))
 
-from haros_ci.linters.metrics_worker import Unmeasurable, begin, file_metrics, serve  # noqa: E402
+from haros_ci.linters.metrics_worker import Tokens, Unmeasurable, begin, file_metrics, serve  # noqa: E402
 
 #: Names that lizard takes for functions where macros or templates confuse it.
 NOT_FUNCTIONS = frozenset(
     "if else for while do switch case catch try return throw sizeof alignof decltype typeof new delete defined"
     " static_assert noexcept requires using namespace template typename class struct union enum __attribute__".split()
 )
+#: The operators of Halstead's that are words ([lex.key]); types are operands, as names of classes are.
+KEYWORDS = frozenset(
+    "alignas alignof and and_eq asm break case catch class co_await co_return co_yield compl concept const const_cast"
+    " consteval constexpr constinit continue decltype default delete do dynamic_cast else enum explicit export extern for"
+    " friend goto if inline mutable namespace new noexcept not not_eq operator or or_eq private protected public register"
+    " reinterpret_cast requires return sizeof static static_assert static_cast struct switch template thread_local throw"
+    " try typedef typeid typename union using virtual volatile while xor xor_eq".split()
+)
+OPERAND = re.compile(r"""[\w"'~]""")
 PUNCTUATION = frozenset("{}()[];,")
 CLOSING = frozenset(")]}")
 OFF = re.compile(r"#\s*if\s+(0|false)\b")
@@ -43,14 +52,13 @@ def measure(source: bytes) -> dict[str, Any]:
     effective = sorted(lines.effective)
     functions = [_function(f, text, effective) for f in parsed.function_list if _is_function(f)]
     functions.sort(key=lambda f: (f["line"], f["name"]))
-    length, vocabulary = lines.halstead()
     metrics = file_metrics(
         code=lines.code,
         comments=lines.comments,
+        effective=len(effective),
         logical=len(effective),
         complexity=sum(f["cc"] for f in functions),
-        length=length,
-        vocabulary=vocabulary,
+        tokens=lines.halstead(),
     )
     return {"functions": functions, "file": metrics}
 
@@ -114,12 +122,14 @@ class _Lines:
             else:
                 line += token.count("\n")
 
-    def halstead(self) -> tuple[int, int]:
-        """Length and vocabulary; a pair of brackets is one operator, preprocessor lines are left out."""
+    def halstead(self) -> Tokens:
+        """Names and literals are operands; a pair of brackets is one operator, preprocessor lines are left out."""
         counts = Counter(self.words)
         for closing in CLOSING:
             counts.pop(closing, None)
-        return counts.total(), len(counts)
+        operands = [count for word, count in counts.items() if OPERAND.match(word) and word not in KEYWORDS]
+        total = sum(operands)
+        return Tokens(counts.total() - total, total, len(counts) - len(operands), len(operands))
 
 
 class _Branches:

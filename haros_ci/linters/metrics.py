@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, Output, Program
 from haros_ci.model.location import Location
@@ -88,36 +89,47 @@ def command(program: Program, batch: Batch) -> Command:
     return Command(program.argv, stdin=json.dumps(request).encode())
 
 
+#: What was measured of a file: of each function with its name and place, and of the whole.
+Measured = tuple[list[dict[str, Any]], dict[str, Any]]
+
+
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """One result per threshold crossed, every band; ValueError if the worker did not answer for every file."""
-    answers = {answer["path"]: answer for answer in map(_answer, output.stdout.splitlines())}
+    for path, answer in answers(output, batch):
+        if isinstance(answer, GaveUp):
+            yield answer
+            continue
+        functions, whole = answer
+        for function in functions:
+            name = function["name"]
+            place = Location(path, function["line"], function["column"])
+            yield from _crossed(path, place, f"Function '{name}'", name, function, FUNCTION_THRESHOLDS)
+        if whole["nloc"]:  # a file without code has no ratio to speak of
+            yield from _crossed(path, Location(path, 1), "File", "", whole, FILE_THRESHOLDS)
+
+
+def answers(output: Output, batch: Batch) -> Iterator[tuple[str, Measured | GaveUp]]:
+    """What the worker said of each file; ValueError if it did not answer for every one, or not in full."""
+    said = {answer["path"]: answer for answer in map(_answer, output.stdout.splitlines())}
     for file in batch.files:
-        if file.path not in answers:
+        answer = said.get(file.path)
+        if answer is None:
             raise ValueError(f"no measurement of {file.path}")
-        yield from _findings(file.path, answers[file.path])
+        if "problem" in answer:
+            line = answer.get("line")
+            yield file.path, GaveUp(file.path, str(answer["problem"]), line if isinstance(line, int) else None)
+            continue
+        functions, whole = answer.get("functions"), answer.get("file")
+        if not isinstance(functions, list) or not isinstance(whole, dict):
+            raise ValueError(f"half a measurement of {file.path}")
+        yield file.path, (functions, whole)
 
 
-def _answer(line: bytes) -> dict[str, object]:
+def _answer(line: bytes) -> dict[str, Any]:
     answer = json.loads(line)
     if not isinstance(answer, dict) or not isinstance(answer.get("path"), str):
         raise ValueError("not a measurement")
     return answer
-
-
-def _findings(path: str, answer: Mapping[str, object]) -> Iterator[Finding | GaveUp]:
-    if "problem" in answer:
-        line = answer.get("line")
-        yield GaveUp(path, str(answer["problem"]), line if isinstance(line, int) else None)
-        return
-    functions, metrics = answer.get("functions"), answer.get("file")
-    if not isinstance(functions, list) or not isinstance(metrics, dict):
-        raise ValueError(f"half a measurement of {path}")
-    for function in functions:
-        name = function["name"]
-        place = Location(path, function["line"], function["column"])
-        yield from _crossed(path, place, f"Function '{name}'", name, function, FUNCTION_THRESHOLDS)
-    if metrics["nloc"]:  # a file without code has no ratio to speak of
-        yield from _crossed(path, Location(path, 1), "File", "", metrics, FILE_THRESHOLDS)
 
 
 def _crossed(
@@ -140,7 +152,9 @@ __all__ = [
     "FUNCTION_THRESHOLDS",
     "TOOL",
     "WORSE_BANDS",
+    "Measured",
     "Threshold",
+    "answers",
     "command",
     "keep_worst_band",
     "parse",

@@ -11,6 +11,7 @@ import stat
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
 #: Seconds of processor time (not wall time, so that a busy machine changes nothing) that one file may take.
@@ -120,20 +121,39 @@ def maintainability(volume: float, complexity: int, logical_lines: int, comment_
     return min(max(raw * 100 / 171, 0.0), 100.0)
 
 
+@dataclass(frozen=True)
+class Tokens:
+    """Halstead's counts: operators and operands in all, and distinct ones."""
+
+    operators: int
+    operands: int
+    distinct_operators: int
+    distinct_operands: int
+
+
 def file_metrics(
-    *, code: set[int], comments: set[int], logical: int, complexity: int, length: int, vocabulary: int
+    *, code: set[int], comments: set[int], effective: int, logical: int, complexity: int, tokens: Tokens
 ) -> dict[str, float]:
     """The metrics of a whole file, from its lines of code and of comment and its token counts.
 
-    The comment ratio is the part of the non-blank lines that hold a comment (a line can hold code too).
+    The comment ratio is the part of the non-blank lines that hold a comment (a line can hold code too). Halstead's time
+    is in seconds: the effort, which is volume times difficulty, by Stroud's 18 decisions a second.
     """
     written = len(code | comments)
     ratio = len(comments) / written if written else 0.0
-    volume = halstead_volume(length, vocabulary)
+    length = tokens.operators + tokens.operands
+    volume = halstead_volume(length, tokens.distinct_operators + tokens.distinct_operands)
+    difficulty = tokens.distinct_operators / 2 * tokens.operands / max(tokens.distinct_operands, 1)
     return {
+        "cc": complexity,
         "nloc": len(code),
+        "eloc": effective,
+        "lloc": logical,
+        "sloc": written,
+        "comments": len(comments),
         "comment_ratio": ratio,
         "volume": volume,
         "bugs": volume / 3000,
+        "time": difficulty * volume / 18,
         "mi": maintainability(volume, complexity, logical, ratio),
     }

@@ -15,7 +15,7 @@ from typing import Any
 if not __package__:  # run as a script: haros_ci itself, also where it is not installed
     sys.path.append(str(Path(__file__).resolve().parents[2]))
 
-from haros_ci.linters.metrics_worker import Unmeasurable, begin, file_metrics, serve  # noqa: E402
+from haros_ci.linters.metrics_worker import Tokens, Unmeasurable, begin, file_metrics, serve  # noqa: E402
 
 LAYOUT = frozenset((tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER))
 PUNCTUATION = frozenset("()[]{},:;")
@@ -37,9 +37,9 @@ def measure(source: bytes) -> dict[str, Any]:
         code=lines.code,
         comments=lines.comments,
         logical=sum(isinstance(node, ast.stmt) for node in ast.walk(tree)),
+        effective=len(lines.effective),
         complexity=sum(f["cc"] for f in functions),
-        length=halstead.operators + halstead.operands,
-        vocabulary=halstead.distinct_operators + halstead.distinct_operands,
+        tokens=Tokens(halstead.operators, halstead.operands, halstead.distinct_operators, halstead.distinct_operands),
     )
     return {"functions": functions, "file": metrics}
 

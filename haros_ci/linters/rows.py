@@ -56,7 +56,7 @@ def decode(value: object, unit: str, wanted: Wanted, known: Collection[str]) -> 
 def _row(result: Result) -> list[Any]:
     related = [[*_place(r.location), r.message] for r in result.related]
     extra = [result.scope, result.value, result.limit, list(result.subject), related]
-    while extra and not extra[-1]:
+    while extra and extra[-1] in (None, "", []):  # 0 is a value
         extra.pop()
     return [result.level.value, result.message, *_place(result.location), *extra]
 
