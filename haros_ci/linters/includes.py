@@ -42,7 +42,9 @@ def direct(workspace: Workspace, search: Sequence[str]) -> dict[str, tuple[str, 
     return resolve({path: _INCLUDE.findall(workspace.text(path)) for path in paths}, dict.fromkeys(paths, search))
 
 
-def resolve(directives: Mapping[str, Sequence[str]], search: Mapping[str, Sequence[str]]) -> dict[str, tuple[str, ...]]:
+def resolve(
+    directives: Mapping[str, Sequence[str]], search: Mapping[str, Sequence[str]]
+) -> dict[str, tuple[str, ...]]:
     """For every file the files that it includes directly: beside itself, else in its *search* directories."""
     resolved = {}
     basenames = {path.rpartition("/")[2] for path in directives}
