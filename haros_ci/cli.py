@@ -5,25 +5,16 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable
 from typing import Any
 
 import click
 
 from haros_ci import __version__
 from haros_ci.errors import UserError
+from haros_ci.flags import LEVELS, completion_of, plugin_option, what_options
+from haros_ci.manual import EXIT_CODES, Group
 
 EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
-
-EXIT_CODES = """
-\b
-Exit codes:
-  0    clean, or nothing new
-  1    a new, unsuppressed result at or above --fail-on
-  2    wrong usage or configuration
-  3    a tool was missing, crashed or timed out; or no baseline under --require-baseline
-  130  interrupted
-"""
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -59,49 +50,9 @@ def main(argv: list[str] | None = None) -> int:
         return EXIT_TOOL_TROUBLE
 
 
-class Words(click.ParamType):  # type: ignore[type-arg, unused-ignore]
-    """A comma-separated list, given once or several times."""
-
-    name = "sel,..."
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
-        return value if isinstance(value, tuple) else tuple(w for w in (p.strip() for p in value.split(",")) if w)
-
-
-def options(*decorators: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    def apply(function: Any) -> Any:
-        for decorator in reversed(decorators):
-            function = decorator(function)
-        return function
-
-    return apply
-
-
-LEVELS = click.Choice(["error", "warning", "note", "never"])
-
-plugin_option = click.option(
-    "--plugin", type=Words(), metavar="MODULE", multiple=True, help="Take in this plug-in (docs/plugins.md)."
+@click.group(
+    cls=Group, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}, epilog=EXIT_CODES
 )
-
-what_options = options(
-    click.argument("paths", nargs=-1, type=click.Path()),
-    click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found."),
-    click.option("--isolated", is_flag=True, help="Read no project file."),
-    click.option("--profile", metavar="NAME", help="ros (default), strict, google, bugs-only, architecture or all."),
-    click.option("--select", type=Words(), multiple=True, help="Turn rules on: ids, tool:id, tools, globs or tags."),
-    click.option("--ignore", type=Words(), multiple=True, help="Turn rules off."),
-    click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
-    click.option("--compile-database", type=click.Path(), help="compile_commands.json, or its directory."),
-    plugin_option,
-    click.option("--trust-config", is_flag=True, help="Let the workspace's tool configuration run code."),
-    click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores."),
-    click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),
-    click.option("--no-cache", is_flag=True, help="Neither read nor write the cache."),
-    click.option("--timings", is_flag=True, help="Say on stderr where the time went."),
-)
-
-
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}, epilog=EXIT_CODES)
 @click.version_option(__version__, prog_name="haros-ci")
 def haros_ci() -> None:
     """Linters, metrics and ROS architecture checks for ROS 1 and ROS 2 workspaces, as SARIF, with baselines.
@@ -112,7 +63,13 @@ def haros_ci() -> None:
 
 @haros_ci.command()
 @what_options
-@click.option("--output", metavar="FORMAT[=PATH]", multiple=True, help="text, sarif, github or json; repeatable.")
+@click.option(
+    "--output",
+    metavar="FORMAT[=PATH]",
+    multiple=True,
+    shell_complete=completion_of("formats"),
+    help="text, sarif, github or json; repeatable.",
+)
 @click.option(
     "--sarif-for",
     type=click.Choice(["archive", "github"]),
@@ -126,7 +83,13 @@ def haros_ci() -> None:
 @click.option("--require-baseline", is_flag=True, help="Exit with 3 if there is no baseline to compare with.")
 @click.option("--import", "imports", metavar="FILE.sarif", multiple=True, help="Take in another tool's log.")
 @click.option("--fail-on", type=LEVELS, help="Lowest level of a new result that fails the run; default: warning.")
-@click.option("--allow-tool-failure", metavar="TOOL", multiple=True, help="This tool's trouble does not fail the run.")
+@click.option(
+    "--allow-tool-failure",
+    metavar="TOOL",
+    multiple=True,
+    shell_complete=completion_of("tools"),
+    help="This tool's trouble does not fail the run.",
+)
 @click.option("--fix", is_flag=True, help="Mend what can be mended for certain, then report what is left.")
 @click.option("--diff", is_flag=True, help="Print what --fix would change as a patch; exit with 1 if there is any.")
 @click.option("--why", is_flag=True, help="Say for each result why it is new or which old one it matched.")
@@ -192,7 +155,11 @@ def show(**flags: Any) -> int:
 @haros_ci.command()
 @click.argument("paths", nargs=-1, type=click.Path())
 @click.option(
-    "--format", type=click.Choice(["text", "json", "dot", "mermaid", "sqlite", "nodl", "readme"]), default="text"
+    "--format",
+    type=click.Choice(["text", "json", "dot", "mermaid", "sqlite", "nodl", "readme"]),
+    default="text",
+    show_default=True,
+    help="As a table, data, a picture, a database, or files for each node type or package.",
 )
 @click.option(
     "--output", type=click.Path(), help="File to write, of nodl and readme also a directory; default: stdout."
@@ -229,7 +196,9 @@ def model(**flags: Any) -> int:
     "--scope", type=click.Choice(["configuration", "package", "global"]), default="configuration", show_default=True,
     help="What the query is asked of, one after the other.",
 )  # fmt: skip
-@click.option("--format", type=click.Choice(["text", "json"]), default="text", show_default=True)
+@click.option(
+    "--format", type=click.Choice(["text", "json"]), default="text", show_default=True, help="As a table or as data."
+)
 @click.option("--fail-on-match", is_flag=True, help="Exit with 1 if anything matches.")
 @click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
 @click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
@@ -268,7 +237,13 @@ def policy(**flags: Any) -> int:
 @haros_ci.command()
 @click.argument("base")
 @click.argument("head", required=False)
-@click.option("--format", type=click.Choice(["text", "markdown", "json"]), default="text", show_default=True)
+@click.option(
+    "--format",
+    type=click.Choice(["text", "markdown", "json"]),
+    default="text",
+    show_default=True,
+    help="For a terminal, a pull request or a program.",
+)
 @click.option("--output", type=click.Path(), help="File to write; default: stdout.")
 @click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's.")
 @click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed.")
@@ -301,7 +276,7 @@ def rules(**flags: Any) -> int:
 
 
 @haros_ci.command()
-@click.argument("rule")
+@click.argument("rule", shell_complete=completion_of("rules"))
 @plugin_option
 def explain(rule: str, **flags: Any) -> int:
     """Say what a RULE means, why it matters and how to silence it."""
@@ -341,3 +316,13 @@ def cache(action: str, cache_dir: str | None) -> int:
     from haros_ci import commands
 
     return commands.cache(action, cache_dir)
+
+
+@haros_ci.command()
+@click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
+def completion(shell: str) -> int:
+    """Print what makes a SHELL complete haros-ci's commands, options, formats, profiles and rules."""
+    from haros_ci.completion import script
+
+    click.echo(script(haros_ci, shell))
+    return 0

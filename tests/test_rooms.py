@@ -128,7 +128,10 @@ DOORS: dict[str, set[str]] = {
     },
     "new_check": {"errors"},
     "baseline_command": {"baselines", "cli", "commands", "config", "errors", "output", "report", "results"},
-    "cli": {"baseline_command", "commands", "diff_command", "errors", "init_command", "model_command", "new_check", "policy_command", "query_command", "report"},
+    "manual": set(),
+    "flags": {"completion"},
+    "completion": {"config", "output", "registry"},
+    "cli": {"completion", "flags", "manual", "baseline_command", "commands", "diff_command", "errors", "init_command", "model_command", "new_check", "policy_command", "query_command", "report"},
     "__main__": {"cli"},
     "__init__": set(),
 }

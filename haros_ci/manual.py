@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Help that reads like a manual page: options by what they are about, and examples, for every command."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import click
+
+EXIT_CODES = """
+\b
+Exit codes:
+  0    clean, or nothing new
+  1    a new, unsuppressed result at or above --fail-on
+  2    wrong usage or configuration
+  3    a tool was missing, crashed or timed out; or no baseline under --require-baseline
+  130  interrupted
+
+\b
+Environment:
+  HAROS_CI_CACHE       where the cache lies, unless --cache-dir says it
+  HAROS_CI_PLUGINS     plug-ins, separated by commas, before those of --plugin
+  HAROS_CI_DEBUG       show the trace of a fault of haros-ci
+  NO_COLOR             no colours
+  COLUMNS              width of the text format
+  GITHUB_STEP_SUMMARY  where the format github writes the job summary
+
+\b
+Files:
+  .haros-ci.yaml             the project file, else haros.yaml; the first found counts
+  .haros-ci-baseline.jsonl   known findings, as haros-ci baseline create writes them
+
+Every command has a --help of its own. The pages: https://github.com/haros-ci/haros-ci/tree/main/docs
+"""
+
+#: The section that an option stands in, by its first name; what is named nowhere stands under Options.
+SECTIONS: Mapping[str, tuple[str, ...]] = {
+    "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env"),
+    "What is reported": ("--profile", "--select", "--ignore", "--import", "--metric", "--level", "--scope"),
+    "What is known already": ("--baseline", "--baseline-rev", "--no-baseline", "--require-baseline", "--file", "--accept-new"),
+    "What comes out": (
+        "--output", "--format", "--sarif-for", "--why", "--statistics", "--show-settings", "--fail-on", "--allow-tool-failure",
+        "--exit-code", "--fail-on-match", "--fix", "--diff", "--watch",
+    ),
+    "How it runs": (
+        "--jobs", "--plugin", "--plugin-whitelist", "--plugin-blacklist", "--trust-config", "--cache-dir", "--no-cache", "--timings",
+        "--shard", "--shard-costs",
+    ),
+}  # fmt: skip
+
+#: Examples by command: what it does, and how it is said.
+EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
+    "check": (
+        ("everything below here", "haros-ci check ."),
+        ("what a branch makes new, as GitHub annotations and a log", "haros-ci check . --baseline-rev origin/main --output github --output sarif=haros-ci.sarif"),
+        ("defects only, and two rules besides", "haros-ci check . --profile bugs-only --select pylint:unused-import,topic-type-mismatch"),
+        ("the nodes and topics alone, without linters", "haros-ci check . --profile architecture"),
+        ("what could be mended, then mend it", "haros-ci check . --diff && haros-ci check . --fix"),
+        ("a linter that only runs if asked for", "haros-ci check . --select flake8"),
+    ),
+    "baseline create": (("make today's findings known", "haros-ci baseline create && git add .haros-ci-baseline.jsonl"),),
+    "baseline update": (("follow code that has moved; new findings stay new", "haros-ci baseline update"),),
+    "baseline prune": (("forget what is mended", "haros-ci baseline prune"),),
+    "baseline show": (("what is known", "haros-ci baseline show"),),
+    "model": (
+        ("the running systems, in words", "haros-ci model"),
+        ("one launch file with an argument, as a picture", "haros-ci model --launch robot/launch/robot.launch.xml --arg sim:=true --format dot | dot -Tsvg"),
+        ("for other tools", "haros-ci model --format json --output model.json"),
+    ),
+    "query": (
+        ("topics with more than one publisher", 'haros-ci query "topics[len(self.publishers) > 1]"'),
+        ("fail if a node subscribes to a global name", 'haros-ci query --fail-on-match "nodes/subscribers[self.rosname.is_global]"'),
+    ),
+    "diff": (
+        ("what this branch does to the system", "haros-ci diff origin/main --merge-base"),
+        ("between two tags, for a changelog", "haros-ci diff 1.0.0 1.1.0 --format markdown"),
+    ),
+    "policy": (("allow what the nodes do, and nothing else", "haros-ci policy robot/launch/robot.launch.xml --output robot.policy.xml"),),
+    "rules": (("what is on in a profile", "haros-ci rules --profile strict"),),
+    "explain": (("a rule by its id, its catalogue id or HAROS's", "haros-ci explain G06"),),
+    "init": (("see first what would be written", "haros-ci init --dry-run"),),
+    "cache": (("how much there is", "haros-ci cache stats"),),
+    "completion": (("for this shell, now", "source <(haros-ci completion bash)"),),
+}
+
+
+#: What a command's first sentence does not say.
+ABOUT: Mapping[str, str] = {
+    "check": """
+PATHS are files and directories of one workspace: a package, a repository of packages, or a colcon or catkin workspace; paths in the
+output are relative to the git repository that they lie in. Given files are reported on alone, but seen with all the rest.
+
+Linters, metrics and checks run side by side; what has not changed since the last run comes from the cache. Comments in the code
+(haros: ignore[RULE] reason) and exceptions of the project file set findings aside, a baseline those that are known; the others
+are new, and fail the run at or above --fail-on.
+
+On a pull request give --baseline-rev: project file and baseline then are the base revision's, so that a change cannot silence itself.
+""",
+    "baseline update": """
+Known findings that have moved or changed are followed as --why of haros-ci check tells it. New ones are not made known without
+--accept-new.
+""",
+    "model": """
+Every launch file that no other includes is a configuration, and so is every node that no launch file starts. What cannot be known
+is shown as ?, with the reason. docs/model.md describes the formats.
+""",
+    "diff": """
+BASE and HEAD are git revisions. Nothing is checked out. The job summary of the action holds the same text for a pull request.
+""",
+    "init": """
+Looks at PATH (default: here): packages, languages, other people's code, settings of linters. What is there already is left as it is,
+and haros-ci says what to add by hand.
+""",
+    "rules": """
+A + marks what the profile turns on. The list is that of docs/rules; haros-ci explain describes one rule.
+""",
+    "completion": """
+Put the line of the example into ~/.bashrc or ~/.zshrc; for fish, write the output to ~/.config/fish/completions/haros-ci.fish.
+""",
+}
+
+
+class Command(click.Command):
+    """A command whose options are shown by section, and whose examples follow them."""
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        super().format_help_text(ctx, formatter)
+        for paragraph in ABOUT.get(name_of(ctx), "").strip().split("\n\n"):
+            if paragraph:
+                formatter.write_paragraph()
+                with formatter.indentation():
+                    formatter.write_text(" ".join(paragraph.split()))
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        sections: dict[str, list[tuple[str, str]]] = {name: [] for name in (*SECTIONS, "Options")}
+        for param in self.get_params(ctx):
+            record = param.get_help_record(ctx) if isinstance(param, click.Option) else None
+            if record is not None:
+                sections[section_of(param)].append(record)
+        for name, records in sections.items():
+            if records:
+                with formatter.section(name):
+                    formatter.write_dl(records, col_max=28)
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        examples = EXAMPLES.get(name_of(ctx), ())
+        if examples:
+            with formatter.section("Examples"):
+                for what, command in examples:
+                    formatter.write(f"{'':{formatter.current_indent}}# {what}\n{'':{formatter.current_indent}}{command}\n")
+        super().format_epilog(ctx, formatter)
+
+
+class Group(click.Group):
+    """A group of such commands."""
+
+    command_class = Command
+    group_class = type
+
+
+def section_of(param: click.Parameter) -> str:
+    names = {*param.opts, *param.secondary_opts}
+    return next((name for name, options in SECTIONS.items() if names & {*options}), "Options")
+
+
+def name_of(ctx: click.Context) -> str:
+    """The words of the command without the program: ``baseline create``."""
+    return " ".join(ctx.command_path.split()[1:])
