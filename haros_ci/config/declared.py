@@ -80,7 +80,7 @@ def _argv(file: File, value: Value, what: str) -> tuple[str, ...]:
         raise file.error(value.line, f"'exec' of {what} must be a list, not {kind(value)}", f"write {FORM}")
     if not value.data or len(value.data) > MAX_ARGUMENTS:
         raise file.error(value.line, f"'exec' of {what} must have 1 to {MAX_ARGUMENTS} entries", f"write {FORM}")
-    argv = []
+    argv: list[str] = []
     for item in value.data:
         if not isinstance(item.data, str) or (not argv and not item.data.strip()):
             raise file.error(item.line, f"an argument in 'exec' of {what} must be text, not {kind(item)}", "quote it")
