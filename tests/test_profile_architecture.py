@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from haros_ci.config.settings import PathPolicy, Policy, Settings
-from haros_ci.pipeline import ADAPTERS, lint_options
+from haros_ci.pipeline import lint_options
+from haros_ci.registry import built_in
 
 SELECTS = Policy(select=("cpplint:runtime/int",))
 SELECTS_CHECKS = Policy(select=("global-name", "haros-ci:self-loop"))
@@ -25,7 +26,7 @@ SELECTS_CHECKS = Policy(select=("global-name", "haros-ci:self-loop"))
 )
 def test_no_linter_runs(more: dict[str, object]) -> None:
     settings = Settings(root=Path("/ws"), profile="architecture", **more)  # type: ignore[arg-type]
-    assert lint_options(settings).disabled == frozenset(ADAPTERS)
+    assert lint_options(settings, built_in()).disabled == frozenset(built_in().adapters)
 
 
 @pytest.mark.parametrize(
@@ -39,4 +40,4 @@ def test_no_linter_runs(more: dict[str, object]) -> None:
     ],
 )
 def test_linters_run(more: dict[str, object]) -> None:
-    assert lint_options(Settings(root=Path("/ws"), **more)).disabled == frozenset()  # type: ignore[arg-type]
+    assert lint_options(Settings(root=Path("/ws"), **more), built_in()).disabled == frozenset()  # type: ignore[arg-type]
