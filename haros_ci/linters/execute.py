@@ -36,10 +36,11 @@ class Task:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What became of one batch: answers by path, and sentences on what failed with the paths concerned."""
+    """What became of one batch: answers by path, sentences on what failed with the paths concerned, CPU seconds by path."""
 
     answers: tuple[tuple[str, Answer], ...] = ()
     failures: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    seconds: tuple[tuple[str, float], ...] = ()
 
 
 def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
@@ -48,6 +49,7 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
     A process that runs out of time is not tried again. *scratch* is a directory of our own.
     """
     answers: list[tuple[str, Answer]] = []
+    seconds: list[tuple[str, float]] = []
     failures: list[tuple[str, tuple[str, ...]]] = []
     waiting = [task.units]
     for attempt in range(1 + RETRIES):
@@ -56,7 +58,9 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
         part = waiting.pop()
         paths = tuple(unit.file.path for unit in part)
         try:
-            answers += _ask(task, part, processes, scratch / str(attempt))
+            said, spent = _ask(task, part, processes, scratch / str(attempt))
+            answers += said
+            seconds += _shared(spent, part)
         except (TimedOut, Unstartable) as err:
             failures.append((_sentence(task, err, paths), paths))
         except _Failed as err:
@@ -67,14 +71,23 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
     for part in waiting:
         paths = tuple(unit.file.path for unit in part)
         failures.append((_sentence(task, _Failed("not tried again"), paths), paths))
-    return Outcome(tuple(answers), tuple(failures))
+    return Outcome(tuple(answers), tuple(failures), tuple(seconds))
+
+
+def _shared(seconds: float, units: tuple[Unit, ...]) -> list[tuple[str, float]]:
+    """What each unit has had of a process's time, by its size."""
+    total = sum(unit.file.size + 1 for unit in units)
+    return [(unit.file.path, seconds * (unit.file.size + 1) / total) for unit in units]
 
 
 class _Failed(Exception):
     """The tool crashed, wrote too much, or wrote what it never writes."""
 
 
-def _ask(task: Task, units: tuple[Unit, ...], processes: Processes, scratch: Path) -> list[tuple[str, Answer]]:
+def _ask(
+    task: Task, units: tuple[Unit, ...], processes: Processes, scratch: Path
+) -> tuple[list[tuple[str, Answer]], float]:
+    """The answers, and the CPU seconds that they took."""
     workspace = task.workspace
     own, working = scratch / "own", scratch / "home"
     own.mkdir(parents=True)
@@ -100,7 +113,8 @@ def _ask(task: Task, units: tuple[Unit, ...], processes: Processes, scratch: Pat
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
         words = _stripped(_last_words(output.stderr), here)
         raise _Failed(words or f"wrote what cannot be understood ({err})") from err
-    return [(path, Answer(tuple(results), tuple(gave_up))) for path, (results, gave_up) in sorted(collected.items())]
+    answers = [(path, Answer(tuple(found), tuple(given))) for path, (found, given) in sorted(collected.items())]
+    return answers, output.seconds
 
 
 def _here(*directories: Path) -> re.Pattern[str]:

@@ -82,12 +82,16 @@ class Command:
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """What a finished process left: *truncated* when the byte cap cut it. *code* is negative for a signal."""
+    """What a finished process left: *truncated* when the byte cap cut it. *code* is negative for a signal.
+
+    *seconds* is the CPU time of it and of what it waited for.
+    """
 
     stdout: bytes
     stderr: bytes
     code: int
     truncated: bool = False
+    seconds: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

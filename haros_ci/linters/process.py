@@ -55,7 +55,7 @@ class Processes:
         timer = threading.Timer(timeout, expire)
         timer.start()
         try:
-            code = process.wait()
+            code, seconds = _wait(process)
         except BaseException:
             kill_group(process)
             process.wait()
@@ -67,7 +67,8 @@ class Processes:
         kill_group(process)  # what it may have left running
         if expired.is_set():
             raise TimedOut
-        return Output(_head(streams[1]), _head(streams[2]), code, any(_size(s) >= OUTPUT_LIMIT for s in streams[1:]))
+        truncated = any(_size(stream) >= OUTPUT_LIMIT for stream in streams[1:])
+        return Output(_head(streams[1]), _head(streams[2]), code, truncated, seconds)
 
     def stop(self) -> None:
         """Ends every process and lets no further one start."""
@@ -123,6 +124,15 @@ def kill_group(process: subprocess.Popen[bytes]) -> None:
         os.killpg(process.pid, signal.SIGKILL)
     except (ProcessLookupError, PermissionError):
         pass
+
+
+def _wait(process: subprocess.Popen[bytes]) -> tuple[int, float]:
+    """Exit code and CPU seconds of the process when it has ended, 0.0 where the system does not tell."""
+    if not hasattr(os, "wait4"):
+        return process.wait(), 0.0
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_utime + usage.ru_stime
 
 
 def _within(path: str, roots: list[str]) -> bool:
