@@ -11,7 +11,7 @@ import click
 
 from haros_ci import __version__
 from haros_ci.errors import UserError
-from haros_ci.flags import LEVELS, completion_of, plugin_option, what_options
+from haros_ci.flags import analysis_options, completion_of, costs_option, plugin_option, report_options, what_options
 from haros_ci.manual import EXIT_CODES, Group
 
 EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
@@ -63,43 +63,35 @@ def haros_ci() -> None:
 
 @haros_ci.command()
 @what_options
-@click.option(
-    "--output",
-    metavar="FORMAT[=PATH]",
-    multiple=True,
-    shell_complete=completion_of("formats"),
-    help="text, sarif, github or json; repeatable.",
-)
-@click.option(
-    "--sarif-for",
-    type=click.Choice(["archive", "github"]),
-    default="archive",
-    show_default=True,
-    help="Who reads the SARIF.",
-)
-@click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl.")
-@click.option("--baseline-rev", metavar="REV", help="Known findings: those of the merge-base with this git revision.")
-@click.option("--no-baseline", is_flag=True, help="Ignore the workspace's own baseline file.")
-@click.option("--require-baseline", is_flag=True, help="Exit with 3 if there is no baseline to compare with.")
-@click.option("--import", "imports", metavar="FILE.sarif", multiple=True, help="Take in another tool's log.")
-@click.option("--fail-on", type=LEVELS, help="Lowest level of a new result that fails the run; default: warning.")
-@click.option(
-    "--allow-tool-failure",
-    metavar="TOOL",
-    multiple=True,
-    shell_complete=completion_of("tools"),
-    help="This tool's trouble does not fail the run.",
-)
+@report_options
 @click.option("--fix", is_flag=True, help="Mend what can be mended for certain, then report what is left.")
 @click.option("--diff", is_flag=True, help="Print what --fix would change as a patch; exit with 1 if there is any.")
-@click.option("--why", is_flag=True, help="Say for each result why it is new or which old one it matched.")
-@click.option("--statistics", is_flag=True, help="Counts per rule and tool at the end.")
 @click.option("--show-settings", is_flag=True, help="Print the effective settings and stop.")
+@click.option("--shard", metavar="I/N", help="Do the I-th of N parts, and write it for merge: --output shard=FILE.")
+@costs_option
 def check(**flags: Any) -> int:
     """Analyse PATHS (default: the current directory) and report what is new."""
     from haros_ci import commands
 
     return commands.check(flags)
+
+
+@haros_ci.command()
+@click.argument("files", nargs=-1, required=True, type=click.Path())
+@click.option("--path", "paths", metavar="PATH", multiple=True, help="The PATHS that the shards were given.")
+@analysis_options
+@report_options
+@click.option(
+    "--write-costs", type=click.Path(dir_okay=False), help="Write what each part has cost, for --shard-costs."
+)
+def merge(**flags: Any) -> int:
+    """Report what the shards in FILES have found together, as one check of all would (docs/shards.md).
+
+    Run it in a checkout of the same commit, with the options that the shards were given. No linter is needed.
+    """
+    from haros_ci import merge_command
+
+    return merge_command.merge(flags)
 
 
 @haros_ci.group()

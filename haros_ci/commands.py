@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 
@@ -19,16 +19,22 @@ from haros_ci.cli import EXIT_TOOL_TROUBLE
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.output import RendererError, parse_outputs, rendered, write
+from haros_ci.output import Outputs, RendererError, Renderers, parse_outputs, rendered, write
 from haros_ci.results.result import Report
 from haros_ci.results.rule import Rule
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
 
 Flags = Mapping[str, Any]
+Progress = Callable[[str], None]
+Made = TypeVar("Made")
 
 
 def check(flags: Flags) -> int:
     """``haros-ci check``: analyse, write every output asked for, and give the exit code of design.md."""
+    if flags["shard"] is not None:
+        from haros_ci.shard_command import shard
+
+        return shard(flags)
     settings = settings_from(flags)
     renderers = renderers_of(settings)
     outputs = parse_outputs(flags["output"], renderers)
@@ -42,6 +48,13 @@ def check(flags: Flags) -> int:
         return show_patch(report, workspace, settings)
     if flags["fix"] and mend(report, workspace, settings):
         report, workspace = run(settings, flags)
+    return reported(report, workspace, outputs, renderers, settings, flags)
+
+
+def reported(
+    report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
+) -> int:
+    """Write every output, and give the exit code."""
     failed = False
     for format, path in outputs:
         try:
@@ -115,12 +128,21 @@ def exit_code(report: Report, settings: Settings) -> int:
 
 
 def run(settings: Settings, flags: Flags) -> tuple[Report, Workspace]:
-    """Analyse under a cache, saying on stderr what is being done when a person watches."""
+    """Analyse under a cache."""
+
+    def analysed(store: DiskCache | MemoryCache, progress: Progress) -> tuple[Report, Workspace]:
+        from haros_ci.pipeline import analyse
+
+        return analyse(settings, store, progress=progress)
+
+    return under_cache(analysed, settings, flags)
+
+
+def under_cache(work: Callable[[DiskCache | MemoryCache, Progress], Made], settings: Settings, flags: Flags) -> Made:
+    """What *work* makes with a cache, saying on stderr what is being done when a person watches."""
     import gc
 
     gc.disable()  # a short-lived process over acyclic values: the collector would only look for what is not there
-    from haros_ci.pipeline import analyse
-
     store = store_for(settings)
     started = time.perf_counter()
     clock: list[tuple[float, str]] = []
@@ -132,7 +154,7 @@ def run(settings: Settings, flags: Flags) -> tuple[Report, Workspace]:
             click.echo(f"\r\x1b[K{what}", nl=False, err=True)
 
     try:
-        report, workspace = analyse(settings, store, progress=progress)
+        made = work(store, progress)
     finally:
         if watched:
             click.echo("\r\x1b[K", nl=False, err=True)
@@ -143,7 +165,7 @@ def run(settings: Settings, flags: Flags) -> tuple[Report, Workspace]:
         for seconds, what in clock:
             click.echo(f"{seconds:8.3f} s  {what}", err=True)
         click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
-    return report, workspace
+    return made
 
 
 def store_for(settings: Settings) -> DiskCache | MemoryCache:

@@ -46,8 +46,8 @@ plugin_option = click.option(
     "--plugin", type=Words(), metavar="MODULE", multiple=True, help="Take in this plug-in (docs/plugins.md)."
 )
 
-what_options = options(
-    click.argument("paths", nargs=-1, type=click.Path()),
+path_arguments = click.argument("paths", nargs=-1, type=click.Path())
+analysis_options = options(
     click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found."),
     click.option("--isolated", is_flag=True, help="Read no project file."),
     click.option(
@@ -75,3 +75,49 @@ what_options = options(
     click.option("--no-cache", is_flag=True, help="Neither read nor write the cache."),
     click.option("--timings", is_flag=True, help="Say on stderr where the time went."),
 )
+
+
+report_options = options(
+    click.option(
+        "--output",
+        metavar="FORMAT[=PATH]",
+        multiple=True,
+        shell_complete=completion_of("formats"),
+        help="text, sarif, github or json; repeatable.",
+    ),
+    click.option(
+        "--sarif-for",
+        type=click.Choice(["archive", "github"]),
+        default="archive",
+        show_default=True,
+        help="Who reads the SARIF.",
+    ),
+    click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
+    click.option(
+        "--baseline-rev", metavar="REV", help="Known findings: those of the merge-base with this git revision."
+    ),
+    click.option("--no-baseline", is_flag=True, help="Ignore the workspace's own baseline file."),
+    click.option("--require-baseline", is_flag=True, help="Exit with 3 if there is no baseline to compare with."),
+    click.option("--import", "imports", metavar="FILE.sarif", multiple=True, help="Take in another tool's log."),
+    click.option("--fail-on", type=LEVELS, help="Lowest level of a new result that fails the run; default: warning."),
+    click.option(
+        "--allow-tool-failure",
+        metavar="TOOL",
+        multiple=True,
+        shell_complete=completion_of("tools"),
+        help="This tool's trouble does not fail the run.",
+    ),
+    click.option("--why", is_flag=True, help="Say for each result why it is new or which old one it matched."),
+    click.option("--statistics", is_flag=True, help="Counts per rule and tool at the end."),
+)
+
+
+costs_option = click.option(
+    "--shard-costs",
+    type=click.Path(dir_okay=False),
+    help="Divide by what --write-costs of an earlier merge has written.",
+)
+
+
+def what_options(function: Any) -> Any:
+    return path_arguments(analysis_options(function))

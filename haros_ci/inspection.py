@@ -19,6 +19,7 @@ from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level, Rule
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
+    from haros_ci.checking.check import Check
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
     from haros_ci.code.codebase import Codebase
@@ -59,9 +60,9 @@ def inspected(
     """*run* with what the checks and queries say of the architecture, where any of them is on; what changed since *base*."""
     settings = architectures.settings
     known = architectures.registry
-    chosen = tuple(check for check in known.checks if is_on(known.check_rules[check.id], workspace, selection))
-    if not (chosen or asks(settings)) or only_files(workspace, settings):
+    if not is_inspected(workspace, selection, settings, known):
         return run
+    chosen = chosen_checks(workspace, selection, known)
     from haros_ci.checking.run import Assigned, run_checks, run_on_project
     from haros_ci.checking.system import System, systems
 
@@ -98,6 +99,16 @@ def inspected(
         changes=project.changes if base is not None else None,
     )
     return queried(run, found, workspace, settings, selection) if asks(settings) else run
+
+
+def is_inspected(workspace: Workspace, selection: Selection, settings: Settings, known: Registry) -> bool:
+    """Whether the architecture is needed: a check is on or a query may be asked, and not only of single files."""
+    return not only_files(workspace, settings) and (asks(settings) or bool(chosen_checks(workspace, selection, known)))
+
+
+def chosen_checks(workspace: Workspace, selection: Selection, known: Registry) -> tuple[Check, ...]:
+    """The checks that are on in any file."""
+    return tuple(check for check in known.checks if is_on(known.check_rules[check.id], workspace, selection))
 
 
 def _past(base: Base | None, architectures: Architectures) -> Callable[[], Project | None]:

@@ -44,7 +44,7 @@ SECTIONS: Mapping[str, tuple[str, ...]] = {
     ),
     "How it runs": (
         "--jobs", "--plugin", "--plugin-whitelist", "--plugin-blacklist", "--trust-config", "--cache-dir", "--no-cache", "--timings",
-        "--shard", "--shard-costs",
+        "--shard", "--shard-costs", "--write-costs",
     ),
 }  # fmt: skip
 

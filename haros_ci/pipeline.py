@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from haros_ci import PROJECT_URL, __version__
@@ -17,6 +17,7 @@ from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.metrics import keep_worst_band
+from haros_ci.linters.recorded import Recorded
 from haros_ci.linters.run import lint
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
@@ -36,32 +37,40 @@ METRICS = "metrics"
 MEASURED_BY = ("lizard", "radon")
 
 
-def analyse(settings: Settings, store: Store, *, progress: Progress | None = None) -> tuple[Report, Workspace]:
-    """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed."""
+@dataclass(frozen=True, slots=True)
+class Testimony:
+    """What other machines have found out of one revision: what the tools say, and our own run if it took part."""
+
+    lint: Recorded
+    own: Run | None
+
+
+#: That of the head and of the base revision, once it is clear what they are.
+Told = Callable[[Workspace, Base | None], tuple[Testimony, Testimony | None]]
+
+
+def analyse(
+    settings: Settings, store: Store, *, progress: Progress | None = None, told: Told | None = None
+) -> tuple[Report, Workspace]:
+    """The whole run: what *settings* ask for, with what is known already taken from *store*; and what was analysed.
+
+    With *told*, what the tools say is not found out here but what other machines have found out.
+    """
     known = registry(settings)
-    rules = with_queries(settings, known)
-    selection = Selection(settings, rules, unlisted=catalogue.rule)
-    misfits = check_selectors(
-        settings,
-        rules,
-        known.tools,
-        linters=known.adapters,
-        unserved=catalogue.UNSERVED,
-        open_tools=known.open_ended,
-    )
-    workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
-    workspace = narrowed(workspace, settings, selection)
+    selection, misfits = selection_of(settings, known)
+    workspace = found(settings, selection)
     architectures = Architectures(settings, store, known)
     with at_base(workspace, settings) as base:
         past = base if isinstance(base, Base) else None
-        runs = examine(workspace, selection, architectures, progress, past)
+        head, old = (None, None) if told is None else told(workspace, past)
+        runs = examine(workspace, selection, architectures, progress, past, head)
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
         compared = compare(
             runs,
             workspace,
             settings,
             base,
-            examine=lambda old: examine(narrowed(old, settings, selection), selection, architectures, progress),
+            examine=lambda it: examine(narrowed(it, settings, selection), selection, architectures, progress, told=old),
         )
     runs = tuple(described(run, selection) for run in compared.runs)  # absent results bring rules of their own
     report = Report(
@@ -78,6 +87,26 @@ def analyse(settings: Settings, store: Store, *, progress: Progress | None = Non
         fail_on=settings.fail_on,
     )
     return report, workspace
+
+
+def selection_of(settings: Settings, known: Registry) -> tuple[Selection, tuple[str, ...]]:
+    """Which rules are on, and sentences on selectors that name none; UserError for those that cannot be meant."""
+    rules = with_queries(settings, known)
+    misfits = check_selectors(
+        settings,
+        rules,
+        known.tools,
+        linters=known.adapters,
+        unserved=catalogue.UNSERVED,
+        open_tools=known.open_ended,
+    )
+    return Selection(settings, rules, unlisted=catalogue.rule), misfits
+
+
+def found(settings: Settings, selection: Selection) -> Workspace:
+    """The workspace as it is now."""
+    workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
+    return narrowed(workspace, settings, selection)
 
 
 def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> Workspace:
@@ -101,15 +130,20 @@ def examine(
     architectures: Architectures,
     progress: Progress | None,
     base: Base | None = None,
+    told: Testimony | None = None,
 ) -> tuple[Run, ...]:
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline.
 
-    With *base*, the revision before, they also say what has changed.
+    With *base*, the revision before, they also say what has changed. What was *told* is not found out anew.
     """
-    known = architectures.registry
+    known, store = architectures.registry, architectures.store
     options = lint_options(architectures.settings, known)
-    raw = lint(workspace, known.linters, options, architectures.store, selection.wants, progress)
-    own_one = inspected(own_run(workspace, known), workspace, selection, architectures, progress, base)
+    raw = lint(workspace, known.linters, options, store, selection.wants, progress, told.lint if told else None)
+    own_one = own_run(workspace, known)
+    if told is None:
+        own_one = inspected(own_one, workspace, selection, architectures, progress, base)
+    elif told.own is not None:
+        own_one = replace(told.own, tool=own_one.tool, analysed=own_one.analysed)
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     return finished(distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection)

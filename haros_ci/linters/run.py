@@ -6,30 +6,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Protocol
 
 from haros_ci.linters import rows, schedule
 from haros_ci.linters.execute import Outcome, Task, execute
 from haros_ci.linters.linter import GaveUp, Linter, LintOptions, Unit
 from haros_ci.linters.process import Processes
+from haros_ci.linters.recorded import Recorded
 from haros_ci.linters.rows import Answer, Wanted
-from haros_ci.linters.work import Digests, Installed, Tools, Work, works
+from haros_ci.linters.work import Digests, Installed, Work, works
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Notification, Run, Tool
 
 Progress = Callable[[str], None]
-
-
-class Answers(Protocol):
-    """Where answers may be known."""
-
-    def get(self, group: str, path: str, key: str) -> object | None: ...
-
-
-class Recorded(Answers, Tools, Protocol):
-    """What tools have said elsewhere, with which tools; ``settle`` says why the rest of their units has no answer."""
-
-    def settle(self, works: Iterable[Work]) -> None: ...
 
 
 def lint(
@@ -54,18 +42,40 @@ def lint(
         return workspace.reports_on(path) and wanted(tool, rule, path)
 
     planned = works(workspace, linters, options, store, digests, Installed() if recorded is None else recorded)
-    for work in planned:
-        if isinstance(work, Work):
-            _recall(work, store if recorded is None else recorded, keep, digests)
-    incomplete = [work for work in planned if isinstance(work, Work) and work.missing]
-    if incomplete and recorded is not None:
-        recorded.settle(incomplete)
-    elif incomplete:
-        analyse(incomplete, workspace, options, store, keep, digests, progress)
+    complete(
+        [work for work in planned if isinstance(work, Work)],
+        workspace,
+        options,
+        store,
+        keep,
+        digests,
+        progress,
+        recorded,
+    )
     return tuple(work if isinstance(work, Run) else _run(work, workspace) for work in planned)
 
 
-def _recall(work: Work, store: Answers, keep: Wanted, digests: Digests) -> None:
+def complete(
+    works: Sequence[Work],
+    workspace: Workspace,
+    options: LintOptions,
+    store: Store,
+    keep: Wanted,
+    digests: Digests,
+    progress: Progress | None = None,
+    recorded: Recorded | None = None,
+) -> None:
+    """Answer for all units: with what is *recorded*, else from the store and by running the tools."""
+    for work in works:
+        _recall(work, store if recorded is None else recorded, keep, digests)
+    incomplete = [work for work in works if work.missing]
+    if incomplete and recorded is not None:
+        recorded.settle(incomplete)
+    elif incomplete:
+        _analyse(incomplete, workspace, options, store, keep, digests, progress)
+
+
+def _recall(work: Work, store: Store | Recorded, keep: Wanted, digests: Digests) -> None:
     """Take what is known; what is not is then missing. A file that no tool can be asked about is not missed."""
     name = work.linter.NAME
     for unit in work.units:
@@ -81,7 +91,7 @@ def _recall(work: Work, store: Answers, keep: Wanted, digests: Digests) -> None:
             work.take(unit, answer)
 
 
-def analyse(
+def _analyse(
     works: Sequence[Work],
     workspace: Workspace,
     options: LintOptions,
