@@ -60,6 +60,7 @@ def at_base(workspace: Workspace, settings: Settings) -> Iterator[Base | Baselin
                     paths=settings.paths,
                     exclude=settings.exclude,
                     max_file_size=settings.max_file_size,
+                    also=settings.claims,
                 )
             )
         except BaselineUnavailable as err:

@@ -59,6 +59,7 @@ def analyse(
     known = registry(settings)
     selection, misfits = selection_of(settings, known)
     workspace = found(settings, selection)
+    selection = selection.over(workspace.package_finder())
     architectures = Architectures(settings, store, known)
     with at_base(workspace, settings) as base:
         past = base if isinstance(base, Base) else None
@@ -70,13 +71,20 @@ def analyse(
             workspace,
             settings,
             base,
-            examine=lambda it: examine(narrowed(it, settings, selection), selection, architectures, progress, told=old),
+            examine=lambda it: examine(
+                narrowed(it, settings, selection),
+                selection.over(it.package_finder()),
+                architectures,
+                progress,
+                told=old,
+            ),
         )
+    notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
     runs = tuple(described(run, selection) for run in compared.runs)  # absent results bring rules of their own
     report = Report(
         runs=runs,
         notifications=(
-            *(Notification(Level.NOTE, note, configuration=True) for note in (*settings.notes, *misfits)),
+            *(Notification(Level.NOTE, note, configuration=True) for note in notes),
             *compared.notifications,
             *(Notification(Level.WARNING, p.message, path=p.path, line=p.line) for p in workspace.problems),
         ),
@@ -100,12 +108,18 @@ def selection_of(settings: Settings, known: Registry) -> tuple[Selection, tuple[
         unserved=catalogue.UNSERVED,
         open_tools=known.open_ended,
     )
-    return Selection(settings, rules, unlisted=catalogue.rule), misfits
+    return Selection(settings, rules, unlisted=known.unlisted), misfits
 
 
 def found(settings: Settings, selection: Selection) -> Workspace:
     """The workspace as it is now."""
-    workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
+    workspace = discover(
+        settings.root,
+        settings.paths,
+        exclude=settings.exclude,
+        max_file_size=settings.max_file_size,
+        also=settings.claims,
+    )
     return narrowed(workspace, settings, selection)
 
 
@@ -146,7 +160,9 @@ def examine(
         own_one = replace(told.own, tool=own_one.tool, analysed=own_one.analysed)
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
-    return finished(distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection)
+    return finished(
+        distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection, architectures.settings
+    )
 
 
 def imported(settings: Settings, workspace: Workspace, selection: Selection) -> tuple[Run, ...]:
@@ -162,10 +178,10 @@ def imported(settings: Settings, workspace: Workspace, selection: Selection) -> 
                 if level is not None and workspace.reports_on(result.location.path):
                     results.append(replace(result, level=level))
             runs.append(replace(run, results=tuple(results)))
-    return finished(tuple(runs), workspace, selection)
+    return finished(tuple(runs), workspace, selection, settings)
 
 
-def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection) -> tuple[Run, ...]:
+def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection, settings: Settings) -> tuple[Run, ...]:
     """The last steps before comparison: suppressions, and an identity for each result."""
     files = {file.path: file for file in workspace.files}
 
@@ -181,7 +197,20 @@ def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection) 
         mentions=lambda path: path in files and files[path].has_directive,
     )
     runs = distribute(runs, (*results_of(runs), *selected(unused, selection, workspace)))
+    if settings.exemptions:
+        from haros_ci.config.exemptions import exempt
+
+        runs = exempt(runs, settings, selection.matches, workspace.package_finder())
     return fingerprint(runs, workspace.text, language)
+
+
+def idle_entries(runs: tuple[Run, ...], workspace: Workspace, settings: Settings) -> tuple[str, ...]:
+    """Notes on entries of the project file that are for nothing."""
+    if not settings.exemptions and not settings.per_package:
+        return ()
+    from haros_ci.config.exemptions import idle_entries
+
+    return idle_entries(runs, workspace, settings)
 
 
 def lint_options(settings: Settings, known: Registry) -> LintOptions:
@@ -202,8 +231,7 @@ def lint_options(settings: Settings, known: Registry) -> LintOptions:
 
 def named(settings: Settings, known: Registry) -> frozenset[str]:
     """The linters that run only if asked for, and that a selector names: ``flake8``, ``flake8:E501``."""
-    policies = (settings.policy, *(entry.policy for entry in settings.per_path), settings.command_line)
-    words = {selector.partition(":")[0] for policy in policies for selector in policy.select}
+    words = {selector.partition(":")[0] for policy in settings.policies for selector in policy.select}
     return frozenset(linter.NAME for linter in known.linters if linter.WHEN is When.ASKED and linter.NAME in words)
 
 
@@ -211,20 +239,21 @@ def unheard(settings: Settings, known: Registry) -> frozenset[str]:
     """The linters that need not run: all in the profile of the checks alone, unless the command line selects other rules."""
     checks = known.check_rules.keys()
     selected = {text.removeprefix(f"{own.TOOL}:") for text in settings.command_line.select}
-    has_others = not selected <= checks or any(entry.profile for entry in settings.per_path)
+    has_others = not selected <= checks or any(entry.profile for entry in settings.local)
     return frozenset(known.adapters) if settings.profile == "architecture" and not has_others else frozenset()
 
 
 def selected(results: Iterable[Result], selection: Selection, workspace: Workspace) -> tuple[Result, ...]:
     """Those results whose rule is on for their file, at the level that the settings give them.
 
-    Where they give none, a check's finding keeps its own level: it may weigh less or more than the check as a rule.
+    Where they give none, a check's finding keeps its own level: it may weigh less or more than the check as a rule. So
+    does what a declared tool says, whose rules nobody has weighed.
     """
     kept = []
     for result in results:
         if not workspace.reports_on(result.location.path):
             continue
-        default = result.level if result.tool == own.TOOL else None
+        default = result.level if result.tool not in catalogue.TOOLS else None
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))

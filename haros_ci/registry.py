@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from haros_ci import PROJECT_URL
 from haros_ci.checking.check import Check
-from haros_ci.config.settings import Settings
+from haros_ci.config.settings import PROFILES, Settings
+from haros_ci.errors import UserError
 from haros_ci.linters import catalogue, catkin_lint, clang_tidy, cppcheck, cpplint, lizard, pylint, radon, ruff
 from haros_ci.linters.linter import Linter
 from haros_ci.results import own
@@ -34,7 +35,8 @@ class Registry:
     """*linters* in the order of their runs, *checks* with their *check_rules* by id, *renderers* by the name of their format.
 
     *tool_rules* are the documented rules of linters that the catalogue does not know, *open_ended* the tools that may report others.
-    *components* are the plug-ins as SARIF lists them.
+    *components* are the plug-ins as SARIF lists them. *declared* are the names of the tools that the project file declares, those
+    too that do not run.
     """
 
     linters: tuple[Linter, ...]
@@ -44,22 +46,28 @@ class Registry:
     open_ended: tuple[str, ...] = OPEN_ENDED
     renderers: Mapping[str, Callable[[Report], str]] = field(default_factory=lambda: MappingProxyType({}))
     components: tuple[Tool, ...] = ()
+    declared: tuple[str, ...] = ()
 
     @property
     def adapters(self) -> tuple[str, ...]:
         """The names of all linters, as the key ``linters`` has them."""
-        return tuple(linter.NAME for linter in self.linters)
+        return tuple(dict.fromkeys((*(linter.NAME for linter in self.linters), *self.declared)))
 
     @property
     def tools(self) -> tuple[str, ...]:
         """The names that results of ours carry."""
-        return (own.TOOL, *catalogue.TOOLS, *self.tool_rules)
+        return (own.TOOL, *catalogue.TOOLS, *self.tool_rules, *self.declared)
 
     def rules_of(self, tool: str) -> Mapping[str, Rule]:
         """The documented rules of a tool, haros-ci itself included."""
         if tool == own.TOOL:
             return {**own.RULES, **self.check_rules}
         return self.tool_rules[tool] if tool in self.tool_rules else catalogue.rules_of(tool)
+
+    def unlisted(self, tool: str, identifier: str) -> Rule:
+        """A rule that no table has. Those of declared tools are on in every profile, as those of imported logs are."""
+        made = catalogue.rule(tool, identifier)
+        return replace(made, profiles=PROFILES) if tool in self.declared else made
 
     def documented_rules(self) -> Iterator[tuple[str, Rule]]:
         """Every documented rule with its tool's name, in order."""
@@ -70,11 +78,12 @@ class Registry:
 
 def registry(settings: Settings) -> Registry:
     """What a run under *settings* can do; UserError for a plug-in that cannot be used."""
-    if not settings.plugins:
-        return built_in()
-    from haros_ci.plugins.load import load
+    known = built_in()
+    if settings.plugins:
+        from haros_ci.plugins.load import load
 
-    return with_plugins(built_in(), load(settings.plugins, settings.root))
+        known = with_plugins(known, load(settings.plugins, settings.root))
+    return with_declared(known, settings) if settings.declared else known
 
 
 @cache
@@ -128,3 +137,20 @@ def check_rules() -> dict[str, Rule]:
     return {
         check.id: check.rule(page_of(check), f"{PROJECT_URL}/blob/main/checks/{page_name(check)}") for check in checks()
     }
+
+
+def with_declared(before: Registry, settings: Settings) -> Registry:
+    """*before* and the tools that the project file declares, which run only if it is trusted; UserError where names clash."""
+    from haros_ci.linters.declared import declared
+
+    for tool in settings.declared:
+        if tool.name in (*before.tools, *before.adapters, *TAKEN):
+            message = f"{tool.origin}: haros-ci has a tool named '{tool.name}' already"
+            raise UserError(message, help="give yours another name")
+    names = tuple(tool.name for tool in settings.declared)
+    return replace(
+        before,
+        linters=(*before.linters, *declared(settings.tools)),
+        open_ended=(*before.open_ended, *names),
+        declared=names,
+    )

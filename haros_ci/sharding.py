@@ -61,6 +61,7 @@ def part(
     known = registry(settings)
     selection, _ = selection_of(settings, known)
     head = found(settings, selection)
+    selection = selection.over(head.package_finder())
     options = lint_options(settings, known)
     with at_base(head, settings) as base:
         past = base if isinstance(base, Base) else None
@@ -126,7 +127,7 @@ def merged(settings: Settings, store: Store, joined: Joined) -> tuple[Report, Wo
             base=None if past is None else past.revision,
         )
         selection, _ = selection_of(settings, known)
-        needed = is_inspected(workspace, selection, settings, known)
+        needed = is_inspected(workspace, selection.over(workspace.package_finder()), settings, known)
         return _testimony(joined, HEAD, needed), None if past is None else _testimony(joined, BASE, needed)
 
     try:
@@ -210,7 +211,14 @@ def _inspected(
     """Our own runs of both sides; what they cost is told of the head's."""
     before = _cpu()
     runs = [
-        inspected(own_run(side, architectures.registry), side, selection, architectures, progress, base)
+        inspected(
+            own_run(side, architectures.registry),
+            side,
+            selection.over(side.package_finder()),
+            architectures,
+            progress,
+            base,
+        )
         for side, base in zip(sides, (past, None), strict=False)
     ]
     spent = int((_cpu() - before) * 1e6)

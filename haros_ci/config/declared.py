@@ -53,7 +53,9 @@ def read_declared(file: File, name: str, value: Value, *, trust: bool) -> Declar
         origin=f"{file.name}:{line}",
     )
     if not tool.files and not tool.languages:
-        raise file.error(line, f"{what} does not say which files it is for", "add languages: [cpp] or files: ['**/*.c']")
+        raise file.error(
+            line, f"{what} does not say which files it is for", "add languages: [cpp] or files: ['**/*.c']"
+        )
     off = "enabled" in entries and entries["enabled"].data is False
     if not trust and not off:
         file.note(f"{what} starts a program, so it is run only with --trust-config", line)
@@ -114,7 +116,9 @@ def _pattern(file: File, entries: dict[str, Value], what: str) -> str:
     wanted = _output(entries) == "regex"
     if wanted != ("pattern" in entries):
         line = entries["pattern" if not wanted else "output"].key_line
-        raise file.error(line, f"{what}: 'pattern' goes with output: regex, and that needs one", "see docs/declared-tools.md")
+        raise file.error(
+            line, f"{what}: 'pattern' goes with output: regex, and that needs one", "see docs/declared-tools.md"
+        )
     if not wanted:
         return ""
     text = pattern(file, entries["pattern"], "'pattern'")

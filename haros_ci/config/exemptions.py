@@ -6,11 +6,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from haros_ci.config.settings import Exemption, Settings
+from haros_ci.config.selector import unknown_packages
+from haros_ci.config.settings import Exemption, Policy, Settings
 from haros_ci.config.shapes import File, Named, kind
 from haros_ci.config.yaml_lines import Value
 from haros_ci.errors import UserError
 from haros_ci.model import globs
+from haros_ci.model.workspace import Workspace
 from haros_ci.results.linear_regex import Budget, PatternError, TooMuchWork, compiled
 from haros_ci.results.result import Result, Run, Suppression
 
@@ -87,12 +89,24 @@ def exempt(
     return tuple(replace(run, results=tuple(fits.marked(result) for result in run.results)) for run in runs)
 
 
-def idle(runs: Iterable[Run], settings: Settings) -> tuple[str, ...]:
+def _idle(runs: Iterable[Run], settings: Settings) -> tuple[str, ...]:
     """Sentences on exceptions that fitted nothing in *runs*, in the order of the file."""
     used = {s.source for run in runs for result in run.results for s in result.suppressions}
     return tuple(
-        f"{e.origin}: this exception fits no finding of this run; remove it" for e in settings.exemptions if e.origin not in used
+        f"{e.origin}: this exception fits no finding of this run; remove it"
+        for e in settings.exemptions
+        if e.origin not in used
     )
+
+
+def idle_entries(runs: Iterable[Run], workspace: Workspace, settings: Settings) -> tuple[str, ...]:
+    """Notes on entries of the project file that are for nothing, where the whole workspace was analysed as the file says."""
+    whole = workspace.targets is None and settings.paths == (".",) and all(run.successful for run in runs)
+    as_told = settings.command_line == Policy() and dict(settings.origins).get("profile") != "command line"
+    everything_ran = settings.trust_config or not settings.declared
+    if not whole or not as_told or not everything_ran:
+        return ()
+    return (*_idle(runs, settings), *unknown_packages(settings, (package.name for package in workspace.packages)))
 
 
 class _Fits:
@@ -154,4 +168,4 @@ def _suppression(exemption: Exemption) -> Suppression:
     return Suppression("external", reason, source=exemption.origin)
 
 
-__all__ = ["exempt", "idle", "pattern", "read_exemptions"]
+__all__ = ["exempt", "idle_entries", "pattern", "read_exemptions"]

@@ -9,10 +9,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from haros_ci.model import globs
 from haros_ci.config.settings import PROFILES, Policy, Settings
 from haros_ci.config.suggestion import quoted, suggestion
 from haros_ci.errors import UserError
+from haros_ci.model import globs
 from haros_ci.results.rule import Level
 
 #: In one directory the first of these counts; see docs/configuration.md.
@@ -173,7 +173,11 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
     if forgiven := _words(flags.get("allow_tool_failure")):
         changes["allow_tool_failure"] = frozenset(forgiven)
 
-    said = {name.replace("_", "-"): "command line" for name in changes if name not in ("per_package", "per_path", "command_line")}
+    said = {
+        name.replace("_", "-"): "command line"
+        for name in changes
+        if name not in ("per_package", "per_path", "command_line")
+    }
     return replace(settings, **changes, origins=tuple(sorted({**dict(settings.origins), **said}.items())))
 
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from haros_ci.model import globs
 from haros_ci.config.selector import NO_MATCH, Rank, rank
 from haros_ci.config.settings import Policy, Settings
+from haros_ci.model import globs
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level, Rule
 
@@ -29,21 +29,26 @@ class _State:
 class Selection:
     """The settings as decisions on rules.
 
-    Layers, each beating those before it: the profile; the project file; the per-path entries that match, in file
-    order; the command line. Within a layer the most specific selector that names the rule decides (selector.py has the
+    Layers, each beating those before it: the profile; the project file; the per-package and then the per-path entries
+    that match, in file order; the command line. Within a layer the most specific selector that names the rule decides (selector.py has the
     ranks), and between equals ``ignore``. A layer that does not name the rule leaves it as it was. ``levels`` follow
     the same order, between equals the last wins; ``off`` turns the rule off until a later layer selects it or gives it
     a level.
     """
 
     def __init__(
-        self, settings: Settings, catalogue: Catalogue, unlisted: Callable[[str, str], Rule] | None = None
+        self,
+        settings: Settings,
+        catalogue: Catalogue,
+        unlisted: Callable[[str, str], Rule] | None = None,
+        package: Callable[[str], str | None] | None = None,
     ) -> None:
         """*catalogue* gives the documented rules of a tool by id, empty for a tool it does not know.
 
         *unlisted* makes a rule of a tool and an id that the catalogue lacks; without it such a rule has no profiles, so
-        that only ``all`` or a selector turns it on.
+        that only ``all`` or a selector turns it on. *package* tells the package of a path, for ``per-package``.
         """
+        self._package = package
         self._settings = settings
         self._catalogue = catalogue
         self._unlisted = unlisted
@@ -59,6 +64,10 @@ class Selection:
         if not on:
             return None
         return level or default or self.rule(tool, rule).level
+
+    def over(self, package: Callable[[str], str | None]) -> Selection:
+        """The same settings for a workspace whose packages *package* tells."""
+        return Selection(self._settings, self._catalogue, self._unlisted, package)
 
     def wants(self, tool: str, rule: str | Rule, path: str) -> bool:
         """Whether *rule* is on in the file *path*."""
@@ -93,7 +102,7 @@ class Selection:
         return any(globs.compiled(pattern)(name) for pattern in self._settings.ignore_files)
 
     def _decision(self, tool: str, rule: str | Rule, path: str) -> _Decision:
-        zone = self._zone(path) if self._settings.per_path else ()
+        zone = self._zone(path) if self._settings.local else ()
         key = (tool, rule, zone)
         decision = self._decisions.get(key)
         if decision is None:
@@ -101,17 +110,27 @@ class Selection:
         return decision
 
     def _zone(self, path: str) -> tuple[int, ...]:
-        """Which per-path entries hold for *path*."""
+        """Which per-package entries, counted from 0, and per-path entries, counted on, hold for *path*."""
         zone = self._zones.get(path)
         if zone is None:
-            entries = enumerate(self._settings.per_path)
-            zone = tuple(i for i, entry in entries if any(globs.matches(glob, path) for glob in entry.globs))
+            settings = self._settings
+            name = self._package(path) if self._package and settings.per_package else None
+            packages, here = len(settings.per_package), range(len(settings.per_package))
+            entries = enumerate(settings.per_path, start=packages)
+            zone = (
+                *(
+                    i
+                    for i in here
+                    if name and any(globs.compiled(glob)(name) for glob in settings.per_package[i].names)
+                ),
+                *(i for i, entry in entries if any(globs.matches(glob, path) for glob in entry.globs)),
+            )
             self._zones[path] = zone
         return zone
 
     def _decide(self, tool: str, rule: Rule, zone: tuple[int, ...]) -> _Decision:
         settings = self._settings
-        local = [settings.per_path[i] for i in zone]
+        local = [settings.local[i] for i in zone]
         profile = next((entry.profile for entry in reversed(local) if entry.profile), settings.profile)
         state = _State(profile == "all" or profile in rule.profiles)
         for policy in (settings.policy, *(entry.policy for entry in local), settings.command_line):

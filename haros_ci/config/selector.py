@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 
-from haros_ci.model.globs import compiled
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.config.suggestion import did_you_mean, nearest, quoted, suggestion
 from haros_ci.errors import UserError
+from haros_ci.model.globs import compiled
 from haros_ci.results.rule import Rule
 
 #: How specific a match is: larger is more specific; the second number tells globs apart.
@@ -104,10 +104,24 @@ def check_selectors(
     return tuple(notes)
 
 
+def unknown_packages(settings: Settings, packages: Iterable[str]) -> tuple[str, ...]:
+    """Notes on names under ``per-package`` that no package has."""
+    known = tuple(sorted(packages))
+    where = dict(settings.origins).get("per-package", "per-package")
+    written = (name for entry in settings.per_package for name in entry.names)
+    idle = [name for name in written if not any(compiled(name)(package) for package in known)]
+    notes = []
+    for name in idle[:MAX_NOTES]:
+        near = did_you_mean(name, known) if not is_glob(name) else None
+        notes.append(f"{where}: no package {quoted(name)} here" + (f"; {near}" if near else ""))
+    return (*notes, *([f"and {len(idle) - MAX_NOTES} more names"] if len(idle) > MAX_NOTES else []))
+
+
 def _written(settings: Settings) -> tuple[str, ...]:
     """Every selector of the settings, once, in the order of the layers."""
-    policies = (settings.policy, *(entry.policy for entry in settings.per_path), settings.command_line)
-    return tuple(dict.fromkeys(s for p in policies for s in (*p.select, *p.ignore, *(name for name, _ in p.levels))))
+    policies = settings.policies
+    chosen = [s for p in policies for s in (*p.select, *p.ignore, *(name for name, _ in p.levels))]
+    return tuple(dict.fromkeys((*chosen, *(rule for entry in settings.exemptions for rule in entry.rules))))
 
 
 def _is_user_query(selector: str, settings: Settings) -> bool:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -39,21 +40,25 @@ class Policy:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PathPolicy:
-    """A Policy (and, if set, a profile) for the files that match one of *globs* (``**`` crosses directories)."""
+class LocalPolicy:
+    """A Policy and, if set, a profile for some of the files."""
 
-    globs: tuple[str, ...]
     policy: Policy
     profile: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PackagePolicy:
-    """A Policy (and, if set, a profile) for the files of packages whose name matches one of *names* (globs)."""
+class PathPolicy(LocalPolicy):
+    """For the files that match one of *globs* (``**`` crosses directories)."""
+
+    globs: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PackagePolicy(LocalPolicy):
+    """For the files of packages whose name matches one of *names* (globs)."""
 
     names: tuple[str, ...]
-    policy: Policy
-    profile: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,3 +124,24 @@ class Settings:
     ignore_files: tuple[str, ...] = ()
     plugins: tuple[str, ...] = ()
     origins: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def local(self) -> tuple[LocalPolicy, ...]:
+        """What holds for some of the files, the later before the earlier."""
+        return (*self.per_package, *self.per_path)
+
+    @property
+    def policies(self) -> tuple[Policy, ...]:
+        """Every policy, in the order of the layers."""
+        return (self.policy, *(entry.policy for entry in self.local), self.command_line)
+
+    @property
+    def tools(self) -> tuple[DeclaredTool, ...]:
+        """The declared tools that may run."""
+        return self.declared if self.trust_config else ()
+
+    @property
+    def claims(self) -> Callable[[str], bool] | None:
+        """Whether a declared tool is for the file at a path, whatever its kind; None where none says so."""
+        tools = tuple(tool for tool in self.tools if tool.files)
+        return (lambda path: any(tool.names(path) for tool in tools)) if tools else None

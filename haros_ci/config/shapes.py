@@ -6,10 +6,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from haros_ci.model import globs
 from haros_ci.config.suggestion import did_you_mean, quoted, suggestion
 from haros_ci.config.yaml_lines import Value
 from haros_ci.errors import UserError
+from haros_ci.model import globs
 
 MAX_NOTES = 20
 MAX_ENTRIES = 1_000

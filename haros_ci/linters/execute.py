@@ -8,7 +8,7 @@ import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit
+from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit, Unread
 from haros_ci.linters.process import Processes, TimedOut, Unstartable
 from haros_ci.linters.rows import Answer
 from haros_ci.model.workspace import Workspace
@@ -110,6 +110,8 @@ def _ask(
                 results.append(_anywhere(said.result, here))
             else:
                 gave_up.append(replace(said, message=_stripped(said.message, here)))
+    except Unread as err:
+        raise _Failed(_stripped(str(err), here)) from err
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
         words = _stripped(_last_words(output.stderr), here)
         raise _Failed(words or f"wrote what cannot be understood ({err})") from err

@@ -57,13 +57,22 @@ def binary(name: str, options: LintOptions, beside: str = "") -> Program | None:
     candidates += [os.path.join(directory, name) for directory in search_path(os.environ, options.root)]
     for path in candidates:
         if os.path.isfile(path) and os.access(path, os.X_OK):
-            version = _version(path)
+            version = version_of(path)
             if version is not None:
                 return Program((path,), version)
     return None
 
 
-def _version(path: str) -> str | None:
+def on_path(name: str, options: LintOptions) -> str | None:
+    """The program *name* among this interpreter's scripts or on PATH, whether or not it tells its version."""
+    for directory in (os.path.join(sys.prefix, "bin"), *search_path(os.environ, options.root)):
+        path = os.path.join(directory, name)
+        if os.path.isfile(path) and os.access(path, os.X_OK):
+            return path
+    return None
+
+
+def version_of(path: str) -> str | None:
     """The first number with a dot that ``--version`` prints, "" if there is none; None if the program does not run."""
     try:
         done = subprocess.run(

@@ -122,6 +122,10 @@ class When(Enum):
     ASKED = "if asked for"
 
 
+class Unread(ValueError):
+    """Raised by ``parse`` where the output cannot be used as it is: the message says why, and what to change."""
+
+
 class Linter(Protocol):
     """An adapter module. ``COST`` is seconds per megabyte of source on one core, for scheduling only.
 
@@ -166,5 +170,6 @@ __all__ = [
     "Related",
     "Result",
     "Unit",
+    "Unread",
     "When",
 ]

@@ -21,6 +21,9 @@ LANGUAGES = (
     "markdown",
 )
 
+#: The kind of any other file, which only a tool that a project file declares reads.
+OTHER = "other"
+
 
 @dataclass(frozen=True, slots=True)
 class Dependency:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
@@ -72,6 +73,19 @@ class Workspace:
     def head(self, path: str) -> bytes:
         """The first bytes of a file that is no text, for its format to be told; b"" if it is not there."""
         return self.reader.head(path, HEAD) if path in self.names else b""
+
+    def package_finder(self) -> Callable[[str], str | None]:
+        """What tells the name of the innermost package that a path lies in, None if it lies in none."""
+        homes = {package.path: package.name for package in self.packages}
+
+        def package_of(path: str) -> str | None:
+            while path not in ("", "."):
+                path = path.rpartition("/")[0] or "."
+                if path in homes:
+                    return homes[path]
+            return None
+
+        return package_of
 
     def reports_on(self, path: str) -> bool:
         """Whether findings in *path* are wanted in this run."""

@@ -209,7 +209,9 @@ class _Parser:
         if end >= len(self.source):
             raise self.error("a missing ']'")
         written = self.source[self.at : end + 1]
-        test = self.one(re.sub(r"(?<!^)(?<!^\[\^)(?<!\\)([\[&~|])", r"\\\1", written))  # not yet special to ``re``, but it warns
+        test = self.one(
+            re.sub(r"(?<!^)(?<!^\[\^)(?<!\\)([\[&~|])", r"\\\1", written)
+        )  # not yet special to ``re``, but it warns
         self.at = end + 1
         return ("any", test)
 

@@ -18,7 +18,7 @@ from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.git import BaselineUnavailable, GitError, Repository, merge_base, repository_of, resolve_commit
 from haros_ci.workspace.objects import Blob, read_blobs, read_links, read_tree
 from haros_ci.workspace.renames import find_renames
-from haros_ci.workspace.selection import Candidate, Scope, select
+from haros_ci.workspace.selection import Also, Candidate, Scope, select
 
 __all__ = ["Base", "BaselineUnavailable", "base_workspace"]
 
@@ -51,10 +51,11 @@ def base_workspace(
     exclude: tuple[str, ...] = (),
     max_file_size: int = MAX_FILE_SIZE,
     use_merge_base: bool = True,
+    also: Also | None = None,
 ) -> Iterator[Base]:
     """What discover would have found at the merge base of *rev* and HEAD (or at *rev* itself), for as long as it is needed.
 
-    *workspace* is the present one; *paths*, *exclude* and *max_file_size* are those it was discovered with.
+    *workspace* is the present one; *paths*, *exclude*, *max_file_size* and *also* are those it was discovered with.
     BaselineUnavailable if the revision or anything of it cannot be had. Nothing is written into the repository and
     nothing is checked out, so no hook and no filter runs.
     """
@@ -65,7 +66,7 @@ def base_workspace(
         links: dict[str, Blob] = {}
         tree = read_tree(repository, commit, workspace, links)
         scope = _scope(workspace, paths, tree)
-        wanted = select(tree, scope, Excludes(exclude))
+        wanted = select(tree, scope, Excludes(exclude), also)
         aliases = read_links(tree, {c.path: links[c.path] for c in select(links, scope, Excludes(exclude))})
         with scratch_directory(sum(tree[candidate.path].size for candidate in wanted)) as scratch:
             directory = scratch / "base"

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.model.package import OTHER
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.files import decode
 
@@ -18,10 +19,10 @@ _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 def examine(path: str, language: str, data: bytes) -> tuple[bool, Problem | None]:
     """Whether the file is text to analyse, and a problem to report: the reason if it is not, a remark if it is.
 
-    Of prose nothing is reported: no tool that runs by default reads it.
+    Of prose, and of what only tools of the user's own read, nothing is reported: no tool that runs by default reads it.
     """
     usable, problem = _examined(path, language, data)
-    return usable, None if language == "markdown" else problem
+    return usable, None if language in ("markdown", OTHER) else problem
 
 
 def _examined(path: str, language: str, data: bytes) -> tuple[bool, Problem | None]:

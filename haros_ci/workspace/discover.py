@@ -17,7 +17,7 @@ from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import TooLarge, Tree, read_head, read_regular
 from haros_ci.workspace.language import HEAD, script_language, suffix_of
 from haros_ci.workspace.listing import list_files
-from haros_ci.workspace.selection import Candidate, Scope, select
+from haros_ci.workspace.selection import Also, Candidate, Scope, select
 
 MAX_FILE_SIZE = 2_000_000
 
@@ -29,19 +29,24 @@ _EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
 
 
 def discover(
-    root: Path, paths: tuple[str, ...], *, exclude: tuple[str, ...] = (), max_file_size: int = MAX_FILE_SIZE
+    root: Path,
+    paths: tuple[str, ...],
+    *,
+    exclude: tuple[str, ...] = (),
+    max_file_size: int = MAX_FILE_SIZE,
+    also: Also | None = None,
 ) -> Workspace:
     """Find, read and hash what there is to analyse below *root*.
 
     *paths* are directories and files, POSIX-style and relative to *root* (absolute). Directories are the subtree to
     analyse; where files are given they become the targets, and without any directory all of *root* is the subtree.
     *exclude* are patterns as in .gitignore; they hold for given files, and below given directories. Files over
-    *max_file_size* bytes are not read. UserError for a path that does not exist or leads out of *root*.
+    *max_file_size* bytes are not read. *also* tells which files are read whatever their kind. UserError for a path that does not exist or leads out of *root*.
     """
     root = root.resolve()
     scope = scope_of(root, paths)
     listing = list_files(root, scope.directories)
-    candidates = select([*listing.paths, *scope.files], scope, Excludes(exclude))
+    candidates = select([*listing.paths, *scope.files], scope, Excludes(exclude), also)
     disk = _Disk(root, max_file_size)
     executables = listing.executables | disk.executables(candidates)
     return assemble(
@@ -141,9 +146,9 @@ class _Disk:
         place = self._tree.place(candidate.path)
         language = candidate.language
         if language is None:
-            if suffix_of(candidate.path.rpartition("/")[2]) and not _may_be_script(place):
-                return None
-            language = script_language(read_head(place, HEAD))
+            if not suffix_of(candidate.path.rpartition("/")[2]) or _may_be_script(place):
+                language = script_language(read_head(place, HEAD))
+            language = language or candidate.fallback
             if language is None:
                 return None
         data = read_regular(place, self._limit)

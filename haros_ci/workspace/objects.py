@@ -71,11 +71,12 @@ def read_blobs(tree: dict[str, Blob], candidates: Iterable[Candidate], limit: in
     batches: dict[Repository, tuple[list[Candidate], int]] = {}
     for candidate in candidates:
         blob = tree[candidate.path]
-        if candidate.language is None and suffix_of(candidate.path.rpartition("/")[2]) and not blob.executable:
+        unknown = candidate.language is None and candidate.fallback is None
+        if unknown and suffix_of(candidate.path.rpartition("/")[2]) and not blob.executable:
             continue
         problem = unusable_name(candidate.path)
         if problem is None and blob.size > limit:
-            if candidate.language is None:
+            if unknown:
                 continue
             problem = too_large(candidate.path, blob.size, limit)
         if problem is not None:
@@ -104,7 +105,7 @@ def _read_batch(repository: Repository, tree: dict[str, Blob], candidates: list[
         start = end + len(size) + 1
         data = bytes(answer[start : start + int(size)])
         start += int(size) + 1
-        language = candidate.language or script_language(data[:HEAD])
+        language = candidate.language or script_language(data[:HEAD]) or candidate.fallback
         if language is not None:
             yield Content(candidate.path, language, data)
 

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
+from haros_ci.model.package import OTHER
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.language import language_of
+
+Also = Callable[[str], bool]
 
 #: Files that keep build tools out of a directory: colcon-core, ament_package, catkin_pkg.
 IGNORE_MARKERS = frozenset(("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"))
@@ -48,10 +51,11 @@ class Scope:
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A path to read; *language* None when only the first line can tell whether it is a script."""
+    """A path to read; *language* None when only the first line can tell whether it is a script, *fallback* if it is none."""
 
     path: str
     language: str | None
+    fallback: str | None = None
 
 
 def is_output(names: set[str]) -> bool:
@@ -68,8 +72,11 @@ def is_never_source(name: str) -> bool:
     return name.startswith(".") or name in _NOT_SOURCE or name.endswith(".egg-info")
 
 
-def select(paths: Iterable[str], scope: Scope, excludes: Excludes) -> list[Candidate]:
-    """The analysed ones of *paths* (a whole listing, as it carries the markers), sorted."""
+def select(paths: Iterable[str], scope: Scope, excludes: Excludes, also: Also | None = None) -> list[Candidate]:
+    """The analysed ones of *paths* (a whole listing, as it carries the markers), sorted.
+
+    *also* tells of which paths the files are read whatever their kind.
+    """
     listing = sorted(set(paths))
     outputs = _output_directories(listing)
     named = frozenset(scope.files)
@@ -96,7 +103,9 @@ def select(paths: Iterable[str], scope: Scope, excludes: Excludes) -> list[Candi
         if directory not in within:
             within[directory] = scope.given(directory) is not None
         if (within[directory] or path in named) and is_kept(directory) and not excludes.match(path, is_directory=False):
-            chosen.append(Candidate(path, language_of(name)))
+            language = language_of(name)
+            fallback = OTHER if language is None and also is not None and also(path) else None
+            chosen.append(Candidate(path, language, fallback))
     return chosen
 
 
