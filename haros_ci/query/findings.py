@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.model.location import Location
@@ -35,15 +35,19 @@ class Match:
 
 def results(matches: Iterable[Match], elsewhere: Location) -> tuple[Result, ...]:
     """One result for each match; the same one in several configurations is one. What has no place stands *elsewhere*."""
-    found: dict[tuple[object, ...], tuple[Match, list[str]]] = {}
+    return tuple(sorted((result for result, _ in grouped(matches, elsewhere)), key=lambda result: result.sort_key))
+
+
+def grouped(matches: Iterable[Match], elsewhere: Location) -> Iterator[tuple[Result, tuple[Match, ...]]]:
+    """Each result with the matches that it tells."""
+    found: dict[tuple[object, ...], list[Match]] = {}
     for match in matches:
         entities = entities_of(match.value)
         key = (match.query.id, _said(match), *(place.sort_key for place in places(entities)))
-        names = found.setdefault(key, (match, []))[1]
-        if match.configuration and match.configuration not in names:
-            names.append(match.configuration)
-    made = (_result(match, names, elsewhere) for match, names in found.values())
-    return tuple(sorted(made, key=lambda result: result.sort_key))
+        found.setdefault(key, []).append(match)
+    for same in found.values():
+        names = list(dict.fromkeys(match.configuration for match in same if match.configuration))
+        yield _result(same[0], names, elsewhere), tuple(same)
 
 
 def _result(match: Match, configurations: list[str], elsewhere: Location) -> Result:

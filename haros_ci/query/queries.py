@@ -40,12 +40,16 @@ Variables = dict[str, Value]
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What the queries gave. *failed* are the ids of those that could not be read or evaluated; *notifications* say why."""
+    """What the queries gave. *failed* are the ids of those that could not be read or evaluated; *notifications* say why.
+
+    *matches* are what the *results* tell of.
+    """
 
     rules: tuple[Rule, ...] = ()
     results: tuple[Result, ...] = ()
     notifications: tuple[Notification, ...] = ()
     failed: tuple[str, ...] = ()
+    matches: tuple[Match, ...] = ()
 
 
 def run(
@@ -55,17 +59,18 @@ def run(
     files: Iterable[SourceFile] = (),
     *,
     wanted: Callable[[Rule], bool] = lambda rule: True,
+    scenes: Scenes | None = None,
 ) -> Asked:
     """Ask the queries of the *project* file *where* of the architecture *found*; of them, those whose rule is *wanted*.
 
-    A query that is wrong is an error notification and stops no other.
+    A query that is wrong is an error notification and stops no other. *scenes* are those of *found*, if they have been made.
     """
     every, said = declared(project)
     chosen = [query for query in every if wanted(query.rule())]
     notifications = [Notification(Level.ERROR, text, TOOL, where, configuration=True) for text in said]
     matches: list[Match] = []
     failed = []
-    scenes = Scenes(found, files, project) if chosen else None
+    scenes = scenes or (Scenes(found, files, project) if chosen else None)
     left = ALL_STEPS
     for query in chosen:
         assert scenes is not None
@@ -89,6 +94,7 @@ def run(
         results=results(matches, Location(where)),
         notifications=tuple(notifications),
         failed=tuple(failed),
+        matches=tuple(matches),
     )
 
 

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All files of the folder that HAROS's visualizer reads: what it asks for by name, made of one run."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from haros_ci.haros_json.issues import Asking, Issues, asking, is_there, issues
+from haros_ci.haros_json.names import safe, unique
+from haros_ci.haros_json.packages import measurement_json, needed, package_json
+from haros_ci.haros_json.places import Places
+from haros_ci.haros_json.rules import Named, Rules, metrics_json
+from haros_ci.haros_json.summary import nodes_of, summary_json
+from haros_ci.haros_json.systems import Shown
+from haros_ci.model.architecture import Architecture
+from haros_ci.model.build import Build
+from haros_ci.model.location import Location
+from haros_ci.model.manifest import Manifest
+from haros_ci.model.measurement import Measurement
+from haros_ci.model.package import Package, SourceFile
+from haros_ci.model.workspace import Workspace
+from haros_ci.query.findings import Match, grouped
+from haros_ci.query.queries import Scenes
+from haros_ci.query.queries import run as ask
+from haros_ci.results.result import Report, Result
+from haros_ci.results.rule import Rule
+
+#: Where the projects of a folder are listed.
+PROJECTS = "projects.json"
+DEFAULT = "default"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Input:
+    """All that the folder is made of.
+
+    *project* is the project file as plain data and *where* its name; *rules_on* how many rules are on, of them *user_rules* the
+    project's own; *scopes* are those of rules by ``tool:id``; *timestamp* is the revision's, None where there is none.
+    """
+
+    report: Report
+    workspace: Workspace
+    architecture: Architecture
+    builds: Mapping[str, Build] = field(default_factory=dict)
+    manifests: Mapping[str, Manifest] = field(default_factory=dict)
+    measurements: Sequence[Measurement] = ()
+    documented: Iterable[Named] = ()
+    scopes: Mapping[str, str] = field(default_factory=dict)
+    queries: Mapping[str, str] = field(default_factory=dict)
+    rules_on: int = 0
+    user_rules: int = 0
+    project: Mapping[str, Any] = field(default_factory=dict)
+    where: str = "the project file"
+    timestamp: str | None = None
+
+
+def documents(given: Input) -> dict[str, str]:
+    """The files by their path in the folder, ``projects.json`` last: the text of each is the same for the same input."""
+    workspace = given.workspace
+    places = Places(workspace.packages)
+    project = safe(str(given.project.get("project") or DEFAULT))
+    results = [result for result in given.report.results if is_there(result)]
+    shown = _packages(workspace, places, results)
+    files = {path: [] for path in (one.path for one in shown)}  # type: dict[str, list[SourceFile]]
+    for file in workspace.files:
+        home = places.home(file.path)
+        if home is not None and home in files:
+            files[home].append(file)
+    lengths: dict[str, int] = {}
+
+    def sloc(path: str) -> int:
+        if path not in lengths:
+            lengths[path] = sum(not line.isspace() for line in workspace.text(path).splitlines() if line)
+        return lengths[path]
+
+    rules = Rules(_rules(given.report, results), given.documented, given.scopes, given.queries)
+    scenes = Scenes(given.architecture, workspace.files, given.project)
+    systems = _systems(scenes, places)
+    found = issues(results, systems, _matches(given, scenes, results), places, rules)
+    environment = _environment(given.project)
+    configurations = [
+        each.json(found.queries.get(each.id, ()), environment.get(each.system.made.name, ()), sloc) for each in systems
+    ]
+    measured: dict[str, list[Measurement]] = {one.path: [] for one in shown}
+    for one in sorted(given.measurements):
+        home = places.home(one.path) if one.path else next((p.path for p in shown if p.name == one.package), None)
+        if home in measured:
+            measured[home].append(one)
+    texts = {
+        "packages.json": _text(
+            package_json(
+                package,
+                given.manifests.get(package.path, Manifest()),
+                files[package.path],
+                found.source.get(places.ids[package.path], ()),
+                measured[package.path],
+                places,
+                sloc,
+            )
+            for package in shown
+        ),
+        "rules.json": _text(rules.json()),
+        "metrics.json": _text(metrics_json()),
+        "configurations.json": _text(configurations),
+        **_compliance(found, [places.ids[one.path] for one in shown], [each.id for each in systems]),
+        **{
+            f"metrics/{places.ids[path]}.json": _text(measurement_json(one, places) for one in every)
+            for path, every in measured.items()
+        },
+        "summary.json": _indented(
+            summary_json(
+                packages=len(shown),
+                files=[(places.split(file.path)[1], file) for every in files.values() for file in every],
+                dependencies=len(frozenset().union(*map(needed, shown)) - {one.name for one in workspace.packages}),
+                nodes=nodes_of(build for name, build in given.builds.items() if name in {one.name for one in shown}),
+                systems=configurations,
+                tags=[rules.tags(result.full_id) for result in results],
+                violated=len({result.full_id for result in results}),
+                tools=len(given.report.runs),
+                rules=given.rules_on,
+                user_rules=given.user_rules,
+                measurements=[one for every in measured.values() for one in every],
+                timestamp=given.timestamp,
+            )
+        ),
+    }
+    repositories = given.project.get("repositories")
+    entry = {
+        "id": project,
+        "packages": [places.ids[one.path] for one in shown],
+        "repositories": sorted(map(str, repositories)) if isinstance(repositories, Mapping) else [],
+    }
+    return {**{f"{project}/{name}": text for name, text in sorted(texts.items())}, PROJECTS: _text([entry])}
+
+
+def with_others(own: str, before: str) -> str:
+    """The list of projects *own*, of one run, with the others of *before*, the file as it was; ValueError if that is none."""
+    (mine,) = json.loads(own)
+    others = json.loads(before)
+    if not isinstance(others, list) or not all(isinstance(one, dict) for one in others):
+        raise ValueError("not a list of projects")
+    at = next((n for n, one in enumerate(others) if one.get("id") == mine["id"]), None)
+    return _text([*others, mine] if at is None else [*others[:at], mine, *others[at + 1 :]])
+
+
+def _packages(workspace: Workspace, places: Places, results: Iterable[Result]) -> list[Package]:
+    """The packages that the run is about: all, or those with a file that it reports on."""
+    if workspace.targets is None:
+        return list(places.packages)
+    homes = {places.home(path) for path in workspace.targets} | {places.home(one.location.path) for one in results}
+    return [one for one in places.packages if one.path in homes]
+
+
+def _rules(report: Report, results: Iterable[Result]) -> dict[str, Named]:
+    """The rules of *results* by ``tool:id``."""
+    known = {f"{run.tool.name}:{rule.id}": (run.tool.name, rule) for run in report.runs for rule in run.rules}
+    return {one.full_id: known.get(one.full_id, (one.tool, Rule(one.rule, ""))) for one in results}
+
+
+def _systems(scenes: Scenes, places: Places) -> list[Shown]:
+    named = sorted(scenes.systems, key=lambda system: (system.made.name, system.made.launch))
+    keys = [(system.made.name, str(number)) for number, system in enumerate(named)]
+    ids = unique(keys)
+    return [Shown(system, ids[key], places) for system, key in zip(named, keys, strict=True)]
+
+
+def _matches(given: Input, scenes: Scenes, results: Sequence[Result]) -> dict[Asking, tuple[Match, ...]]:
+    """What the queries of *results* have found, by finding."""
+    wanted = {result.rule for result in results if result.rule in given.queries_of}
+    if not wanted:
+        return {}
+    asked = ask(
+        given.architecture,
+        given.project,
+        given.where,
+        given.workspace.files,
+        wanted=lambda rule: rule.id in wanted,
+        scenes=scenes,
+    )
+    return {asking(result): matches for result, matches in grouped(asked.matches, Location(given.where))}
+
+
+def _environment(project: Mapping[str, Any]) -> dict[str, list[str]]:
+    """The names of the environment variables that the project file sets, by configuration."""
+    declared = project.get("configurations")
+    found = {}
+    for name, entry in declared.items() if isinstance(declared, Mapping) else ():
+        given = entry.get("environment") if isinstance(entry, Mapping) else None
+        found[str(name)] = sorted(map(str, given)) if isinstance(given, Mapping) else []
+    return found
+
+
+def _compliance(found: Issues, packages: Iterable[str], systems: Iterable[str]) -> dict[str, str]:
+    return {
+        "compliance/unknown.json": _text(found.other),
+        **{f"compliance/source/{id}.json": _text(found.source.get(id, ())) for id in packages},
+        **{f"compliance/runtime/{id}.json": _text(found.runtime.get(id, ())) for id in systems},
+    }
+
+
+def _text(items: Iterable[Any]) -> str:
+    """A list, one item a line."""
+    lines = [json.dumps(item, allow_nan=False, separators=(",", ":")) for item in items]
+    return "[\n" + ",\n".join(lines) + "\n]\n" if lines else "[]\n"
+
+
+def _indented(value: Any) -> str:
+    return json.dumps(value, allow_nan=False, indent=1) + "\n"

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``summary.json``: the numbers of the visualizer's dashboard."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any
+
+from haros_ci.model.build import Build
+from haros_ci.model.measurement import Measurement
+from haros_ci.model.package import SourceFile
+
+NODELET = "nodelet::Nodelet"
+COMPONENT = "rclcpp_components::NodeFactory"
+#: Counts of lines that can be a function's length; the first that is measured of functions is taken.
+LENGTHS = ("ploc", "eloc", "sloc", "lloc")
+
+
+@dataclass(frozen=True, slots=True)
+class Nodes:
+    """How many programs that can be nodes, and how many classes that are loaded as such, the packages build."""
+
+    programs: int
+    classes: int
+
+
+def nodes_of(builds: Iterable[Build]) -> Nodes:
+    """As HAROS counts: executables and scripts whether they use ROS or not, without those of tests; nodelets, and components."""
+    programs: set[tuple[str, str]] = set()
+    classes: set[tuple[str, str]] = set()
+    for build in builds:
+        package = build.package
+        programs |= {(package, t.output) for t in build.targets if t.kind == "executable" and not t.is_test}
+        programs |= {(package, point.name) for point in build.entry_points}
+        points = {point.path for point in build.entry_points}
+        scripts = {*build.scripts, *(one.path for one in build.installed if one.kind == "program")} - points
+        programs |= {(package, path.rpartition("/")[2]) for path in scripts if not is_launch_file(path)}
+        classes |= {(package, one.type) for one in build.plugins if one.base.replace(" ", "") in (NODELET, COMPONENT)}
+    return Nodes(len(programs), len(classes))
+
+
+def is_launch_file(path: str) -> bool:
+    return path.endswith((".launch.py", "_launch.py"))
+
+
+def summary_json(
+    *,
+    packages: int,
+    files: Sequence[tuple[str, SourceFile]],
+    dependencies: int,
+    nodes: Nodes,
+    systems: Sequence[Mapping[str, Any]],
+    tags: Sequence[Iterable[str]],
+    violated: int,
+    tools: int,
+    rules: int,
+    user_rules: int,
+    measurements: Sequence[Measurement],
+    timestamp: str | None,
+) -> dict[str, Any]:
+    """The whole file. *files* are those of the packages with their path in the package; *tags* those of each finding's rule.
+
+    *rules* are the rules that are on; *timestamp* is that of the revision, in HAROS's form.
+    """
+    lines = sum(file.lines for _, file in files)
+    language = {kind: sum(f.lines for _, f in files if f.language == kind) for kind in ("cpp", "python")}
+    coding = sum("code-standards" in each for each in tags)
+    metrics = sum("metrics" in each for each in tags)
+    other = sum("code-standards" not in each and "metrics" not in each for each in tags)
+    comments = sum(_values(measurements, "comments", of_functions=False))
+    complexity = _mean(_values(measurements, "cyclomatic-complexity", of_functions=True))
+    lengths = (_values(measurements, metric, of_functions=True) for metric in LENGTHS)
+    length = _mean(next((found for found in lengths if found), []))
+    point = [] if timestamp is None else [timestamp]
+
+    def history(value: float) -> list[float]:
+        return [int(value) if value == int(value) else value] if point else []
+
+    return {
+        "source": {
+            "packages": packages,
+            "files": len(files),
+            "scripts": sum(inside.startswith("scripts/") for inside, _ in files),
+            "languages": {
+                "cpp": _ratio(language["cpp"], lines),
+                "cppLOC": language["cpp"],
+                "python": _ratio(language["python"], lines),
+                "pythonLOC": language["python"],
+            },
+            "pkgDependencies": dependencies,
+        },
+        "issues": {
+            "total": len(tags),
+            "coding": coding,
+            "metrics": metrics,
+            "other": other,
+            "ratio": f"{_ratio(len(tags), lines):.2f}",
+        },
+        "components": {
+            "launchFiles": sum(f.language == "launch" or is_launch_file(f.path) for _, f in files),
+            "nodes": nodes.programs,
+            "nodelets": nodes.classes,
+            "parameterFiles": None,
+            "configurations": len(systems),
+        },
+        "communications": {
+            "topics": sum(len(system["topics"]) for system in systems),
+            "remappings": sum(system["remaps"] for system in systems),
+            **{
+                key: sum(f.path.endswith(suffix) for _, f in files)
+                for key, suffix in (("messages", ".msg"), ("services", ".srv"), ("actions", ".action"))
+            },
+        },
+        "analysis": {"plugins": tools, "rules": rules, "userRules": user_rules, "violatedRules": violated},
+        "history": {
+            "timestamps": point,
+            "lines_of_code": history(lines),
+            "comments": history(comments),
+            "issues": history(len(tags)),
+            "standards": history(coding),
+            "metrics": history(metrics),
+            "complexity": history(complexity),
+            "function_length": history(length),
+        },
+    }
+
+
+def _values(measurements: Iterable[Measurement], metric: str, *, of_functions: bool) -> list[float]:
+    """What was measured of functions, or of files."""
+    return [
+        one.value
+        for one in measurements
+        if one.metric == metric
+        and isfinite(one.value)
+        and (bool(one.function) if of_functions else bool(one.path) and not one.class_name and not one.function)
+    ]
+
+
+def _mean(values: Sequence[float]) -> float:
+    return round(sum(values) / len(values), 2) if values else 0
+
+
+def _ratio(part: int, whole: int) -> float:
+    return round(part / whole, 6) if whole else 0.0
