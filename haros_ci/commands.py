@@ -19,7 +19,7 @@ from haros_ci.cli import EXIT_TOOL_TROUBLE
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.output import Outputs, RendererError, Renderers, parse_outputs, rendered, write
+from haros_ci.output import SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered, write
 from haros_ci.results.result import Report
 from haros_ci.results.rule import Rule
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
@@ -56,23 +56,24 @@ def reported(
 ) -> int:
     """Write every output, and give the exit code."""
     failed = False
+    packages = {file.path: file.package or "" for file in workspace.files}
     for format, path in outputs:
+        view = View(workspace.text, flags, path is not None, lambda path: packages.get(path, ""))
         try:
-            text = rendered(report, workspace.text, format, flags, renderers, to_file=path is not None)
+            text = rendered(report, format, view, renderers)
         except RendererError as err:
             from haros_ci.report.escape import terminal
 
             click.echo(f"error: {terminal(str(err))}", err=True)
             failed = True
             continue
-        if path is None and format in ("sarif", "json"):
-            text = text.replace("##[", r"##\u005b")  # else a command to a GitHub runner that reads this log
         write(text, path)
+    on_stdout = [format for format, path in outputs if path is None]
     if flags["statistics"]:
         from haros_ci.report.statistics import render
 
-        click.echo(render(report), err=any(path is None and format != "text" for format, path in outputs), nl=False)
-    if not any(path is None for _, path in outputs):
+        click.echo(render(report), err=any(format != "text" for format in on_stdout), nl=False)
+    if not on_stdout or SILENT.intersection(on_stdout):
         from haros_ci.report.text import summary_line
 
         click.echo(summary_line(report), err=True)

@@ -83,7 +83,7 @@ report_options = options(
         metavar="FORMAT[=PATH]",
         multiple=True,
         shell_complete=completion_of("formats"),
-        help="text, sarif, github or json; repeatable.",
+        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown; repeatable.",
     ),
     click.option(
         "--sarif-for",

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -15,7 +16,6 @@ import click
 from haros_ci.errors import UserError
 from haros_ci.results.result import Report
 
-FORMATS = ("text", "sarif", "github", "json")
 #: What plug-ins make of a report, by the name of the format.
 Renderers = Mapping[str, Callable[[Report], str]]
 Outputs = tuple[tuple[str, Path | None], ...]
@@ -23,6 +23,105 @@ Outputs = tuple[tuple[str, Path | None], ...]
 
 class RendererError(Exception):
     """A format of a plug-in could not be written."""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What a renderer may ask for beside the report.
+
+    *source* gives the text of a file and *package* the name of its package, both "" where there is none. *flags* are those of
+    ``haros-ci check``; *to_file* tells that nobody watches the text appear.
+    """
+
+    source: Callable[[str], str]
+    flags: Mapping[str, Any]
+    to_file: bool
+    package: Callable[[str], str] = lambda path: ""
+
+
+def _text(report: Report, view: View) -> str:
+    from haros_ci.report.text import render
+
+    color = not view.to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
+    width = int(os.environ.get("COLUMNS") or 0) or 120
+    return render(report, color=color, width=width, why=view.flags["why"], source=view.source)
+
+
+def _sarif(report: Report, view: View) -> str:
+    from haros_ci.report.sarif import render
+
+    return render(report, audience=view.flags["sarif_for"], source=view.source)
+
+
+def _github(report: Report, view: View) -> str:
+    from haros_ci.report.github import annotations, summary
+
+    page = os.environ.get("GITHUB_STEP_SUMMARY")
+    if page:
+        append(Path(page), summary(report))
+    return annotations(report)
+
+
+def _json(report: Report, view: View) -> str:
+    from haros_ci.report.json_report import render
+
+    return render(report)
+
+
+def _junit(report: Report, view: View) -> str:
+    from haros_ci.report.junit import render
+
+    return render(report)
+
+
+def _gitlab(report: Report, view: View) -> str:
+    from haros_ci.report.gitlab import render
+
+    return render(report)
+
+
+def _rdjson(report: Report, view: View) -> str:
+    from haros_ci.report.rdjson import render
+
+    return render(report, source=view.source)
+
+
+def _checkstyle(report: Report, view: View) -> str:
+    from haros_ci.report.checkstyle import render
+
+    return render(report)
+
+
+def _csv(report: Report, view: View) -> str:
+    from haros_ci.report.csv_table import render
+
+    return render(report, package=view.package)
+
+
+def _markdown(report: Report, view: View) -> str:
+    from haros_ci.report.markdown import render
+
+    return render(report)
+
+
+FORMATS: dict[str, Callable[[Report, View], str]] = {
+    "text": _text,
+    "sarif": _sarif,
+    "github": _github,
+    "json": _json,
+    "junit": _junit,
+    "gitlab": _gitlab,
+    "rdjson": _rdjson,
+    "checkstyle": _checkstyle,
+    "csv": _csv,
+    "markdown": _markdown,
+}
+#: Formats that a person reads as they are; all others are read by programs, which nothing else on stdout may disturb.
+FOR_PEOPLE = frozenset({"text", "github"})
+#: Formats that have no place for trouble with tools: stderr says it.
+SILENT = frozenset({"gitlab", "rdjson", "checkstyle", "csv"})
+#: Formats in which a bracket may be written as an escape.
+IN_JSON = frozenset({"sarif", "json", "gitlab", "rdjson"})
 
 
 def parse_outputs(wanted: tuple[str, ...], renderers: Renderers = MappingProxyType({})) -> Outputs:
@@ -38,47 +137,21 @@ def parse_outputs(wanted: tuple[str, ...], renderers: Renderers = MappingProxyTy
             raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(known)}")
         outputs.append((format, Path(path) if path else None))
     on_stdout = [format for format, path in outputs if path is None]
-    if len(on_stdout) > 1 and set(on_stdout) - {"text", "github"}:
+    if len(on_stdout) > 1 and set(on_stdout) - FOR_PEOPLE:
         raise UserError(
             f"--output: {' and '.join(on_stdout)} cannot share stdout", help="give all but one a path: sarif=FILE"
         )
     return tuple(outputs)
 
 
-def rendered(
-    report: Report,
-    source: Callable[[str], str],
-    format: str,
-    flags: Mapping[str, Any],
-    renderers: Renderers = MappingProxyType({}),
-    *,
-    to_file: bool,
-) -> str:
-    """The report in *format*; RendererError if a plug-in's could not be made."""
-    match format:
-        case _ if format in renderers:
-            return of_plugin(report, renderers[format], to_file=to_file)
-        case "sarif":
-            from haros_ci.report.sarif import render as sarif
-
-            return sarif(report, audience=flags["sarif_for"], source=source)
-        case "json":
-            from haros_ci.report.json_report import render as as_json
-
-            return as_json(report)
-        case "github":
-            from haros_ci.report.github import annotations, summary
-
-            page = os.environ.get("GITHUB_STEP_SUMMARY")
-            if page:
-                append(Path(page), summary(report))
-            return annotations(report)
-        case _:
-            from haros_ci.report.text import render as text
-
-            color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
-            width = int(os.environ.get("COLUMNS") or 0) or 120
-            return text(report, color=color, width=width, why=flags["why"], source=source)
+def rendered(report: Report, format: str, view: View, renderers: Renderers = MappingProxyType({})) -> str:
+    """*report* in one of ``FORMATS`` or of *renderers*, as it goes to a file or to stdout; RendererError if a plug-in's could not be made."""
+    if format in renderers:
+        return of_plugin(report, renderers[format], to_file=view.to_file)
+    text = FORMATS[format](report, view)
+    if not view.to_file and format in IN_JSON:
+        return text.replace("##[", r"##\u005b")  # else a command to a GitHub runner that reads this log
+    return text
 
 
 def of_plugin(report: Report, render: Callable[[Report], str], *, to_file: bool) -> str:

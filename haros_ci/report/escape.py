@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 
 REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
+_BREAK = "\N{ZERO WIDTH SPACE}"
 
 #: C0, DEL and C1 controls, line and paragraph separators, bidirectional controls, surrogates, Unicode tags.
 _UNSAFE = "\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufff9-\ufffb\U000e0000-\U000e007f"
@@ -14,7 +15,10 @@ _COMMAND = "##["
 _UNSAFE_IN_TEXT = re.compile(f"[{_UNSAFE}]|(?<=##)\\[")
 _UNSAFE_IN_LINE = re.compile(f"[{_UNSAFE}\n]|(?<=##)\\[")
 _HEAD = re.compile(r"^([^\S\n]*):(?=:)", re.MULTILINE)
-_MARKDOWN_ACTIVE = re.compile(r"[!#$&()*+:<=>@\[\\\]^_`{|}~]")
+#: Punctuation that forms something, and what GitHub and GitLab make links of: ``www.``, ``GH-1``.
+_MARKDOWN_ACTIVE = re.compile(r"[!#$&()*+:<=>@\[\\\]^_`{|}~]|(?<=[wW]{3})\.|(?<=GH)-(?=\d)")
+_ADDRESS_OF_PAGE = re.compile(r"https?://[A-Za-z0-9][A-Za-z0-9._~:/?#\[\]@!$&'()*+,;=%-]*")
+_MAIL = re.compile(r"(?<=[\w.+-])&#64;(?=\w)")
 
 
 def terminal(text: str) -> str:
@@ -52,16 +56,28 @@ def workflow_property(text: str) -> str:
 def markdown(text: str) -> str:
     """Text that GitHub-flavoured Markdown shows as it stands, also inside a table cell.
 
-    Active punctuation becomes entities, which cannot form links, images, HTML, code or tables; a zero-width space
-    behind ``@`` keeps teams from being mentioned, as mentions are found after rendering.
+    Active punctuation becomes entities, which cannot form links, images, HTML, code or tables. A zero-width space
+    behind ``@``, and where an address or the number of an issue would go on, keeps people from being mentioned and
+    links from being made, as GitHub and GitLab look for those after rendering.
     """
     return _MARKDOWN_ACTIVE.sub(_entity, terminal(text))
 
 
 def markdown_code(text: str) -> str:
-    """Inline code, also inside a table cell; entities as above, since pipes and backticks end other forms."""
-    return f"<code>{_MARKDOWN_ACTIVE.sub(lambda m: f'&#{ord(m[0])};', terminal(text))}</code>"
+    """Inline code, also inside a table cell; entities as above, since pipes and backticks end other forms.
+
+    Nobody is mentioned in it, but an address of mail would become a link: only there is a zero-width space.
+    """
+    written = _MARKDOWN_ACTIVE.sub(lambda match: f"&#{ord(match[0])};", terminal(text))
+    return f"<code>{_MAIL.sub(f'&#64;{_BREAK}', written)}</code>"
+
+
+def web_address(text: str | None) -> str | None:
+    """*text* if it is a plain http(s) address: readers make links of it, and GitHub refuses a log with an invalid one."""
+    return text if text and _ADDRESS_OF_PAGE.fullmatch(text) else None
 
 
 def _entity(match: re.Match[str]) -> str:
-    return "&#64;\N{ZERO WIDTH SPACE}" if match[0] == "@" else f"&#{ord(match[0])};"
+    character, rest = match[0], match.string[match.end() : match.end() + 2]
+    joins = character == "@" or (character == ":" and rest == "//") or (character in "#!" and rest[:1].isdigit())
+    return f"&#{ord(character)};{_BREAK if joins or character == '-' else ''}"

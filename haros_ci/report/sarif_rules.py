@@ -8,7 +8,7 @@ import uuid
 from collections.abc import Iterable
 
 from haros_ci import PROJECT_URL
-from haros_ci.report.escape import markdown, markdown_code, multiline, terminal
+from haros_ci.report.escape import markdown, markdown_code, multiline, terminal, web_address
 from haros_ci.report.message import sentence, shorten
 from haros_ci.report.sarif_objects import om
 from haros_ci.results.result import Notification, Run, Tool
@@ -24,7 +24,6 @@ CWE_GUID = str(uuid.uuid5(uuid.NAMESPACE_URL, CWE_URL))
 CWE_VERSION = "4.15"
 #: Semantic Versioning 2.0.0; GitHub explains changed alerts by this property, so it must not lie.
 _SEMVER = re.compile(r"(?:0|[1-9]\d*)(?:\.(?:0|[1-9]\d*)){2}(?:-[0-9A-Za-z.-]+)?(?:\+[0-9A-Za-z.-]+)?")
-_URL = re.compile(r"https?://[A-Za-z0-9][A-Za-z0-9._~:/?#\[\]@!$&'()*+,;=%-]*")
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 
 #: What kinds of trouble there are; a notification's kind follows from what it names.
@@ -73,7 +72,7 @@ def build_tool(run: Run, rules: tuple[Rule, ...]) -> om.Tool:
             full_name=shorten(terminal(tool.full_name or f"{tool.name} {version}".strip()), MAX_NAME),
             version=version if version[:1].isdigit() else f"0 ({version or 'unknown'})",
             semantic_version=version if _SEMVER.fullmatch(version) else None,
-            information_uri=url(tool.information_uri) or PROJECT_URL,
+            information_uri=web_address(tool.information_uri) or PROJECT_URL,
             rules=[build_rule(rule, run, cwe) for rule in rules],
             notifications=[_descriptor(id) for id in troubles(run)] or None,
             supported_taxonomies=[_cwe_component()] if cwe else None,
@@ -97,7 +96,7 @@ def build_rule(rule: Rule, run: Run, cwe: tuple[int, ...]) -> om.ReportingDescri
     summary = shorten(sentence(rule.summary or rule.id), MAX_DESCRIPTION)
     prose = shorten(multiline(rule.help.removeprefix(f"# {rule.id}\n")).strip(), MAX_HELP)
     first = next((text for text in prose.split("\n\n") if not text.startswith("#")), "")
-    help_url = url(rule.help_uri or "")
+    help_url = web_address(rule.help_uri)
     silence = markdown_code(f"haros: ignore[{run.tool.name}:{rule.id}] reason")
     body = (markdown(rule.help[:MAX_HELP]) if run.imported else prose) or markdown(summary)
     more = f"\n\n[More on this rule]({help_url})" if help_url else ""
@@ -139,11 +138,6 @@ def pascal_name(id: str, tool: str) -> str:
     if not name or name.lower() == id.lower():
         name = (_pascal(tool) or "Rule") + name
     return shorten(name, MAX_NAME)
-
-
-def url(text: str) -> str | None:
-    """*text* if it is a plain http(s) address, as an invalid one makes GitHub refuse the whole log."""
-    return text if _URL.fullmatch(text) else None
 
 
 def _pascal(text: str) -> str:

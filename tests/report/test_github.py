@@ -24,6 +24,7 @@ from report_samples import (
 
 from haros_ci.model.location import Location
 from haros_ci.report import github
+from haros_ci.report.markdown import MAX_ROWS
 from haros_ci.results.result import BaselineState, Notification, Related, Report, Result
 from haros_ci.results.rule import Level
 
@@ -135,8 +136,8 @@ def test_summary_shows_new_findings_and_counts_known_ones() -> None:
 
 
 def test_summary_is_cut_to_rows() -> None:
-    said = github.summary(of(*lines(github.MAX_ROWS + 7, Level.WARNING)))
-    assert said.count("| warning |") == github.MAX_ROWS
+    said = github.summary(of(*lines(MAX_ROWS + 7, Level.WARNING)))
+    assert said.count("| warning |") == MAX_ROWS
     assert "\n7 more findings not in this table" in said
 
 
