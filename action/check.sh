@@ -109,6 +109,10 @@ option output text
 ! flag annotations "$INPUT_ANNOTATIONS" || option output "github=$annotations"
 option output "sarif=$sarif"
 option output "json=$counts"
+while IFS= read -r report; do
+  [[ "$report" == ?*=?* ]] || fail "A line of the input 'reports' is not FORMAT=FILE."
+  option output "$report"
+done < <(lines "$INPUT_REPORTS")
 arguments+=(--)
 while IFS= read -r path; do
   arguments+=("$path")

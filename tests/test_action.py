@@ -24,7 +24,7 @@ ACTION: dict[str, Any] = yaml.safe_load((ROOT / "action.yml").read_text(encoding
 WORKFLOW: dict[str, Any] = yaml.safe_load((ROOT / "docs/workflows/haros-ci.yml").read_text(encoding="utf-8"))
 
 #: Inputs that are no option of the command: arguments, where the log goes, and the action's own set-up.
-ACTION_ONLY = {"paths", "sarif-file", "annotations", "python", "install"}
+ACTION_ONLY = {"paths", "sarif-file", "reports", "annotations", "python", "install"}
 #: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
 TERMINAL_ONLY = {
     "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
@@ -362,6 +362,15 @@ def test_paths_are_lines_and_arguments_are_not_split(tmp_path: Path) -> None:
     assert (job.code, job.outputs["new-count"]) == (1, "2"), job.log
 
 
+def test_further_reports_are_lines(tmp_path: Path) -> None:
+    request = pull_request(tmp_path, {"a b/one.py": "x = 1\n"})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"reports": " junit=out/a b.xml \r\n\ncsv=out/x.csv\n"}, base="main")
+    assert job.code in (0, 1), job.log
+    assert (tmp_path / "workspace/out/a b.xml").read_text().startswith("<?xml")
+    assert (tmp_path / "workspace/out/x.csv").read_text().startswith("level,")
+
+
 # -- hostile names ------------------------------------------------------------------------------------------------
 
 
@@ -436,6 +445,9 @@ def test_a_planted_repository_is_not_asked(tmp_path: Path) -> None:
         {"fail-on": "always"},
         {"project": "missing.yaml"},
         {"sarif-file": "a\nnew-count=0"},
+        {"reports": "junit"},
+        {"reports": "junit="},
+        {"reports": "jnuit=report.xml"},
         {"jobs": "-1; touch pwned"},
         {"select": "--help"},
     ],
