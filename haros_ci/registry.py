@@ -14,7 +14,24 @@ from haros_ci import PROJECT_URL
 from haros_ci.checking.check import Check
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.errors import UserError
-from haros_ci.linters import catalogue, catkin_lint, clang_tidy, cppcheck, cpplint, lizard, pylint, radon, ruff
+from haros_ci.linters import (
+    bandit,
+    black,
+    catalogue,
+    catkin_lint,
+    clang_tidy,
+    codespell,
+    cppcheck,
+    cpplint,
+    flake8,
+    isort,
+    lizard,
+    mypy,
+    pylint,
+    radon,
+    ruff,
+    vulture,
+)
 from haros_ci.linters.linter import Linter
 from haros_ci.results import own
 from haros_ci.results.result import Report, Tool
@@ -23,9 +40,19 @@ from haros_ci.results.rule import Rule
 if TYPE_CHECKING:
     from haros_ci.plugins.plugin import Plugin
 
-LINTERS: tuple[Linter, ...] = (cppcheck, cpplint, pylint, lizard, radon, ruff, clang_tidy, catkin_lint)
+#: First what runs without being asked for, then the others by name.
+LINTERS: tuple[Linter, ...] = (
+    *(cppcheck, cpplint, pylint, lizard, radon, ruff, clang_tidy, catkin_lint),
+    bandit,
+    black,
+    codespell,
+    flake8,
+    isort,
+    mypy,
+    vulture,
+)
 #: Tools with more rules than the catalogue lists: any id of theirs may be selected.
-OPEN_ENDED = ("catkin_lint", "clang-tidy", "cppcheck", "pylint", "ruff")
+OPEN_ENDED = ("bandit", "catkin_lint", "clang-tidy", "cppcheck", "flake8", "mypy", "pylint", "ruff")
 #: Names in front of a rule's id that are no tool's.
 TAKEN = ("architecture", "haros-ci", "metrics", "user")
 

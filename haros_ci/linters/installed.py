@@ -49,6 +49,33 @@ def python_tool(name: str, worker: str) -> Program | None:
     return Program((sys.executable, "-I", "-X", "utf8", script, str(found.directory)), found.version)
 
 
+def python_module(name: str, options: LintOptions, module: str = "") -> Program | None:
+    """The Python tool *name* as ``python -m module`` would start it, but isolated from the workspace unless it is trusted."""
+    program = python_tool(name, "isolation.py")
+    trusted = ("--trusted",) if options.trust_config else ()
+    return program and Program((*program.argv, *trusted, module or name), program.version)
+
+
+def providers(*groups: str) -> tuple[str, ...]:
+    """The installed distributions with entry points of *groups*, as ``name-version``: the plug-ins of a tool, sorted."""
+    found = set()
+    for entry in sys.path:
+        if os.path.isabs(entry) and os.path.basename(entry) in ("site-packages", "dist-packages"):
+            for name in _listing(entry):
+                if name.endswith(".dist-info") and _provides(os.path.join(entry, name, "entry_points.txt"), groups):
+                    found.add(name.removesuffix(".dist-info"))
+    return tuple(sorted(found))
+
+
+def _provides(path: str, groups: tuple[str, ...]) -> bool:
+    try:
+        with open(path, encoding="utf-8", errors="replace") as stream:
+            text = stream.read(100_000)
+    except OSError:
+        return False
+    return any(f"[{group}]" in text for group in groups)
+
+
 def binary(name: str, options: LintOptions, beside: str = "") -> Program | None:
     """The native program *name*: *beside* this interpreter's packages, among its scripts, or on PATH."""
     candidates = [os.path.join(sys.prefix, "bin", name)]

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Starts a Python tool so that it can import nothing from the directories it looks at.
 
-Run as a script in isolated mode: ``isolation.py DIRECTORY MODULE ARGUMENTS``. pylint puts the directories of the files
+Run as a script in isolated mode: ``isolation.py DIRECTORY [--trusted] MODULE ARGUMENTS``. pylint puts the directories of the files
 it checks at the head of sys.path and resolves names with the real import system; without this, ``import curses.x`` in a
-checked file would execute a ``curses/__init__.py`` that lies beside it.
+checked file would execute a ``curses/__init__.py`` that lies beside it. ``--trusted`` is for users who trust the
+workspace's configuration, whose plug-ins may lie in it.
 """
 
 from __future__ import annotations
@@ -72,7 +73,10 @@ def main() -> None:
     _, directory, module, *arguments = sys.argv
     if directory not in sys.path:
         sys.path.append(directory)
-    trust_only_the_present_path()
+    if module == "--trusted":
+        module, *arguments = arguments
+    else:
+        trust_only_the_present_path()
     refuse_pipes()
     sys.argv = [module, *arguments]
     runpy.run_module(module, run_name="__main__", alter_sys=True)

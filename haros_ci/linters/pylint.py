@@ -10,6 +10,7 @@ from posixpath import dirname
 from haros_ci.linters import imports, installed, python2
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.pylint_config import config_path, inert_options
+from haros_ci.linters.settings_files import continued
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -124,10 +125,5 @@ def _rc(batch: Batch) -> str:
         except ValueError:
             pass  # an unreadable configuration: as if there were none
     options["disable"] = ",".join(filter(None, (options.get("disable", "").strip().strip(","), DISABLED)))
-    lines = (f"{key}={_continued(value)}" for key, value in sorted(options.items()))
+    lines = (f"{key}={continued(value)}" for key, value in sorted(options.items()))
     return "[MAIN]\n" + "\n".join(lines) + "\n"
-
-
-def _continued(value: str) -> str:
-    """A value of several lines as INI continuation lines, so that none can begin a section or another option."""
-    return "\n    ".join(line.strip() for line in value.splitlines() if line.strip())

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from posixpath import dirname, join
 
+from haros_ci.linters import settings_files
 from haros_ci.model.workspace import Workspace
 
 NAMES = ("pylintrc", ".pylintrc", "pyproject.toml", "setup.cfg", "tox.ini")
@@ -77,26 +78,13 @@ def _options(name: str, text: str) -> Iterator[tuple[str, str]]:
     if name == "pyproject.toml":
         yield from _toml_options(text)
         return
-    import configparser
-
-    parser = configparser.ConfigParser(interpolation=None, strict=False)
-    try:
-        parser.read_string(text)
-    except configparser.Error as err:
-        raise ValueError(str(err).splitlines()[0]) from err
-    for section in parser.sections():
+    for section, options in settings_files.ini(text).items():
         if name.endswith("pylintrc") or section.startswith(("pylint", "tool:pylint")):
-            yield from parser.items(section)
+            yield from ((key, str(value)) for key, value in options.items())
 
 
 def _toml_options(text: str) -> Iterator[tuple[str, str]]:
-    try:
-        import tomllib
-    except ModuleNotFoundError:  # Python 3.10, where pylint itself brings tomli
-        import tomli as tomllib  # type: ignore[no-redef,import-not-found,unused-ignore]
-    tool = tomllib.loads(text).get("tool", {})  # TOMLDecodeError is a ValueError
-    table = tool.get("pylint", {}) if isinstance(tool, dict) else {}
-    for key, value in table.items() if isinstance(table, dict) else ():
+    for key, value in settings_files.toml(text).get("pylint", {}).items():
         for option, given in value.items() if isinstance(value, dict) else ((key, value),):
             if isinstance(given, bool):
                 yield option, "yes" if given else "no"

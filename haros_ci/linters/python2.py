@@ -23,3 +23,11 @@ _OPERATORS = re.compile(r"^[^#'\"\n]*(?:<>|`\w+`|\b0[0-7]+[lL]?\b|\bur['\"])", r
 def is_python2(text: str) -> bool:
     """Whether *text*, which is not valid Python 3, has the marks of Python 2."""
     return any(pattern.search(text) for pattern in (_SHEBANG, _STATEMENTS, _OPERATORS))
+
+
+def why_unreadable(text: str) -> str:
+    """Why a tool could not parse *text*, for a notification."""
+    import sys
+
+    version = ".".join(map(str, sys.version_info[:2]))
+    return "it is Python 2" if is_python2(text) else f"it is not valid Python {version}"

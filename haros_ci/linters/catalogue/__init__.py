@@ -18,13 +18,20 @@ from haros_ci.results.rule import Rule
 #: The tools with a table, by the name that results carry, and its module.
 _MODULES: Final = MappingProxyType(
     {
+        "bandit": "bandit",
+        "black": "black",
         "catkin_lint": "catkin_lint",
         "clang-tidy": "clang_tidy",
+        "codespell": "codespell",
         "cppcheck": "cppcheck",
         "cpplint": "cpplint",
+        "flake8": "flake8",
+        "isort": "isort",
         "metrics": "metrics",
+        "mypy": "mypy",
         "pylint": "pylint",
         "ruff": "ruff",
+        "vulture": "vulture",
     }
 )
 TOOLS = tuple(_MODULES)

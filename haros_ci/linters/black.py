@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Black, dry: which files it would reformat, with the workspace's settings of the style."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from posixpath import normpath
+
+from haros_ci.linters import diffs, installed, python2, settings_files
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+NAME = "black"
+LANGUAGES = frozenset({"python"})
+WHEN = When.ASKED
+COST = 25.0
+
+RULE = "would-reformat"
+MESSAGE = "Black would reformat this file, from here on: run `black` on it."
+MARKS = {"pyproject.toml": ("[tool.black",)}
+#: Left out are what runs, reads and writes (workers, cache-dir, code, line-ranges), required-version, which would stop
+#: every other version, and verbose and quiet.
+INERT = frozenset(
+    """
+    line-length target-version skip-source-first-line skip-string-normalization skip-magic-trailing-comma preview
+    unstable enable-unstable-feature pyi exclude extend-exclude force-exclude
+    """.split()
+)
+#: Black excludes only what it finds for itself, unless it is told twice.
+EXCLUDES = ("exclude", "extend-exclude", "force-exclude")
+
+_ERROR = re.compile(r"error: cannot (?:parse: (.+?):(\d+):\d+|format (.+?): (?:Cannot parse.*?: (\d+):\d+)?.*)$")
+
+
+def locate(options: LintOptions) -> Program | None:
+    return installed.python_module(NAME, options)
+
+
+def fingerprint(workspace: Workspace, options: LintOptions) -> str:
+    return json.dumps(["1", options.arguments.get(NAME, ()) if options.trust_config else ()])
+
+
+def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
+    return ()  # plan() knows them all
+
+
+def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
+    return settings_files.units(workspace, LANGUAGES, MARKS)
+
+
+def command(program: Program, batch: Batch) -> Command:
+    settings = settings_files.inert(settings_files.read(batch.workspace, batch.group).get(NAME, {}), INERT)
+    excludes = [str(settings.pop(key)) for key in EXCLUDES if settings.get(key)]
+    if excludes:
+        settings["force-exclude"] = excludes[0] if len(excludes) == 1 else "|".join(f"(?:{e})" for e in excludes)
+    own = batch.scratch / "black.toml"
+    own.write_text(settings_files.toml_text(NAME, settings), encoding="utf-8")
+    more = batch.options.arguments.get(NAME, ()) if batch.options.trust_config else ()
+    options = (f"--config={own}", "--diff", "--fast", "--no-color", "--quiet", "--workers=1", *more)
+    return Command((*program.argv, *options, "--", *("./" + file.path for file in batch.files)))
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """A diff of each file on stdout, on stderr what it cannot parse; then the exit code is 123."""
+    if output.code not in (0, 123):
+        raise ValueError(f"exit code {output.code}")
+    names = {name: file.path for file in batch.files for name in ("./" + file.path, file.path, normpath(file.path))}
+    failed = False
+    for line in output.stderr.decode("utf-8", "replace").splitlines():
+        match = _ERROR.match(line)
+        if match and (path := names.get(match[1] or match[3])):
+            failed = True
+            yield GaveUp(
+                path, python2.why_unreadable(batch.workspace.text(path)), int(match[2] or match[4] or 0) or None
+            )
+    if output.code and not failed:
+        raise ValueError("it failed")
+    for path, line_number in diffs.first_changes(output.stdout.decode("utf-8", "replace"), names):
+        yield Finding(path, Result(NAME, RULE, Level.NOTE, MESSAGE, Location(path, line_number)))

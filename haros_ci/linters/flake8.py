@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""flake8 and the plug-ins installed beside it, with the workspace's settings as far as they cannot run code."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from posixpath import dirname, relpath
+
+from haros_ci.linters import columns, installed, python2, settings_files
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+NAME = "flake8"
+LANGUAGES = frozenset({"python"})
+WHEN = When.ASKED
+COST = 12.0
+
+#: In the order of flake8's documentation, "Configuration"; it takes the first with a section of its own.
+MARKS = {"setup.cfg": ("[flake8",), "tox.ini": ("[flake8",), ".flake8": ("[flake8",)}
+
+#: Options that name paths; flake8 reads them relative to the file that has them, and on the command line to where it runs.
+PATHS = frozenset("exclude extend-exclude per-file-ignores".split())
+#: Options that only count, switch or name things: flake8's own, then those of plug-ins that ROS projects use. Left out are
+#: plug-ins in the workspace ([flake8:local-plugins]), files to write, processes, and the layout of the output.
+INERT = PATHS | frozenset(
+    """
+    max-line-length max-doc-length max-complexity indent-size hang-closing ignore extend-ignore select extend-select
+    disable-noqa builtins doctests include-in-doctest exclude-from-doctest enable-extensions
+    import-order-style application-import-names application-package-names inline-quotes multiline-quotes
+    docstring-quotes avoid-escape docstring-convention classmethod-decorators ignore-decorators property-decorators
+    extend-immutable-calls max-cognitive-complexity ban-relative-imports suppress-none-returning
+    suppress-dummy-args allow-untyped-defs allow-untyped-nested mypy-init-return
+    """.split()
+)
+#: What ament_flake8 sets, where the workspace sets nothing.
+DEFAULTS = {"max-line-length": "99"}
+
+
+def locate(options: LintOptions) -> Program | None:
+    return installed.python_module(NAME, options)
+
+
+def fingerprint(workspace: Workspace, options: LintOptions) -> str:
+    """What checks: the plug-ins, and the two libraries that flake8 brings."""
+    import sys
+
+    libraries = [str(installed.distribution(name)) for name in ("pycodestyle", "pyflakes")]
+    own = options.arguments.get(NAME, ()) if options.trust_config else ()
+    plugins = installed.providers("flake8.extension")
+    return json.dumps(["1", sys.version_info[:2], libraries, plugins, options.trust_config, own])
+
+
+def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
+    return ()  # plan() knows them all
+
+
+def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
+    return settings_files.units(workspace, LANGUAGES, MARKS)
+
+
+def command(program: Program, batch: Batch) -> Command:
+    """It runs beside the settings, for the paths that they name."""
+    home = dirname(batch.group)
+    root = batch.workspace.root
+    options: tuple[str, ...]
+    if batch.options.trust_config and batch.group:
+        options = (f"--config={root / batch.group}", *batch.options.arguments.get(NAME, ()))
+    else:
+        given = settings_files.read(batch.workspace, batch.group).get("flake8", {}) if batch.group else DEFAULTS
+        chosen = settings_files.inert(given, INERT)
+        own = batch.scratch / "flake8.cfg"
+        rest = {key: value for key, value in chosen.items() if key not in PATHS}
+        own.write_text(settings_files.ini_text(NAME, rest), encoding="utf-8")
+        options = (f"--config={own}", *(f"--{key}={chosen[key]}" for key in sorted(PATHS & chosen.keys())))
+        if batch.options.trust_config:
+            options += batch.options.arguments.get(NAME, ())
+    layout = "--format=%(path)s\t%(row)d\t%(col)d\t%(code)s\t%(text)s"
+    ours = ("--jobs=1", "--exit-zero", "--color=never", "--no-show-source", layout)
+    names = ("./" + relpath(file.path, home or ".") for file in batch.files)
+    return Command((*program.argv, *options, *ours, "--", *names), cwd=root / home)
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """A line for each finding; pycodestyle counts code points and pyflakes, as everything on syntax trees, bytes."""
+    if output.code != 0:
+        raise ValueError(f"exit code {output.code}")
+    home = dirname(batch.group)
+    paths = {"./" + relpath(file.path, home or "."): file.path for file in batch.files}
+    rows = [line.split("\t", 4) for line in output.stdout.decode("utf-8", "replace").split("\n") if line]
+    texts = {path: batch.workspace.text(path) for path in {paths[row[0]] for row in rows}}
+    broken = {paths[row[0]] for row in rows if row[3] in ("E999", "E902")}
+    old = {path for path in broken if python2.is_python2(texts[path])}
+    for name, row, column, code, message in rows:
+        path, number = paths[name], int(row)
+        if path in old or code == "E902":
+            if code in ("E999", "E902"):
+                yield GaveUp(path, python2.why_unreadable(texts[path]), number or None)
+            continue
+        line = columns.line_of(texts[path], number)
+        at = int(column) if code.startswith(("E", "W")) else columns.from_bytes(line, int(column) - 1)
+        place = Location(path, number or 1, at if at and at <= len(line) + 1 else None)
+        yield Finding(path, Result(NAME, code, Level.ERROR if code == "E999" else Level.WARNING, message, place))

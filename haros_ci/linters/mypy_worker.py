@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs mypy over the files that stdin names, again without those that stop it, so that one file costs only itself.
+
+Run as a script in isolated mode: ``mypy_worker.py DIRECTORY``, in the directory that modules are named after. Writes
+mypy's lines of JSON, a line ``{"file", "line", "gave_up"}`` for each file left out, and last ``{"done": true}``.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import json
+import re
+import sys
+import warnings
+from collections.abc import Callable, Collection, Iterator, Sequence
+
+#: Times that mypy is started; after the first, because of a file that Python can read and mypy cannot.
+ATTEMPTS = 20
+OPTIONS = (
+    *("--output=json", "--show-error-end", "--no-error-summary", "--hide-error-context", "--no-pretty"),
+    *("--explicit-package-bases", "--namespace-packages", "--scripts-are-modules", "--no-incremental"),
+)
+SYNTAX = "syntax"
+
+Mypy = Callable[[list[str]], tuple[str, str, int]]
+
+
+def check(mypy: Mypy, files: Sequence[str], options: Sequence[str], config: str, own: str) -> Iterator[str]:
+    """Lines to write for *files*; *config* is the file of the settings, *own* where ours may stand that also leaves
+    out what stops mypy ("": nowhere, for settings whose place matters).
+
+    Files that share a module name are checked one after another. Raises RuntimeError if mypy fails for another reason
+    than a file.
+    """
+    left_out: dict[str, tuple[int, str]] = {}
+    for name in files:
+        if (line := unparsable(name)) is not None:
+            left_out[name] = (line, SYNTAX)
+    skipped = set(left_out)
+    waiting, later = [name for name in files if name not in left_out], list[str]()
+    attempts = 0
+    while waiting:
+        if (attempts := attempts + 1) > ATTEMPTS:
+            raise RuntimeError("mypy was stopped too often")
+        if own:
+            write_settings(config, own, skipped)
+        stdout, stderr, code = mypy([*OPTIONS, *options, f"--config-file={own or config}", "--", *waiting])
+        if code in (0, 1):
+            yield from stdout.splitlines()
+            waiting, later = later, []
+            continue
+        known = skipped | set(later)
+        for name, line, why in blamed(stdout, stderr, waiting):
+            if why.startswith("Duplicate module"):
+                later.append(name)
+            else:
+                skipped.add(name)
+                left_out[name] = (line, why)
+        if skipped | set(later) == known:
+            raise RuntimeError((stderr or stdout).strip()[-300:])
+        waiting = [name for name in waiting if name not in skipped and name not in later]
+        if not waiting:
+            waiting, later = later, []
+    for name, (line, why) in left_out.items():
+        yield json.dumps({"file": name, "line": line, "gave_up": why})
+
+
+def unparsable(path: str) -> int | None:
+    """The line (0 if unknown) where Python cannot read the file *path*, None if it can."""
+    try:
+        with open(path, "rb") as stream:
+            ast.parse(stream.read())
+    except SyntaxError as err:
+        return err.lineno or 0
+    except (OSError, ValueError, RecursionError, MemoryError):
+        return 0
+    return None
+
+
+def blamed(stdout: str, stderr: str, files: Collection[str]) -> Iterator[tuple[str, int, str]]:
+    """The files that have stopped mypy, with line and reason: ``syntax``, or mypy's words."""
+    for line in stdout.splitlines():
+        said = json.loads(line)
+        if said["severity"] == "error" and (said["code"] in (SYNTAX, None) or said["line"] < 1):
+            yield said["file"], max(said["line"], 0), SYNTAX if said["code"] == SYNTAX else said["message"]
+    for line in stderr.splitlines():
+        if match := re.match(r"(.+?): error: (Cannot (?:decode|read) file)", line):
+            yield match[1], 0, match[2]
+        elif match := re.match(r"(.+?) (?:contains __init__\.py but )?is not a valid Python package name", line):
+            inside = (name for name in files if match[1] in name.split("/")[:-1])
+            yield from ((name, 0, f"{match[1]} is not a valid name of a package") for name in inside)
+
+
+def module_names(path: str) -> set[str]:
+    """What mypy may call the module at *path*: directories that are identifiers are packages, another begins anew."""
+    parts = path.removesuffix(".py").removesuffix("/__init__").split("/")
+    first = max((i + 1 for i, part in enumerate(parts[:-1]) if not part.isidentifier()), default=0)
+    return {".".join(parts[i:]) for i in (range(first, len(parts)) if first else (0,))}
+
+
+def write_settings(config: str, own: str, skipped: Collection[str]) -> None:
+    """Writes to *own* what *config* says, and that imports of the files *skipped* are not followed."""
+    with open(config, encoding="utf-8") as stream:
+        text = stream.read()
+    for module in sorted({module for name in skipped for module in module_names(name)}):
+        if all(map(str.isidentifier, module.split("."))) and f"[mypy-{module}]" not in text:
+            text += f"\n[mypy-{module}]\nfollow_imports = skip\n"
+    with open(own, "w", encoding="utf-8") as stream:
+        stream.write(text)
+
+
+def main() -> None:
+    request = json.load(sys.stdin)
+    if sys.argv[1] not in sys.path:
+        sys.path.append(sys.argv[1])
+    warnings.simplefilter("ignore")  # of the files' syntax
+    mypy: Mypy = importlib.import_module("mypy.api").run
+    for line in check(mypy, request["files"], request["options"], request["config"], request["own"]):
+        print(line)
+    print(json.dumps({"done": True}))
+
+
+if __name__ == "__main__":
+    main()
