@@ -3,18 +3,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 
+from haros_ci import __version__
+from haros_ci.architecture import programs
+from haros_ci.code.codebase import codebase
 from haros_ci.config.settings import Settings
+from haros_ci.forks import shared
 from haros_ci.linters import values
 from haros_ci.linters.linter import LintOptions
 from haros_ci.linters.run import lint
+from haros_ci.measuring.classes import Classes, Measured, measure_classes
+from haros_ci.measuring.facts import FileFacts, FunctionFacts, from_json, to_json
+from haros_ci.measuring.totals import of_files, of_packages
 from haros_ci.model.measurement import Measurement
+from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Notification, Run
+from haros_ci.results.rule import Level
+from haros_ci.workspace.build import builds
 
 Progress = Callable[[str], None]
+#: Part of every key: a change of how we measure gets another.
+FACTS = f"{__version__}-1"
+#: What has these metrics.
+TOOL = "metrics"
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +39,22 @@ class Measures:
     values: tuple[Measurement, ...]
     notifications: tuple[Notification, ...] = ()
     failed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Structure:
+    """What the syntax tells: facts by file, and the classes of the whole workspace."""
+
+    facts: Mapping[str, FileFacts]
+    classes: Classes
+
+    def title(self, path: str, function: FunctionFacts) -> tuple[str, str]:
+        """The class of a function ("" for none) and its name without that."""
+        owner = self.classes.of_function.get((path, function.line, function.column))
+        if owner is None:
+            return "", function.name
+        separator = owner.source.separator
+        return owner.facts.name, function.name.rpartition(separator)[2]
 
 
 def measured(
@@ -37,18 +68,100 @@ def measure(workspace: Workspace, settings: Settings, store: Store, progress: Pr
     """The same, with what went wrong."""
     options = LintOptions(timeout=settings.linter_timeout, jobs=settings.jobs, root=settings.root)
     runs = lint(workspace, values.ADAPTERS, options, store, lambda tool, rule, path: True, progress)
+    if progress is not None:
+        progress("structure")
+    found = structure(workspace, store, settings.jobs)
     packages = {file.path: file.package or "" for file in workspace.files}
+    single = [*_of_runs(runs, packages, found), *_of_structure(found, workspace, packages)]
+    single += of_files(single)
+    notes = (*(note for run in runs for note in run.notifications), *_problems(found, workspace))
     return Measures(
-        tuple(sorted(_measurements(runs, packages))),
-        tuple(note for run in runs for note in run.notifications),
+        tuple(sorted([*single, *of_packages(single)])),
+        tuple(dict.fromkeys(notes)),
         tuple(run.tool.name for run in runs if not run.successful),
     )
 
 
-def _measurements(runs: Iterable[Run], packages: dict[str, str]) -> Iterator[Measurement]:
+def structure(workspace: Workspace, store: Store, processes: int) -> Structure:
+    """Functions and classes, from *store* as far as the bytes of files are known there."""
+    files = [file for file in workspace.files if file.language in ("cpp", "python")]
+    kept = {file.path: from_json(store.get(*_place(file))) for file in files}
+    new = [file for file in files if kept[file.path] is None]
+    jobs = [partial(_read, workspace, file.path, file.language) for file in new]
+    for file, data in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
+        store.put(*_place(file), data)
+        kept[file.path] = from_json(data)
+    facts = {path: each for path, each in kept.items() if each is not None}
+    code = codebase(programs(workspace, builds(workspace), store, [], processes), workspace.text)
+    return Structure(facts, measure_classes(code, facts))
+
+
+def _place(file: SourceFile) -> tuple[str, str, str]:
+    """Where the facts of a file are kept: their kind, the path, and all that they depend on."""
+    return f"measured-{file.language}", file.path, f"{FACTS} {file.digest}"
+
+
+def _read(workspace: Workspace, path: str, language: str) -> object:
+    if language == "cpp":
+        from haros_ci.measuring.cpp import read_cpp as read
+    else:
+        from haros_ci.measuring.python import read_python as read
+    return to_json(read(workspace.text(path)))
+
+
+def function_values(function: FunctionFacts) -> dict[str, int]:
+    """A function's metrics by name, those of its syntax."""
+    return {
+        "nested-control": function.nesting,
+        "function-calls": function.calls,
+        "unique-function-calls": function.distinct,
+        "static-path-count": function.paths,
+    }
+
+
+def class_values(each: Measured) -> dict[str, int]:
+    """A class's metrics by name; one without methods has no weight and nothing available."""
+    found = {"coupling": len(each.coupled), "depth-in-tree": each.depth, "number-of-children": each.children}
+    if each.facts.methods:
+        found |= {"weighted-methods": each.weighted_methods, "methods-available": each.facts.available}
+    return found
+
+
+def _of_structure(found: Structure, workspace: Workspace, packages: Mapping[str, str]) -> Iterator[Measurement]:
+    for path, facts in found.facts.items():
+        if not workspace.reports_on(path):
+            continue
+        for function in facts.functions:
+            title = found.title(path, function)
+            for metric, value in function_values(function).items():
+                yield Measurement(packages[path], path, function.line, *title, metric, value)
+    for each in found.classes.every:
+        path = each.source.path
+        for metric, value in class_values(each).items() if workspace.reports_on(path) else ():
+            yield Measurement(packages[path], path, each.facts.line, each.facts.name, "", metric, value)
+
+
+def _of_runs(runs: Iterable[Run], packages: Mapping[str, str], found: Structure) -> Iterator[Measurement]:
+    """What lizard and radon measured, under the names that the syntax has for the functions at the same places."""
+    at: dict[tuple[str, int, str], tuple[str, str]] = {}
+    for path, facts in found.facts.items():
+        for function in facts.functions:
+            at[path, function.line, _last(function.name)] = found.title(path, function)
     for run in runs:
         for result in run.results:
-            place = result.location
-            package = packages.get(place.path, "")
+            place, scope = result.location, result.scope
+            title = at.get((place.path, place.line or 0, _last(scope)), ("", scope))
+            line = place.line or 0
             if result.value is not None:
-                yield Measurement(package, place.path, place.line or 0, "", result.scope, result.rule, result.value)
+                yield Measurement(packages.get(place.path, ""), place.path, line, *title, result.rule, result.value)
+
+
+def _last(name: str) -> str:
+    """The last part of a name in either language; the whole call of a macro that makes functions."""
+    return name if "(" in name else name.rpartition("::")[2].rpartition(".")[2]
+
+
+def _problems(found: Structure, workspace: Workspace) -> Iterator[Notification]:
+    for path, facts in found.facts.items():
+        for line, message in facts.problems if workspace.reports_on(path) else ():
+            yield Notification(Level.WARNING, message, TOOL, path, line)

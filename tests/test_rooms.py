@@ -67,7 +67,7 @@ DOORS: dict[str, set[str]] = {
     "pipeline": {"baselines", "config", "errors", "inspection", "linters", "model", "query", "registry", "results", "workspace"},
     # what the syntax says of functions, and the index of the programs of classes
     "measuring": {"code", "extract", "link", "model"},
-    "measures": {"config", "linters", "model", "results"},
+    "measures": {"architecture", "code", "config", "forks", "linters", "measuring", "model", "results", "workspace"},
     "forks": set(),
     "wanted": {"errors", "link", "model"},
     "architecture": {"config", "errors", "exactness", "extract", "forks", "link", "model", "plugins", "wanted", "workspace"},

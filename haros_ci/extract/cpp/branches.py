@@ -71,3 +71,23 @@ def _without(text: str, spans: list[tuple[int, int]]) -> str:
             pieces += [text[done:start], re.sub(r"[^\n]", " ", text[start:end])]
             done = end
     return "".join([*pieces, text[done:]])
+
+
+def first(text: str) -> str:
+    """*text* with one branch of each conditional: the first, of ``#if 0`` the next. Directives and the rest are blank."""
+    bare = blanks.skeleton(text)
+    blanked: list[tuple[int, int]] = []
+    unfinished: list[list[tuple[int, int]]] = []
+    for match in _DIRECTIVE.finditer(bare):
+        word = match.group(1)
+        here = (match.start(), match.end())
+        if word.startswith("if"):
+            unfinished.append([here])
+        elif unfinished:
+            unfinished[-1].append(here)
+            if word == "endif":
+                directives = unfinished.pop()
+                kept = 1 if _NEVER.fullmatch(bare[slice(*directives[0])]) else 0
+                spans = [(directives[i][1], directives[i + 1][0]) for i in range(len(directives) - 1)]
+                blanked += [*directives, *(span for index, span in enumerate(spans) if index != kept)]
+    return _without(text, blanked)

@@ -10,7 +10,7 @@ from haros_ci.extract.cpp.grammar import errors, missing, parse
 from haros_ci.extract.cpp.unit import Scope, Unit, unit_of
 from haros_ci.model.program import Program
 
-_LARGEST = 4_000_000
+LARGEST = 4_000_000
 _COUNTED = 1000
 
 
@@ -20,10 +20,10 @@ def read_cpp(text: str) -> Program:
     All branches of its preprocessor conditionals are read. What cannot be read is left out, with a problem
     (at most five per file) where that is in a function; nothing is raised.
     """
-    if len(text) > _LARGEST:
-        return Program("cpp", problems=((1, f"larger than {_LARGEST} characters: the file is not read"),))
+    if len(text) > LARGEST:
+        return Program("cpp", problems=((1, f"larger than {LARGEST} characters: the file is not read"),))
     text = text.removeprefix("\ufeff")
-    data, root = _tree(blanks.readable(text))
+    data, root = tree_of(blanks.readable(text))
     if root is None:
         return Program("cpp", problems=((1, "too unlike C++ to parse in reasonable time: the file is not read"),))
     unit = unit_of(data)
@@ -31,7 +31,7 @@ def read_cpp(text: str) -> Program:
     return _program(unit)
 
 
-def _tree(text: str) -> tuple[bytes, Node | None]:
+def tree_of(text: str) -> tuple[bytes, Node | None]:
     """The tree of *text* with the least in errors, and what was parsed for it: the same length, some of it blank."""
     data = text.encode("utf-8", "replace")
     root = parse(data)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from haros_ci.extract.python.annotations import NO_TYPE
 from haros_ci.extract.python.python2 import repair
 from haros_ci.extract.python.scope import Bindings, Collected, Scope, bound
-from haros_ci.extract.python.source import Edit, source_of
+from haros_ci.extract.python.source import Edit, Source, source_of
 from haros_ci.extract.python.statements import block
 from haros_ci.extract.python.tokens import longest_chain
 from haros_ci.model.program import Function, Program
@@ -30,6 +30,18 @@ def read_python(text: str) -> Program:
     Line ends may be ``\\n``, ``\\r\\n`` or ``\\r``; a byte-order mark counts as no column. A file that the running
     Python cannot parse gives a Program with a problem that says why and nothing else. Never raises.
     """
+    found = tree_of(text)
+    if isinstance(found, Program):
+        return found
+    tree, source = found
+    try:
+        return _program(tree, Collected(source))
+    except RecursionError:
+        return _failed(1, "nested too deeply to be read; split the statements")
+
+
+def tree_of(text: str) -> tuple[ast.Module, Source] | Program:
+    """The tree of *text*, repaired where it is Python 2, and the places in it; a Program that says why if there is none."""
     text = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
     if not text.isascii():
         text = text.encode("utf-8", "replace").decode("utf-8")
@@ -47,10 +59,7 @@ def read_python(text: str) -> Program:
             tree = _parse(parsed)
         except _UNREADABLE as second:
             return _unreadable(second if edits else error, text)
-    try:
-        return _program(tree, Collected(source_of(text, parsed, edits)))
-    except RecursionError:
-        return _failed(1, "nested too deeply to be read; split the statements")
+    return tree, source_of(text, parsed, edits)
 
 
 def _parse(text: str) -> ast.Module:

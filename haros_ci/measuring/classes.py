@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Metrics of classes over the whole workspace: Chidamber and Kemerer's (IEEE TSE 20(6), 1994) and the methods available.
+
+Every count is a lower bound where the workspace does not tell: a base class outside of it is one level, as it has at
+least that; a name that is none of its classes is not coupled to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from haros_ci.code.classes import Owner, class_named, dotted_name, resolved
+from haros_ci.code.codebase import Codebase
+from haros_ci.link.index import Source
+from haros_ci.measuring.facts import ClassFacts, FileFacts, FunctionFacts
+
+NOWHERE: frozenset[str] = frozenset()
+
+
+@dataclass(slots=True, eq=False)
+class Measured:
+    """A class and its metrics. *functions* are its methods that have a body, each with its file."""
+
+    source: Source
+    facts: ClassFacts
+    owner: Owner
+    bases: tuple[Measured | None, ...] = ()
+    functions: list[tuple[Source, FunctionFacts]] = field(default_factory=list)
+    coupled: set[int] = field(default_factory=set)
+    children: int = 0
+    depth: int = 0
+
+    @property
+    def weighted_methods(self) -> int:
+        return sum(each.complexity for _, each in self.functions)
+
+
+@dataclass(slots=True)
+class Classes:
+    """All classes of the workspace; *of_function* is the class of a method by its file and place."""
+
+    every: list[Measured]
+    of_function: dict[tuple[str, int, int], Measured]
+
+
+def measure_classes(code: Codebase, facts: Mapping[str, FileFacts]) -> Classes:
+    """Measure the classes of *facts*, by file, whose names *code* resolves."""
+    return _Measuring(code, facts).all()
+
+
+class _Measuring:
+    def __init__(self, code: Codebase, facts: Mapping[str, FileFacts]) -> None:
+        self.code = code
+        self.facts = facts
+        self.every: list[Measured] = []
+        self.by_definition: dict[int, Measured] = {}
+        self.meant: dict[tuple[str, str, str], Measured | None] = {}
+
+    def all(self) -> Classes:
+        for source in self.code.sources:
+            self.every += self._of_file(source)
+        for each in self.every:
+            each.bases = tuple(self._bases(each))
+            for base in {id(base): base for base in each.bases if base is not None}.values():
+                base.children += 1
+        of_function = {}
+        for source, function in self._functions():
+            owner = self._owner(source, function)
+            if owner is not None:
+                owner.functions.append((source, function))
+                of_function[source.path, function.line, function.column] = owner
+        for each in self.every:
+            self._set_depth(each)
+            self._couple(each)
+        return Classes(self.every, of_function)
+
+    def _of_file(self, source: Source) -> Iterator[Measured]:
+        """Classes are paired by name, and those of one name in a file by line."""
+        facts = self.facts.get(source.path)
+        places = {(each.name, each.line): each for each in source.program.classes}
+        for each in facts.classes if facts is not None else ():
+            definition = places.get((each.name, each.line))
+            if definition is not None:
+                found = Measured(source, each, (source, definition))
+                self.by_definition[id(definition)] = found
+                yield found
+
+    def _functions(self) -> Iterator[tuple[Source, FunctionFacts]]:
+        for source in self.code.sources:
+            facts = self.facts.get(source.path)
+            for function in facts.functions if facts is not None else ():
+                if function.class_name:
+                    yield source, function
+
+    def _bases(self, each: Measured) -> Iterator[Measured | None]:
+        """The direct bases, None for one outside of the workspace."""
+        source, definition = each.owner
+        scope = definition.name.rpartition(source.separator)[0]
+        for base in definition.bases:
+            if source.separator == "." and base[0] == "object":
+                continue
+            found = self.named(source, scope, base[0])
+            yield None if found is each else found
+
+    def _owner(self, source: Source, function: FunctionFacts) -> Measured | None:
+        """The class of a method: in this file, else the one that its name means here."""
+        name = function.class_name
+        own = [each for each in source.program.classes if each.name == name]
+        if len(own) == 1:
+            return self.by_definition.get(id(own[0]))
+        if own:  # specialisations: the last one that begins before
+            before = [each for each in own if each.line <= function.line]
+            return self.by_definition.get(id(before[-1])) if before else None
+        if source.separator == ".":
+            return None
+        found = self._class(name, source)
+        for space in self.code.cpp.opened(source) if found is None else ():
+            found = found or self._class(f"{space}::{name}", source)
+        return found
+
+    def _class(self, name: str, source: Source) -> Measured | None:
+        """The class of a resolved name, if *source* can see it."""
+        owner = class_named(self.code, name, source)
+        if owner is None:
+            return None
+        if source.separator != "." and not self.code.cpp.sees(source, owner[0], NOWHERE):
+            return None
+        return self.by_definition.get(id(owner[1]))
+
+    def named(self, source: Source, scope: str, name: str) -> Measured | None:
+        """The class that *name* means in *scope* of a file, None if it is none of the workspace."""
+        key = (source.path, scope, name)
+        if key not in self.meant:
+            if source.separator == ".":
+                self.meant[key] = self._class(dotted_name(source, name), source)
+            else:
+                self.meant[key] = self._class(resolved(self.code, (name, (), ""), scope, source)[0], source)
+        return self.meant[key]
+
+    def _set_depth(self, each: Measured) -> None:
+        """Classes on the longest way to a root, itself included; a base outside of the workspace is one."""
+        way, on_it = ([each], {id(each)}) if not each.depth else ([], set())
+        while way:
+            here = way[-1]
+            above = next((b for b in here.bases if b is not None and not b.depth and id(b) not in on_it), None)
+            if above is not None:
+                way.append(above)
+                on_it.add(id(above))
+                continue
+            here.depth = 1 + max((1 if b is None else b.depth for b in here.bases), default=0)
+            on_it.discard(id(way.pop()))
+
+    def _couple(self, each: Measured) -> None:
+        """Add the classes that its definition and its methods name."""
+        places = [(each.source, each.facts.mentions), *((source, f.mentions) for source, f in each.functions)]
+        for source, names in places:
+            for name in names:
+                other = self._mentioned(source, each.facts.name, name)
+                if other is not None and other is not each:
+                    each.coupled.add(id(other))
+
+    def _mentioned(self, source: Source, scope: str, name: str) -> Measured | None:
+        """The class that a name or what it is qualified by means: ``A::B::make`` may be of ``A::B`` or of ``A``."""
+        while name:
+            found = self.named(source, scope, name)
+            if found is not None:
+                return found
+            name = name.rpartition(source.separator)[0]
+        return None

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From the values of functions, classes and files to those of files and packages."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from haros_ci.model.measurement import Measurement
+
+Combine = Callable[[Sequence[float]], float]
+
+
+def mean(values: Sequence[float]) -> float:
+    return sum(values) / len(values)
+
+
+#: How the values of functions and classes become one of their file, where files have none of their own.
+OF_FILE: dict[str, Combine] = {
+    "function-calls": sum,
+    "unique-function-calls": max,
+    "function-parameters": max,
+    "nested-control": max,
+    "static-path-count": max,
+    "coupling": max,
+    "depth-in-tree": max,
+    "number-of-children": max,
+    "weighted-methods": max,
+    "methods-available": max,
+}
+#: How the values of files become one of their package. The comment ratio is made of its sums.
+OF_PACKAGE: dict[str, Combine] = {
+    **OF_FILE,
+    "cyclomatic-complexity": sum,
+    "comments": sum,
+    "ploc": sum,
+    "sloc": sum,
+    "lloc": sum,
+    "eloc": sum,
+    "halstead-volume": sum,
+    "halstead-time": sum,
+    "halstead-bugs": sum,
+    "maintainability-index": mean,
+}
+
+
+def of_files(values: Iterable[Measurement]) -> Iterator[Measurement]:
+    """The values of files that follow from those of their functions and classes."""
+    together: dict[tuple[str, str, str], list[float]] = defaultdict(list)
+    for each in values:
+        if (each.function or each.class_name) and each.metric in OF_FILE:
+            together[each.package, each.path, each.metric].append(each.value)
+    for (package, path, metric), found in together.items():
+        yield Measurement(package, path, 0, "", "", metric, OF_FILE[metric](found))
+
+
+def of_packages(values: Iterable[Measurement]) -> Iterator[Measurement]:
+    """The values of packages from those of their files."""
+    together: dict[tuple[str, str], list[float]] = defaultdict(list)
+    for each in values:
+        if each.package and each.path and not each.function and not each.class_name:
+            together[each.package, each.metric].append(each.value)
+    for (package, metric), found in sorted(together.items()):
+        combine = OF_PACKAGE.get(metric)
+        if combine is not None:
+            yield Measurement(package, "", 0, "", "", metric, combine(found))
+        elif metric == "comment-ratio":
+            lines = sum(together.get((package, "sloc"), ()))
+            yield Measurement(
+                package, "", 0, "", "", metric, sum(together.get((package, "comments"), ())) / lines if lines else 0.0
+            )
