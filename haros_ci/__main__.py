@@ -1,7 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """``python -m haros_ci``."""
 
-from haros_ci.cli import main
+import os
+import sys
+
+import haros_ci
+
+# -m puts the current directory in front, which is the workspace more often than not: a click.py of it is not to be run.
+if sys.path and sys.path[0] == os.getcwd() != os.path.dirname(haros_ci.__path__[0]):
+    del sys.path[0]
+
+from haros_ci.cli import main  # noqa: E402
 
 if __name__ == "__main__":
     raise SystemExit(main())

@@ -144,6 +144,8 @@ def under_cache(work: Callable[[DiskCache | MemoryCache, Progress], Made], setti
     import gc
 
     gc.disable()  # a short-lived process over acyclic values: the collector would only look for what is not there
+    from haros_ci.plugins.stdout import kept_clean
+
     store = store_for(settings)
     started = time.perf_counter()
     clock: list[tuple[float, str]] = []
@@ -155,7 +157,8 @@ def under_cache(work: Callable[[DiskCache | MemoryCache, Progress], Made], setti
             click.echo(f"\r\x1b[K{what}", nl=False, err=True)
 
     try:
-        made = work(store, progress)
+        with kept_clean(bool(settings.plugins)):
+            made = work(store, progress)
     finally:
         if watched:
             click.echo("\r\x1b[K", nl=False, err=True)

@@ -156,10 +156,12 @@ def rendered(report: Report, format: str, view: View, renderers: Renderers = Map
 
 def of_plugin(report: Report, render: Callable[[Report], str], *, to_file: bool) -> str:
     """What a plug-in makes of *report*; read by a person or a runner, it moves no cursor and gives no commands."""
+    from haros_ci.plugins.stdout import kept_clean
     from haros_ci.report.escape import patch as shown
 
     try:
-        text = render(report)
+        with kept_clean():
+            text = render(report)
     except RuntimeError as err:
         raise RendererError(str(err)) from err
     read_here = not to_file and (sys.stdout.isatty() or os.environ.get("GITHUB_ACTIONS"))

@@ -6,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_checks import said
 
+from haros_ci.api.testing import said
 from haros_ci.checking.page import Example
 from haros_ci.registry import checks
 from haros_ci.results.rule import Level

@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from test_checks import read
-
+from haros_ci.api.testing import read
 from haros_ci.checking.page import filled
 from haros_ci.checking.run import run_on_project
 from haros_ci.inspection import project_of

@@ -6,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_checks import mended, said
 
+from haros_ci.api.testing import mended, said
 from haros_ci.checking.page import Example, filled
 from haros_ci.registry import checks
 

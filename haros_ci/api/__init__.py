@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.check import Check, Decidability, Finding, Status
+from haros_ci.checking.check import API_VERSION, Check, Decidability, Finding, Status
 from haros_ci.checking.closed import unmet
 from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.compatibility import refused_pairs, refuses
@@ -41,6 +41,7 @@ from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.rule import Level
 
 __all__ = [
+    "API_VERSION",
     "ACTION",
     "ALWAYS",
     "NO_SYSTEMS",

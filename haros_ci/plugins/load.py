@@ -13,7 +13,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NoReturn
 
-from haros_ci.checking.check import Check
+from haros_ci.checking.check import API_VERSION, Check
 from haros_ci.checking.page import SECTIONS, read_page
 from haros_ci.errors import UserError
 from haros_ci.linters.linter import Linter
@@ -21,6 +21,7 @@ from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.plugins.guard import GuardedLinter, guarded_check, guarded_renderer
 from haros_ci.plugins.place import digest, failed, located
 from haros_ci.plugins.plugin import Plugin, Renderer
+from haros_ci.plugins.stdout import kept_clean
 from haros_ci.results.rule import Rule
 
 #: What a module may offer.
@@ -45,7 +46,8 @@ def _plugin(name: str, root: Path) -> Plugin:
         raise UserError(f"plug-in {name}: it is part of haros-ci", help="name a module of your own")
     spec = located(name, root)
     try:
-        module = import_module(name)
+        with kept_clean():
+            module = import_module(name)
     except (Exception, SystemExit) as err:
         raise failed(name, err) from err
     return _looked_at(module, spec)
@@ -57,6 +59,10 @@ def _looked_at(module: ModuleType, spec: ModuleSpec) -> Plugin:
     offered = {key: getattr(module, key) for key in OFFERS if hasattr(module, key)}
     if not offered:
         _refuse(name, f"it offers none of {', '.join(OFFERS)}", "see docs/plugins.md")
+    needs = getattr(module, "REQUIRES_API", API_VERSION)
+    if not isinstance(needs, tuple) or needs[:1] != API_VERSION[:1] or needs > API_VERSION:
+        mine = ".".join(map(str, API_VERSION))
+        _refuse(name, f"it is made for the API {needs}; this is {mine}", "take a plug-in and a haros-ci that fit")
     made = digest(spec)
     checks = tuple(_check(name, each) for each in _listed(name, "CHECKS", offered))
     linters = tuple(_linter(name, each) for each in _listed(name, "LINTERS", offered))
@@ -102,7 +108,7 @@ def _page(check: Check, module: ModuleType) -> str:
     if text is None:
         look: Any = check.run or check.project
         homes = (sys.modules.get(getattr(look, "__module__", "")), module)
-        places = [Path(home.__file__).parent / file for home in homes if home is not None and home.__file__]
+        places = [Path(home).parent / file for home in (getattr(each, "__file__", None) for each in homes) if home]
         text = next((place.read_text(encoding="utf-8") for place in places if place.is_file()), None)
     if not isinstance(text, str):
         _refuse(name, f"check {check.id} has no page", f"put {file} beside its module, or its text into PAGES")

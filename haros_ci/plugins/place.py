@@ -11,6 +11,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from haros_ci.errors import UserError
+from haros_ci.plugins.stdout import kept_clean
 
 #: Files of a plug-in that are looked at for its digest; what lies beyond is a mistake.
 MAX_FILES, MAX_BYTES = 5_000, 200_000_000
@@ -30,10 +31,11 @@ def located(name: str, root: Path) -> ModuleSpec:
     """Where the module *name* is; UserError if it is nowhere, or in the workspace."""
     keep_workspace_out(root)
     try:
-        spec = find_spec(name)
+        with kept_clean():  # it imports the packages that the module is in
+            spec = find_spec(name)
     except ModuleNotFoundError:
         spec = None
-    except (ImportError, AttributeError, ValueError, SyntaxError) as err:
+    except (Exception, SystemExit) as err:
         raise failed(name, err) from err
     if spec is None:
         here = (root / name.partition(".")[0]).is_dir() or (root / f"{name}.py").is_file()
