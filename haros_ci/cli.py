@@ -258,12 +258,15 @@ def diff(**flags: Any) -> int:
 @click.option(
     "--checks", "as_checks", is_flag=True, help="Only our own checks, as the Markdown table of docs/checks.md."
 )
+@click.option("--standards", is_flag=True, help="CERT, CWE and others with the rules for them, as docs/standards.md.")
 @click.option("--profile", metavar="NAME", default="ros", show_default=True, help="Mark what this profile enables.")
 @plugin_option
 def rules(**flags: Any) -> int:
     """List every documented rule: id, level, and whether the profile enables it."""
     from haros_ci import commands
 
+    if flags["standards"]:
+        return commands.standards_table()
     return commands.check_table() if flags["as_checks"] else commands.rules(flags)
 
 

@@ -288,6 +288,15 @@ def rules(flags: Flags) -> int:
     return 0
 
 
+def standards_table() -> int:
+    """``haros-ci rules --standards``: docs/standards.md."""
+    from haros_ci.registry import built_in
+    from haros_ci.report.standards_table import render
+
+    click.echo(render(built_in().documented_rules()), nl=False)
+    return 0
+
+
 def check_table() -> int:
     """``haros-ci rules --checks``: docs/checks.md."""
     from haros_ci.registry import built_in

@@ -6,7 +6,8 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 
-from haros_ci.config.settings import LinterSettings, Policy, Settings
+from haros_ci.config.settings import Exemption, LinterSettings, LocalPolicy, Policy, Settings
+from haros_ci.model.declared_tool import DeclaredTool
 
 DEFAULT = "default"
 
@@ -16,13 +17,11 @@ def describe(settings: Settings) -> str:
     lines = [f"# project file: {_quoted(settings.project_file) if settings.project_file else 'none'}"]
     lines.extend(_values(settings))
     lines.extend(_policy("", settings.policy))
-    if settings.per_path:
-        lines.append("per-path:")
-        for entry in settings.per_path:
-            lines.append(f"  {_quoted(', '.join(entry.globs))}:")
-            if entry.profile:
-                lines.append(f"    profile: {entry.profile}")
-            lines.extend(_policy("    ", entry.policy))
+    lines.extend(_local("per-package", [(entry.names, entry) for entry in settings.per_package]))
+    lines.extend(_local("per-path", [(entry.globs, entry) for entry in settings.per_path]))
+    if settings.exemptions:
+        lines.append("exceptions:")
+        lines.extend(f"  - {_exemption(entry)}  # {_quoted(entry.origin)[1:-1]}" for entry in settings.exemptions)
     if settings.command_line != Policy():
         lines.append("# on the command line, beating all of the above:")
         lines.extend(_policy("", settings.command_line))
@@ -52,7 +51,9 @@ def _values(settings: Settings) -> Iterator[str]:
     yield f"trust-config: {_shown(settings.trust_config)}"
     if settings.linters:
         yield f"linters:  # {_quoted(origins.get('linters', origins.get('plugin_blacklist', DEFAULT)))[1:-1]}"
-        yield from (f"  {_key(tool)}: {_linter(linter)}" for tool, linter in settings.linters)
+        declared = {tool.name: tool for tool in settings.declared}
+        for name, linter in settings.linters:
+            yield f"  {_key(name)}: {_linter(linter, declared.get(name))}"
 
 
 def _model(project: Mapping[str, object]) -> Iterator[tuple[str, tuple[str, ...]]]:
@@ -76,8 +77,32 @@ def _policy(indent: str, policy: Policy) -> Iterator[str]:
         yield from (f"{indent}  {_key(name)}: {level.value if level else 'off'}" for name, level in policy.levels)
 
 
-def _linter(linter: LinterSettings) -> str:
-    values = {"enabled": linter.enabled, "timeout": linter.timeout, "arguments": linter.arguments or None}
+def _local(key: str, entries: Sequence[tuple[tuple[str, ...], LocalPolicy]]) -> Iterator[str]:
+    if entries:
+        yield f"{key}:"
+    for names, entry in entries:
+        yield f"  {_quoted(', '.join(names))}:"
+        if entry.profile:
+            yield f"    profile: {entry.profile}"
+        yield from _policy("    ", entry.policy)
+
+
+def _exemption(entry: Exemption) -> str:
+    values = {key: getattr(entry, key) for key in ("files", "packages", "rules", "message", "reason")}
+    return _shown({key: value for key, value in values.items() if value})
+
+
+def _linter(linter: LinterSettings, tool: DeclaredTool | None) -> str:
+    values: dict[str, object] = {
+        "enabled": linter.enabled,
+        "timeout": linter.timeout,
+        "arguments": linter.arguments or None,
+    }
+    if tool is not None:
+        values |= {"exec": tool.argv, "files": tool.files or None, "languages": tool.languages or None}
+        values |= {"reads": tool.reads or None, "output": tool.output, "pattern": tool.pattern or None}
+        values |= {"fields": dict(tool.fields) or None, "levels": dict(tool.levels) or None}
+        values |= {"stream": tool.stream, "exit": tool.exits}
     return _shown({key: value for key, value in values.items() if value is not None})
 
 

@@ -15,6 +15,7 @@ from haros_ci.results.result import Notification, Run, Tool
 from haros_ci.results.rule import Level, Rule
 
 MAX_NAME, MAX_DESCRIPTION, MAX_HELP = 255, 1024, 20_000
+MAX_TAGS = 10  # GitHub shows no more
 MAX_DRIVER_WORDS = 3  # SARIF2005 of the SARIF multitool
 PRECISIONS = ("very-high", "high", "medium", "low")
 PROBLEM_SEVERITY = {Level.ERROR: "error", Level.WARNING: "warning", Level.NOTE: "recommendation"}
@@ -150,11 +151,13 @@ def _pascal(text: str) -> str:
 def _properties(rule: Rule) -> dict[str, object]:
     """GitHub's property bag. ``security-severity`` would fill the security dashboard with lint: only where it belongs."""
     security = "security" in rule.tags
+    own = tuple(map(terminal, rule.tags))
     tags = dict.fromkeys(
         (
             *(["security"] if security else []),
             *(f"external/cwe/cwe-{n:03d}" for n in sorted(rule.cwe)),
-            *map(terminal, rule.tags),
+            *(tag for tag in own if tag.startswith("external/")),
+            *own,
         )
     )
     severity = rule.security_severity if security and _is_severity(rule.security_severity) else None
@@ -166,7 +169,7 @@ def _properties(rule: Rule) -> dict[str, object]:
     if severity:
         properties["security-severity"] = severity
     if tags:
-        properties["tags"] = list(tags)
+        properties["tags"] = list(tags)[:MAX_TAGS]
     return dict(sorted(properties.items()))
 
 

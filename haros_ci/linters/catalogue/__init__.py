@@ -13,6 +13,7 @@ from typing import Final
 from haros_ci.linters.catalogue.group import help_text
 from haros_ci.linters.catalogue.haros import UNSERVED
 from haros_ci.linters.catalogue.same_defect import SAME_DEFECT
+from haros_ci.linters.catalogue.standards import tagged
 from haros_ci.results.rule import Rule
 
 #: The tools with a table, by the name that results carry, and its module.
@@ -40,7 +41,8 @@ TOOLS = tuple(_MODULES)
 @cache
 def rules_of(tool: str) -> Mapping[str, Rule]:
     """The rules of *tool* (the name that its results carry) by id; empty for a tool without a table."""
-    return MappingProxyType(_table(tool).rules()) if tool in _MODULES else MappingProxyType({})
+    rules = _table(tool).rules() if tool in _MODULES else {}
+    return MappingProxyType({id: tagged(tool, rule) for id, rule in rules.items()})
 
 
 @cache
@@ -54,7 +56,7 @@ def rule(tool: str, identifier: str) -> Rule:
     if found is not None:
         return found if found.id == identifier else replace(found, id=identifier)
     made = _table(tool).invented(identifier) if tool in _MODULES else None
-    return made or _unknown(tool, identifier)
+    return tagged(tool, made) if made else _unknown(tool, identifier)
 
 
 def _table(tool: str) -> ModuleType:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.linters.catalogue import haros
+from haros_ci.linters.catalogue import haros, standards
 from haros_ci.linters.catalogue.group import Rule, help_text, level_of, profiles, tags_of, words
 from haros_ci.results.rule import Level
 
@@ -43,8 +43,8 @@ MODULES: tuple[tuple[str, str, str, str], ...] = (
 
 
 def rules() -> dict[str, Rule]:
-    """Only what HAROS ids refer to; every other check is invented from its name."""
-    return {name: invented(name) for name in NAMED}
+    """What HAROS ids and coding standards refer to; every other check is invented from its name."""
+    return {name: invented(name) for name in sorted({*NAMED, *standards.named("clang-tidy")})}
 
 
 NAMED = (

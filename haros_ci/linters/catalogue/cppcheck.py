@@ -105,6 +105,9 @@ CWE: tuple[tuple[int, str], ...] = (
     (703, "unhandledExceptionSpecification"),
     (704, "assignBoolToFloat invalidLengthModifierError invalidPointerCast stlcstrAssignment stlcstrConcat"),
     (704, "stlcstrConstructor stlcstrParam stlcstrReturn stlcstrStream"),
+    (758, "AssignmentAddressToInteger AssignmentIntegerToAddress CastAddressToIntegerAtReturn"),
+    (758, "CastIntegerToAddressAtReturn ctuOneDefinitionRuleViolation memsetClassFloat pointerOutOfBounds"),
+    (758, "pointerOutOfBoundsCond shiftNegativeLHS unknownSignCharArrayIndex unpreciseMathCall"),
     (758, "comparePointers missingReturn negativeArraySize objectIndex shiftNegative shiftTooManyBits"),
     (758, "shiftTooManyBitsSigned stringLiteralWrite subtractPointers va_start_referencePassed wrongmathcall"),
     (762, "mallocOnClassWarning memsetClass mismatchAllocDealloc uselessCallsRemove"),
@@ -136,9 +139,14 @@ SECURITY = {
 }
 
 
+def weaknesses() -> dict[str, int]:
+    """The CWE number of each check that has one."""
+    return {name: number for number, names in CWE for name in names.split()}
+
+
 def rules() -> dict[str, Rule]:
     """Every check of the tables by id."""
-    cwe = {name: number for number, names in CWE for name in names.split()}
+    cwe = weaknesses()
     found = {
         identifier: _rule(identifier, letters, summary, group, cwe.get(identifier))
         for group in (*TABLE, *MORE)
@@ -153,7 +161,7 @@ def rules() -> dict[str, Rule]:
 
 def invented(identifier: str) -> Rule:
     """A rule for a check that the tables do not know, for example of a newer version."""
-    return _rule(identifier, "-w", _generic(identifier), _UNKNOWN, None)
+    return _rule(identifier, "-w", _generic(identifier), _UNKNOWN, weaknesses().get(identifier))
 
 
 _UNKNOWN = Group("", (), (), precision="medium")
