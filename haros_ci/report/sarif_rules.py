@@ -15,7 +15,6 @@ from haros_ci.results.result import Notification, Run, Tool
 from haros_ci.results.rule import Level, Rule
 
 MAX_NAME, MAX_DESCRIPTION, MAX_HELP = 255, 1024, 20_000
-MAX_TAGS = 10  # GitHub shows no more
 MAX_DRIVER_WORDS = 3  # SARIF2005 of the SARIF multitool
 PRECISIONS = ("very-high", "high", "medium", "low")
 PROBLEM_SEVERITY = {Level.ERROR: "error", Level.WARNING: "warning", Level.NOTE: "recommendation"}
@@ -169,7 +168,7 @@ def _properties(rule: Rule) -> dict[str, object]:
     if severity:
         properties["security-severity"] = severity
     if tags:
-        properties["tags"] = list(tags)[:MAX_TAGS]
+        properties["tags"] = list(tags)
     return dict(sorted(properties.items()))
 
 

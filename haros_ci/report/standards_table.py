@@ -24,8 +24,8 @@ check has the tags below. They select and ignore as any tag does:
 | `external/hicpp/id/rule-6-1-1` | the checks for one rule of High Integrity C++ 4.0 |
 | `external/misra/id/rule-10-4` | the findings of Cppcheck's MISRA add-on, in imported logs: the add-on itself is not run |
 
-The forms with `external/` are those of CodeQL's queries. A SARIF log has at most ten tags for a rule, these first, as GitHub shows no
-more; CWE numbers stand in its taxonomy as well. HAROS's own tags, such as `misra-cpp` and `hicpp`, mean what HAROS says of its rules.
+The forms with `external/` are those of CodeQL's queries. In a SARIF log they stand before a rule's other tags, as GitHub shows no more
+than ten; CWE numbers are in its taxonomy as well. HAROS's own tags, such as `misra-cpp` and `hicpp`, mean what HAROS says of its rules.
 
 A tag says that the check finds *some* breaches. No set of checks shows that code conforms to a standard.
 
