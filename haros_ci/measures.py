@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from haros_ci import __version__
@@ -74,12 +75,18 @@ def measure(workspace: Workspace, settings: Settings, store: Store, progress: Pr
     packages = {file.path: file.package or "" for file in workspace.files}
     single = [*_of_runs(runs, packages, found), *_of_structure(found, workspace, packages)]
     single += of_files(single)
-    notes = (*(note for run in runs for note in run.notifications), *_problems(found, workspace))
+    notes = (*(_named(note) for run in runs for note in run.notifications), *problems(found, workspace))
     return Measures(
         tuple(sorted([*single, *of_packages(single)])),
         tuple(dict.fromkeys(notes)),
-        tuple(run.tool.name for run in runs if not run.successful),
+        tuple(run.tool.name.removesuffix(values.SUFFIX) for run in runs if not run.successful),
     )
+
+
+def _named(note: Notification) -> Notification:
+    """A note of one of our adapters as one of the tool that it starts."""
+    tool = (note.tool or "").removesuffix(values.SUFFIX)
+    return replace(note, tool=tool, message=note.message.replace(note.tool or tool, tool, 1))
 
 
 def structure(workspace: Workspace, store: Store, processes: int) -> Structure:
@@ -143,25 +150,27 @@ def _of_structure(found: Structure, workspace: Workspace, packages: Mapping[str,
 
 def _of_runs(runs: Iterable[Run], packages: Mapping[str, str], found: Structure) -> Iterator[Measurement]:
     """What lizard and radon measured, under the names that the syntax has for the functions at the same places."""
-    at: dict[tuple[str, int, str], tuple[str, str]] = {}
+    at: dict[tuple[str, int], list[FunctionFacts]] = defaultdict(list)
     for path, facts in found.facts.items():
         for function in facts.functions:
-            at[path, function.line, _last(function.name)] = found.title(path, function)
+            at[path, function.line].append(function)
     for run in runs:
         for result in run.results:
-            place, scope = result.location, result.scope
-            title = at.get((place.path, place.line or 0, _last(scope)), ("", scope))
-            line = place.line or 0
+            path, line, scope = result.location.path, result.location.line or 0, result.scope
+            here = at.get((path, line), ())
+            same = here if len(here) == 1 else [each for each in here if _last(each.name) == _last(scope)]
+            title = found.title(path, same[0]) if scope and same else ("", scope)
             if result.value is not None:
-                yield Measurement(packages.get(place.path, ""), place.path, line, *title, result.rule, result.value)
+                yield Measurement(packages.get(path, ""), path, line, *title, result.rule, result.value)
 
 
 def _last(name: str) -> str:
-    """The last part of a name in either language; the whole call of a macro that makes functions."""
-    return name if "(" in name else name.rpartition("::")[2].rpartition(".")[2]
+    """The last part of a name in either language."""
+    return name.rpartition("::")[2].rpartition(".")[2]
 
 
-def _problems(found: Structure, workspace: Workspace) -> Iterator[Notification]:
+def problems(found: Structure, workspace: Workspace) -> Iterator[Notification]:
+    """What the syntax does not tell: files and functions that cannot be read."""
     for path, facts in found.facts.items():
         for line, message in facts.problems if workspace.reports_on(path) else ():
             yield Notification(Level.WARNING, message, TOOL, path, line)

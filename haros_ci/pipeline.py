@@ -16,7 +16,7 @@ from haros_ci.inspection import Architectures, asks, inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.linter import LintOptions, When
-from haros_ci.linters.metrics import keep_worst_band
+from haros_ci.linters.metrics import STRUCTURE_RULES, keep_worst_band
 from haros_ci.linters.recorded import Recorded
 from haros_ci.linters.run import lint
 from haros_ci.model.workspace import Store, Workspace
@@ -34,7 +34,7 @@ Progress = Callable[[str], None]
 
 #: The metrics of both languages are one run, whatever measured them.
 METRICS = "metrics"
-MEASURED_BY = ("lizard", "radon")
+MEASURED_BY = ("lizard", "radon", "structure")
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,11 +158,21 @@ def examine(
         own_one = inspected(own_one, workspace, selection, architectures, progress, base)
     elif told.own is not None:
         own_one = replace(told.own, tool=own_one.tool, analysed=own_one.analysed)
+    if has_structure(workspace, selection):
+        from haros_ci.crossings import crossings
+
+        raw = (*raw, crossings(workspace, architectures.store, architectures.settings.jobs, progress))
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     return finished(
         distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection, architectures.settings
     )
+
+
+def has_structure(workspace: Workspace, selection: Selection) -> bool:
+    """Whether any threshold is on that only syntax trees and the index of the workspace can tell of."""
+    paths = [file.path for file in workspace.files if file.language in ("cpp", "python")]
+    return any(selection.wants(METRICS, rule, path) for rule in STRUCTURE_RULES for path in paths)
 
 
 def imported(settings: Settings, workspace: Workspace, selection: Selection) -> tuple[Run, ...]:
@@ -282,7 +292,7 @@ def own_run(workspace: Workspace, known: Registry) -> Run:
 
 
 def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
-    """Lizard's and radon's runs joined into the one run named ``metrics``, after the linters."""
+    """The runs that measure joined into the one named ``metrics``, after the linters."""
     runs = tuple(runs)
     parts = [run for run in runs if run.tool.name in MEASURED_BY]
     others = tuple(run for run in runs if run.tool.name not in MEASURED_BY)

@@ -60,12 +60,47 @@ FILE_THRESHOLDS = (
     Threshold("mi-below-20", "mi", 20, _INDEX, below=True),
 )
 
+_CALLS = "calls {value:.0f} different functions (limit {limit:.0f})"
+_NESTING = "nests control structures {value:.0f} deep (limit {limit:.0f})"
+_PATHS = "has {value:.0f} static paths (limit {limit:.0f})"
+_WEIGHT = "has methods of a complexity of {value:.0f} together (limit {limit:.0f})"
+
+#: HAROS's thresholds on what the syntax and the index of the workspace tell; the metrics are named as in docs/metrics.md.
+STRUCTURE_THRESHOLDS = (
+    Threshold("max-function-calls-7", "unique-function-calls", 7, _CALLS),
+    Threshold("max-function-calls-10", "unique-function-calls", 10, _CALLS),
+    Threshold("max-control-nesting-4", "nested-control", 4, _NESTING),
+    Threshold("max-control-nesting-5", "nested-control", 5, _NESTING),
+    Threshold("max-static-path-80", "static-path-count", 80, _PATHS),
+    Threshold("max-static-path-200", "static-path-count", 200, _PATHS),
+    Threshold("max-static-path-250", "static-path-count", 250, _PATHS),
+)
+CLASS_THRESHOLDS = (
+    Threshold("max-coupling-objects-5", "coupling", 5, "is coupled to {value:.0f} other classes (limit {limit:.0f})"),
+    Threshold("max-immediate-children-10", "number-of-children", 10, "has {value:.0f} children (limit {limit:.0f})"),
+    Threshold("max-weighted-methods-50", "weighted-methods", 50, _WEIGHT),
+    Threshold("max-weighted-methods-100", "weighted-methods", 100, _WEIGHT),
+    Threshold(
+        "max-methods-available-20", "methods-available", 20, "has {value:.0f} public methods (limit {limit:.0f})"
+    ),
+    Threshold(
+        "max-deepest-inheritance-5", "depth-in-tree", 5, "is {value:.0f} levels deep in inheritance (limit {limit:.0f})"
+    ),
+)
+#: The rules of both: nothing of it is measured unless one of them is wanted.
+STRUCTURE_RULES = tuple(each.rule for each in (*STRUCTURE_THRESHOLDS, *CLASS_THRESHOLDS))
+
 #: A milder rule and the stricter bands of the same metric that make it redundant.
 WORSE_BANDS: Mapping[str, frozenset[str]] = {
     "max-cyclomatic-complexity-10": frozenset({"max-cyclomatic-complexity-15"}),
     "max-eloc-50": frozenset({"max-eloc-70"}),
     "max-comment-ratio-30": frozenset({"max-comment-ratio-40"}),
     "mi-below-65": frozenset({"mi-below-20"}),
+    "max-function-calls-7": frozenset({"max-function-calls-10"}),
+    "max-control-nesting-4": frozenset({"max-control-nesting-5"}),
+    "max-static-path-80": frozenset({"max-static-path-200", "max-static-path-250"}),
+    "max-static-path-200": frozenset({"max-static-path-250"}),
+    "max-weighted-methods-50": frozenset({"max-weighted-methods-100"}),
 }
 
 
@@ -135,27 +170,36 @@ def _answer(line: bytes) -> dict[str, Any]:
 def _crossed(
     path: str, place: Location, subject: str, scope: str, values: Mapping[str, float], thresholds: Iterable[Threshold]
 ) -> Iterator[Finding]:
+    for result in crossed(place, subject, scope, values, thresholds):
+        yield Finding(path, result)
+
+
+def crossed(
+    place: Location, subject: str, scope: str, values: Mapping[str, float], thresholds: Iterable[Threshold]
+) -> Iterator[Result]:
+    """A result for each of *thresholds* that *values*, by metric, cross; one whose metric has no value is not crossed."""
     for threshold in thresholds:
-        value = values[threshold.metric]
-        if threshold.crossed(value):
+        value = values.get(threshold.metric)
+        if value is not None and threshold.crossed(value):
             message = f"{subject} {threshold.phrase.format(value=value, limit=threshold.limit)}."
-            yield Finding(
-                path,
-                Result(
-                    TOOL, threshold.rule, Level.WARNING, message, place, scope=scope, value=value, limit=threshold.limit
-                ),
+            yield Result(
+                TOOL, threshold.rule, Level.WARNING, message, place, scope=scope, value=value, limit=threshold.limit
             )
 
 
 __all__ = [
+    "CLASS_THRESHOLDS",
     "FILE_THRESHOLDS",
     "FUNCTION_THRESHOLDS",
+    "STRUCTURE_RULES",
+    "STRUCTURE_THRESHOLDS",
     "TOOL",
     "WORSE_BANDS",
     "Measured",
     "Threshold",
     "answers",
     "command",
+    "crossed",
     "keep_worst_band",
     "parse",
 ]

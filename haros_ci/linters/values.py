@@ -14,6 +14,8 @@ from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
 TOOL = "values"
+#: What the names of these adapters have behind those of the tools.
+SUFFIX = " values"
 #: HAROS's names of what the workers call otherwise.
 FUNCTION_METRICS = {
     "cyclomatic-complexity": "cc",
@@ -41,7 +43,7 @@ class Values:
 
     def __init__(self, of: Linter) -> None:
         self.of = of
-        self.NAME = f"{of.NAME} values"
+        self.NAME = f"{of.NAME}{SUFFIX}"
         self.LANGUAGES = of.LANGUAGES
         self.WHEN = When.ALWAYS
         self.COST = of.COST

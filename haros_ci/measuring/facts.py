@@ -97,13 +97,23 @@ def from_json(data: Any) -> FileFacts | None:
     try:
         functions, classes, problems = data
         found = FileFacts(
-            tuple(FunctionFacts(*each[:9], tuple(each[9])) for each in functions),
-            tuple(ClassFacts(*each[:5], tuple(each[5])) for each in classes),
+            tuple(_function(*each) for each in functions),
+            tuple(_class(*each) for each in classes),
             tuple((line, message) for line, message in problems),
         )
-    except (TypeError, ValueError, IndexError):
+    except (TypeError, ValueError):
         return None
     return found if _is_sound(found) else None
+
+
+def _function(*each: Any) -> FunctionFacts:
+    *values, mentions = each
+    return FunctionFacts(*values, tuple(mentions))
+
+
+def _class(*each: Any) -> ClassFacts:
+    *values, mentions = each
+    return ClassFacts(*values, tuple(mentions))
 
 
 def _is_sound(facts: FileFacts) -> bool:

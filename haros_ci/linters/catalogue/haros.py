@@ -179,10 +179,16 @@ PLUGINS: tuple[tuple[str, tuple[tuple[str, str, str], ...]], ...] = (
     ),
 )
 
+#: Metric rules of HAROS's own that no plug-in of it reported: the same here with hyphens.
+COMMON = (
+    "max_function_calls_7 max_function_calls_10 max_control_nesting_4 max_control_nesting_5 max_static_path_80"
+    " max_static_path_200 max_static_path_250 max_coupling_objects_5 max_immediate_children_10 max_weighted_methods_50"
+    " max_weighted_methods_100 max_methods_available_20 max_deepest_inheritance_5".split()
+)
+
 _NO_CHECK = "Cppcheck itself has no such check; HAROS looked for it with a regular expression."
 _NO_CPPLINT = "The cpplint of today no longer has this check."
 _NO_BRACES = "The cpplint of today cannot ask for braces on lines of their own; a formatter can."
-_NO_METRIC = "No tool here measures this, nor did any plug-in of HAROS."
 
 #: HAROS ids that are accepted wherever a rule can be named, and why nothing reports them.
 UNSERVED: Mapping[str, str] = {
@@ -208,19 +214,6 @@ UNSERVED: Mapping[str, str] = {
     "haros_plugin_cppcheck:harosOverrideComma": _NO_CHECK,
     "haros_plugin_cppcheck:harosUsingErrno": _NO_CHECK,
     "haros_plugin_cppcheck:harosRvalueStdArray": _NO_CHECK,
-    "max_function_calls_7": _NO_METRIC,
-    "max_function_calls_10": _NO_METRIC,
-    "max_control_nesting_4": _NO_METRIC,
-    "max_control_nesting_5": _NO_METRIC,
-    "max_static_path_80": _NO_METRIC,
-    "max_static_path_200": _NO_METRIC,
-    "max_static_path_250": _NO_METRIC,
-    "max_coupling_objects_5": _NO_METRIC,
-    "max_immediate_children_10": _NO_METRIC,
-    "max_weighted_methods_50": _NO_METRIC,
-    "max_weighted_methods_100": _NO_METRIC,
-    "max_deepest_inheritance_5": _NO_METRIC,
-    "max_methods_available_20": _NO_METRIC,
 }
 
 #: Plug-ins whose rules were HAROS's common ones, so that a project file names them without the plug-in.
@@ -247,4 +240,5 @@ def _index() -> Mapping[str, tuple[tuple[str, ...], tuple[str, ...]]]:
         for target in targets.split():
             names, labels = index.get(target, ((), ()))
             index[target] = (names + bare + (f"{plugin}:{name}",), tuple(dict.fromkeys((*labels, *words.split()))))
+    index |= {f"metrics:{name.replace('_', '-')}": ((name,), ()) for name in COMMON}
     return index

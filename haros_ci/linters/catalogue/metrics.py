@@ -25,6 +25,25 @@ _INDEX = (
     " with many branches score low; split them."
 )
 
+_CALLS = (
+    "How many different functions a function calls by name; a macro in capitals is none. One that calls many knows too"
+    " much: give parts of its work to functions of their own."
+)
+_NESTING = (
+    "Control structures one inside another: `if`, loops, `switch` and `match`, `try`; an `else if` is no deeper than its"
+    " `if`. Return early, or move the inner part into a function."
+)
+_PATHS = (
+    "Nejmeh's NPATH, the ways through the function without going round a loop twice: a sequence multiplies, a branch"
+    " adds. Each may need a test. Counting stops at 1000000000. Split the function where its decisions have nothing to"
+    " do with each other."
+)
+_COUPLING = (
+    "How many other classes of the workspace the class and its methods name: bases, members, parameters, local"
+    " variables, calls of static methods. Each change there can mean one here. Depend on interfaces, or split the class."
+)
+_WEIGHT = "The cyclomatic complexities of its methods added up. A heavy class does several things; give each a class of its own."
+
 #: (id, profile letter, tags, summary, advice)
 ROWS: tuple[tuple[str, str, str, str, str], ...] = (
     (
@@ -124,6 +143,99 @@ ROWS: tuple[tuple[str, str, str, str, str], ...] = (
         "verifysoft maintainability mi maintainability-index",
         "The maintainability index of a file is at least 65.",
         _INDEX + " On this scale nearly every file longer than a page is below 65.",
+    ),
+    (
+        "max-function-calls-7",
+        "S",
+        "his function-calls",
+        "A function calls at most 7 different functions.",
+        _CALLS,
+    ),
+    (
+        "max-function-calls-10",
+        "S",
+        "kth ros function-calls",
+        "A function calls at most 10 different functions.",
+        _CALLS,
+    ),
+    (
+        "max-control-nesting-4",
+        "S",
+        "his nesting control-structures control-flow",
+        "Control structures are nested at most 4 deep.",
+        _NESTING,
+    ),
+    (
+        "max-control-nesting-5",
+        "S",
+        "kth ros nesting control-structures control-flow",
+        "Control structures are nested at most 5 deep.",
+        _NESTING,
+    ),
+    (
+        "max-static-path-80",
+        "S",
+        "his static-path",
+        "A function has at most 80 static paths.",
+        _PATHS,
+    ),
+    (
+        "max-static-path-200",
+        "S",
+        "hicpp static-path",
+        "A function has at most 200 static paths.",
+        _PATHS,
+    ),
+    (
+        "max-static-path-250",
+        "S",
+        "kth ros static-path",
+        "A function has at most 250 static paths.",
+        _PATHS,
+    ),
+    (
+        "max-coupling-objects-5",
+        "S",
+        "nasa-satc ros coupling cbo",
+        "A class is coupled to at most 5 other classes.",
+        _COUPLING,
+    ),
+    (
+        "max-immediate-children-10",
+        "S",
+        "unak immediate-children noc",
+        "A class has at most 10 immediate children.",
+        "Classes of the workspace that derive from it directly. With many, a change of it reaches far, and it may be the"
+        " wrong abstraction: look for groups among the children.",
+    ),
+    (
+        "max-weighted-methods-50",
+        "S",
+        "unak wmc weighted-methods methods",
+        "The methods of a class have a complexity of at most 50 together.",
+        _WEIGHT,
+    ),
+    (
+        "max-weighted-methods-100",
+        "S",
+        "nasa-satc ros wmc weighted-methods methods",
+        "The methods of a class have a complexity of at most 100 together.",
+        _WEIGHT,
+    ),
+    (
+        "max-methods-available-20",
+        "S",
+        "nasa-satc ros mac methods-available methods",
+        "A class has at most 20 public methods.",
+        "Public methods that it declares itself, without constructors and destructor. Split the class by who uses which.",
+    ),
+    (
+        "max-deepest-inheritance-5",
+        "S",
+        "nasa-satc unak dit inheritance",
+        "A class is at most 5 levels deep in inheritance.",
+        "The classes on the longest way to a root, itself included; a base outside of the workspace counts as one level,"
+        " which is the least that it can be. Prefer members to bases.",
     ),
 )
 
