@@ -108,12 +108,12 @@ def from_json(data: Any) -> FileFacts | None:
 
 def _function(*each: Any) -> FunctionFacts:
     *values, mentions = each
-    return FunctionFacts(*values, tuple(mentions))
+    return FunctionFacts(*(*values, tuple(mentions)))
 
 
 def _class(*each: Any) -> ClassFacts:
     *values, mentions = each
-    return ClassFacts(*values, tuple(mentions))
+    return ClassFacts(*(*values, tuple(mentions)))
 
 
 def _is_sound(facts: FileFacts) -> bool:
