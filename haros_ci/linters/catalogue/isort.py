@@ -31,6 +31,6 @@ def _rule(name: str, summary: str) -> Rule:
         help=help_text(name, summary, ADVICE, SUPPRESS),
         help_uri=DOCUMENTATION,
         precision="very-high",
-        profiles=profiles("S"),
+        profiles=profiles("R"),
         tags=tags_of("code-standards", "isort", "imports"),
     )
