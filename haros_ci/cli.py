@@ -67,6 +67,9 @@ def haros_ci() -> None:
 @click.option("--fix", is_flag=True, help="Mend what can be mended for certain, then report what is left.")
 @click.option("--diff", is_flag=True, help="Print what --fix would change as a patch; exit with 1 if there is any.")
 @click.option("--show-settings", is_flag=True, help="Print the effective settings and stop.")
+@click.option(
+    "--watch", is_flag=True, help="Run again when a file has changed, and show what that made new, until Ctrl-C."
+)
 @click.option("--shard", metavar="I/N", help="Do the I-th of N parts, and write it for merge: --output shard=FILE.")
 @costs_option
 def check(**flags: Any) -> int:

@@ -31,6 +31,10 @@ Made = TypeVar("Made")
 
 def check(flags: Flags) -> int:
     """``haros-ci check``: analyse, write every output asked for, and give the exit code of design.md."""
+    if flags.get("watch"):
+        from haros_ci.watch_command import watch
+
+        return watch(flags)
     if flags["shard"] is not None:
         from haros_ci.shard_command import shard
 
@@ -55,19 +59,7 @@ def reported(
     report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
 ) -> int:
     """Write every output, and give the exit code."""
-    failed = False
-    packages = {file.path: file.package or "" for file in workspace.files}
-    for format, path in outputs:
-        view = View(workspace.text, flags, path is not None, lambda path: packages.get(path, ""))
-        try:
-            text = rendered(report, format, view, renderers)
-        except RendererError as err:
-            from haros_ci.report.escape import terminal
-
-            click.echo(f"error: {terminal(str(err))}", err=True)
-            failed = True
-            continue
-        write(text, path)
+    is_whole = written(report, workspace, outputs, renderers, flags)
     on_stdout = [format for format, path in outputs if path is None]
     if flags["statistics"]:
         from haros_ci.report.statistics import render
@@ -77,7 +69,25 @@ def reported(
         from haros_ci.report.text import summary_line
 
         click.echo(summary_line(report), err=True)
-    return EXIT_TOOL_TROUBLE if failed else exit_code(report, settings)
+    return exit_code(report, settings) if is_whole else EXIT_TOOL_TROUBLE
+
+
+def written(report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, flags: Flags) -> bool:
+    """Write every output; False if a plug-in's could not be made, which is said."""
+    is_whole = True
+    packages = {file.path: file.package or "" for file in workspace.files}
+    for format, path in outputs:
+        view = View(workspace.text, flags, path is not None, lambda path: packages.get(path, ""))
+        try:
+            text = rendered(report, format, view, renderers)
+        except RendererError as err:
+            from haros_ci.report.escape import terminal
+
+            click.echo(f"error: {terminal(str(err))}", err=True)
+            is_whole = False
+            continue
+        write(text, path)
+    return is_whole
 
 
 def renderers_of(settings: Settings) -> Mapping[str, Callable[[Report], str]]:

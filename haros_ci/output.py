@@ -39,11 +39,16 @@ class View:
     package: Callable[[str], str] = lambda path: ""
 
 
+def text_style(*, to_file: bool) -> tuple[bool, int]:
+    """Whether text is coloured, and how many columns it has."""
+    color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
+    return color, int(os.environ.get("COLUMNS") or 0) or 120
+
+
 def _text(report: Report, view: View) -> str:
     from haros_ci.report.text import render
 
-    color = not view.to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
-    width = int(os.environ.get("COLUMNS") or 0) or 120
+    color, width = text_style(to_file=view.to_file)
     return render(report, color=color, width=width, why=view.flags["why"], source=view.source)
 
 

@@ -28,7 +28,7 @@ ACTION_ONLY = {"paths", "sarif-file", "reports", "annotations", "python", "insta
 #: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
 TERMINAL_ONLY = {
     "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
-    "trust-config", "why", "fix", "diff",
+    "trust-config", "why", "fix", "diff", "watch",
 }  # fmt: skip
 
 MANIFEST = """<package format="3">

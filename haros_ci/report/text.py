@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from itertools import groupby
 
 from haros_ci.report import summary
@@ -29,18 +29,31 @@ def render(report: Report, *, color: bool, width: int, why: bool, source: Reader
     Each finding starts with ``path:line:column: level: message [tool:rule]``, which editors find. Only open findings
     are shown; *why* adds the reason of each, and one line for each that the baseline knows.
     """
-    paint: Paint = (lambda code, text: f"{code}{text}{RESET}") if color else (lambda code, text: text)
-    lines = lines_of(source or (lambda path: ""))
+    paint = _painter(color)
     counts = summary.count(report)
-    blocks: list[Iterable[str]] = [
-        _file(tuple(results), paint, lines, width, why)
-        for _, results in groupby(report.shown(), lambda r: r.location.path)
-    ]
+    blocks = _files(report.shown(), paint, width, why, source)
     if why:
         blocks.append(_matched(report, paint))
     blocks.append(_trouble(report, paint))
     blocks.append(_summary(report, counts, paint))
-    return "\n".join("".join(f"{_inert(line)}\n" for line in block) for block in map(tuple, blocks) if block)
+    return _joined(blocks)
+
+
+def findings(results: Iterable[Result], *, color: bool, width: int, why: bool, source: Reader | None = None) -> str:
+    """*results*, in output order, as ``render`` shows them, and nothing else."""
+    return _joined(_files(results, _painter(color), width, why, source))
+
+
+def one_line(result: Result) -> str:
+    """``path:line:column: level: message [tool:rule]``, without colour."""
+    return _inert(_head(result, _painter(False)))
+
+
+def closing(report: Report, *, told: Collection[Notification], color: bool) -> str:
+    """Trouble beside what was *told* before, and one line that sums up."""
+    paint = _painter(color)
+    failed = (paint(COLORS[Level.ERROR], terminal(failure)) for failure in summary.failures(report))
+    return _joined([_trouble(report, paint, told), (paint(BOLD, summary_line(report)), *failed)])
 
 
 def summary_line(report: Report) -> str:
@@ -74,6 +87,21 @@ def frame(line: str, columns: Sequence[tuple[int, int]], width: int) -> tuple[st
     if first > len(line):
         marks += "^"
     return terminal(code.rstrip()), marks.rstrip()
+
+
+def _painter(color: bool) -> Paint:
+    return (lambda code, text: f"{code}{text}{RESET}") if color else (lambda code, text: text)
+
+
+def _joined(blocks: Iterable[Iterable[str]]) -> str:
+    return "\n".join("".join(f"{_inert(line)}\n" for line in block) for block in map(tuple, blocks) if block)
+
+
+def _files(
+    results: Iterable[Result], paint: Paint, width: int, why: bool, source: Reader | None
+) -> list[Iterable[str]]:
+    lines = lines_of(source or (lambda path: ""))
+    return [_file(tuple(group), paint, lines, width, why) for _, group in groupby(results, lambda r: r.location.path)]
 
 
 def _inert(line: str) -> str:
@@ -148,9 +176,9 @@ def _matched(report: Report, paint: Paint) -> Iterator[str]:
         yield paint(DIM, f"{line} {terminal(reason)}".rstrip())
 
 
-def _trouble(report: Report, paint: Paint) -> Iterator[str]:
-    told = (n for n in summary.notifications(report) if n.level is not Level.NOTE or not n.tool or not n.path)
-    for _, group in groupby(told, lambda n: (n.level, n.tool)):
+def _trouble(report: Report, paint: Paint, told: Collection[Notification] = ()) -> Iterator[str]:
+    worth = (n for n in summary.notifications(report) if n.level is not Level.NOTE or not n.tool or not n.path)
+    for _, group in groupby((n for n in worth if n not in told), lambda n: (n.level, n.tool)):
         notes = tuple(group)
         for note in notes[:MAX_TROUBLE]:
             yield f"{paint(COLORS[note.level], note.level.value)}: {_place(note)}{shorten(terminal(note.message), 500)}"
