@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import gc
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
+from time import monotonic, sleep
 
 import click
 
@@ -37,7 +37,7 @@ def watch(flags: Flags) -> int:
     renderers = renderers_of(settings)
     watched = Watch(flags, settings, renderers, on_files(parse_outputs(flags["output"], renderers)))
     try:
-        follow(watched.look, watched.check, time.sleep, time.monotonic)
+        follow(watched.look, watched.check, sleep, monotonic)
     except KeyboardInterrupt:
         click.echo("\nstopped", err=True)
     return EXIT_INTERRUPTED

@@ -180,7 +180,7 @@ def run(lift: Path, monkeypatch: pytest.MonkeyPatch, *steps: Any, arguments: tup
             raise KeyboardInterrupt
         write(lift, left.pop(0))
 
-    monkeypatch.setattr(watch_command.time, "sleep", sleep)
+    monkeypatch.setattr(watch_command, "sleep", sleep)
     code = cli.haros_ci.main([*FLAGS, *arguments], standalone_mode=False)
     assert isinstance(code, int)
     return code
@@ -230,7 +230,7 @@ def test_a_directory_that_is_away_is_waited_for(
             raise KeyboardInterrupt
         moves.pop(0)()
 
-    monkeypatch.setattr(watch_command.time, "sleep", sleep)
+    monkeypatch.setattr(watch_command, "sleep", sleep)
     assert cli.haros_ci.main([*FLAGS[:1], "launch", *FLAGS[2:]], standalone_mode=False) == 130
     assert "stopped" in capfd.readouterr().err
 
