@@ -100,7 +100,10 @@ def on_path(name: str, options: LintOptions) -> str | None:
 
 
 def version_of(path: str) -> str | None:
-    """The first number with a dot that ``--version`` prints, "" if there is none; None if the program does not run."""
+    """The first number with a dot that ``--version`` prints, else (xmllint) the word after ``version``, "" if there is none.
+
+    None if the program does not run.
+    """
     try:
         done = subprocess.run(
             [path, "--version"],
@@ -113,10 +116,11 @@ def version_of(path: str) -> str | None:
         )
     except (OSError, subprocess.SubprocessError):
         return None
-    for word in done.stdout[:4000].decode("utf-8", "replace").split():
+    words = (done.stdout[:4000] + b"\n" + done.stderr[:4000]).decode("utf-8", "replace").split()
+    for word in words:
         if word[:1].isdigit() and "." in word:
             return word.rstrip(",;")
-    return ""
+    return next((word for before, word in zip(words, words[1:]) if before == "version" and word.isdigit()), "")
 
 
 def _listing(directory: str) -> list[str]:

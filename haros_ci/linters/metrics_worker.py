@@ -57,7 +57,7 @@ def serve(measure: Measure) -> None:
 def _answer(measure: Measure, root: str, path: str) -> dict[str, Any]:
     try:
         source = _read(root, path)
-        with _cpu_limit(CPU_LIMIT):
+        with cpu_limit(CPU_LIMIT):
             return measure(source)
     except Unmeasurable as problem:
         return {"problem": problem.message, "line": problem.line}
@@ -86,7 +86,7 @@ def _read(root: str, path: str) -> bytes:
 
 
 @contextmanager
-def _cpu_limit(seconds: float) -> Iterator[None]:
+def cpu_limit(seconds: float) -> Iterator[None]:
     """Raises TimeoutError in the block after *seconds* of user time, where the platform has such a timer."""
     if not hasattr(signal, "setitimer"):
         yield

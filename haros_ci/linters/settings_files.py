@@ -14,7 +14,7 @@ from posixpath import dirname, join
 from haros_ci.linters.linter import Unit
 from haros_ci.model.workspace import Workspace
 
-#: File names in the order in which they win, each with the texts one of which a file with settings holds.
+#: File names in the order in which they win, each with the texts one of which a file with settings holds; none: any content.
 Marks = Mapping[str, tuple[str, ...]]
 
 
@@ -22,7 +22,7 @@ def nearest(workspace: Workspace, directory: str, marks: Marks) -> str | None:
     """The first file of *marks* with settings, from *directory* up to the workspace's root."""
     for name, texts in marks.items():
         text = workspace.text(join(directory, name))
-        if any(mark in text for mark in texts):
+        if any(mark in text for mark in texts) if texts else text.strip():
             return join(directory, name)
     return nearest(workspace, dirname(directory), marks) if directory else None
 

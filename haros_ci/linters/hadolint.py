@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""hadolint on Dockerfiles, with the workspace's .hadolint.yaml, which can run nothing and names no other file."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+
+from haros_ci.linters import copies, installed, settings_files
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+NAME = "hadolint"
+LANGUAGES = frozenset({"dockerfile"})
+WHEN = When.ASKED
+COST = 60.0
+
+NAMES = (".hadolint.yaml", ".hadolint.yml")
+#: hadolint cannot read the file: its syntax, or one that is newer than hadolint.
+UNREADABLE = "DL1000"
+LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
+
+
+def locate(options: LintOptions) -> Program | None:
+    return installed.binary("hadolint", options)
+
+
+def fingerprint(workspace: Workspace, options: LintOptions) -> str:
+    return "1"
+
+
+def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
+    return ()  # plan() knows it
+
+
+def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
+    return settings_files.units(workspace, LANGUAGES, NAMES)
+
+
+def command(program: Program, batch: Batch) -> Command:
+    copied = copies.names(batch)
+    copies.lay(batch, copied)
+    copies.put(batch, NAMES[0], batch.workspace.text(batch.group) if batch.group else "ignored: []\n")
+    options = ("--format=json", "--no-fail", "--no-color", f"--config=./{NAMES[0]}")
+    return Command((*program.argv, *options, "--", *copied), cwd=copies.tree(batch))
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """The JSON report; a finding's column is always 1 there, so its line is meant."""
+    if output.code:
+        raise ValueError(f"exit code {output.code}")
+    paths = copies.names(batch)
+    for said in json.loads(output.stdout):
+        path, line = paths[said["file"]], said["line"]
+        if said["code"] == UNREADABLE:
+            yield GaveUp(path, " ".join(said["message"].split()), line)
+            continue
+        level = LEVELS.get(said["level"], Level.NOTE)
+        yield Finding(path, Result(NAME, said["code"], level, said["message"], Location(path, line)))

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ShellCheck on shell scripts, each by itself; of a .shellcheckrc what can lead to no other file."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+
+from haros_ci.linters import copies, installed, settings_files
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.model.location import Location
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+NAME = "shellcheck"
+LANGUAGES = frozenset({"shell"})
+WHEN = When.ASKED
+COST = 60.0
+
+NAMES = (".shellcheckrc", "shellcheckrc")
+#: ``external-sources`` and ``source-path`` would have it read further files.
+INERT = re.compile(r"[ \t]*(?:disable|enable|shell|extended-analysis)=[\w,.:-]+[ \t]*(?:#.*)?")
+#: Shells that ShellCheck does not know, by their shebang.
+_OTHER_SHELL = re.compile(r"#![^\n]*\b(?:zsh|fish|csh|tcsh|nu|pwsh|xonsh)\b")
+LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
+
+
+def locate(options: LintOptions) -> Program | None:
+    return installed.binary("shellcheck", options)
+
+
+def fingerprint(workspace: Workspace, options: LintOptions) -> str:
+    return "1"
+
+
+def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
+    return ()  # plan() knows it
+
+
+def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
+    for unit in settings_files.units(workspace, LANGUAGES, NAMES):
+        if not _OTHER_SHELL.match(workspace.text(unit.file.path)):
+            yield unit
+
+
+def command(program: Program, batch: Batch) -> Command:
+    """Copies far from each other: a script is not to be read with those that happen to share its batch."""
+    copied = copies.names(batch)
+    copies.lay(batch, copied)
+    lines = batch.workspace.text(batch.group).splitlines() if batch.group else []
+    copies.put(batch, NAMES[0], "".join(line + "\n" for line in lines if INERT.fullmatch(line)))
+    return Command((*program.argv, "--format=json1", "--", *copied), cwd=copies.tree(batch))
+
+
+def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
+    """The json1 report: columns count code points from 1, ends are exclusive."""
+    if output.code not in (0, 1):
+        raise ValueError(f"exit code {output.code}")
+    paths = copies.names(batch)
+    for said in json.loads(output.stdout)["comments"]:
+        path, start, end = paths[said["file"]], (said["line"], said["column"]), (said["endLine"], said["endColumn"])
+        place = Location(path, *start, *(end if end > start else (None, None)))
+        level = LEVELS.get(said["level"], Level.NOTE)
+        yield Finding(path, Result(NAME, f"SC{said['code']}", level, said["message"], place))
