@@ -19,18 +19,26 @@ from haros_ci.linters import (
     black,
     catalogue,
     catkin_lint,
+    clang_format,
     clang_tidy,
+    cmake_lint,
+    cmakelint,
     codespell,
     cppcheck,
     cpplint,
     flake8,
+    flawfinder,
+    hadolint,
     isort,
     lizard,
     mypy,
     pylint,
     radon,
     ruff,
+    shellcheck,
     vulture,
+    xmllint,
+    yamllint,
 )
 from haros_ci.linters.linter import Linter
 from haros_ci.results import own
@@ -45,14 +53,34 @@ LINTERS: tuple[Linter, ...] = (
     *(cppcheck, cpplint, pylint, lizard, radon, ruff, clang_tidy, catkin_lint),
     bandit,
     black,
+    clang_format,
+    cmake_lint,
+    cmakelint,
     codespell,
     flake8,
+    flawfinder,
+    hadolint,
     isort,
     mypy,
+    shellcheck,
     vulture,
+    xmllint,
+    yamllint,
 )
 #: Tools with more rules than the catalogue lists: any id of theirs may be selected.
-OPEN_ENDED = ("bandit", "catkin_lint", "clang-tidy", "cppcheck", "flake8", "mypy", "pylint", "ruff")
+OPEN_ENDED = (
+    "bandit",
+    "catkin_lint",
+    "clang-tidy",
+    "cppcheck",
+    "flake8",
+    "flawfinder",
+    "hadolint",
+    "mypy",
+    "pylint",
+    "ruff",
+    "shellcheck",
+)
 #: Names in front of a rule's id that are no tool's.
 TAKEN = ("architecture", "haros-ci", "metrics", "user")
 

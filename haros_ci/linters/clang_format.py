@@ -80,7 +80,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         more = f", as are {len(regions) - MOST} more places below" if len(regions) > MOST else ""
         for number, (first, last, column) in enumerate(regions[:MOST], start=1):
             until = f" to line {last}" if last > first else ""
-            message = f"Not formatted{until} as {batch.group} asks{more if number == MOST else ''}; clang-format -i mends it"
+            message = (
+                f"Not formatted{until} as {batch.group} asks{more if number == MOST else ''}; clang-format -i mends it"
+            )
             yield Finding(path, Result(NAME, RULE, Level.NOTE, message, Location(path, first, column)))
 
 

@@ -88,7 +88,10 @@ def resolved(workspace: Workspace, path: str, read: list[str]) -> dict[str, Any]
         settings.pop("extends")
         if "extends" in under:
             settings["extends"] = under["extends"]
-        rules = {**under["rules"], **{name: _over(under["rules"].get(name), options) for name, options in rules.items()}}
+        rules = {
+            **under["rules"],
+            **{name: _over(under["rules"].get(name), options) for name, options in rules.items()},
+        }
     return {**settings, "rules": rules}
 
 

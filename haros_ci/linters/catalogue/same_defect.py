@@ -13,6 +13,13 @@ SAME_DEFECT: tuple[tuple[str, ...], ...] = (
         "haros-ci:parameter-not-declared",
         "haros-ci:parameter-not-read",
     ),
+    (  # what cannot be read, before a second parser says so
+        "haros-ci:malformed-manifest",
+        "haros-ci:malformed-launch-file",
+        "haros-ci:malformed-plugin-description",
+        "haros-ci:broken-robot-model",
+        "xmllint:parser-error",
+    ),
     (
         "cpplint:runtime/explicit",
         "cppcheck:noExplicitConstructor",
