@@ -29,7 +29,7 @@ LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 
 
 def locate(options: LintOptions) -> Program | None:
-    return installed.binary("shellcheck", options)
+    return installed.bounded(installed.binary("shellcheck", options))
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:

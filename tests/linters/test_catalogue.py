@@ -12,6 +12,7 @@ from haros_ci.linters import metrics
 from haros_ci.linters.catalogue import SAME_DEFECT, TOOLS, rule, rules_of
 from haros_ci.linters.catalogue.standards import STANDARDS
 from haros_ci.registry import check_rules
+from haros_ci.results import own
 from haros_ci.results.rule import Level
 
 INVENTED = [
@@ -25,6 +26,15 @@ INVENTED = [
     ("clang-tidy", "clang-analyzer-core.NullDereference"),
     ("catkin_lint", "brand_new"),
     ("metrics", "brand-new"),
+    ("cmake-lint", "C0999"),
+    ("cmakelint", "whitespace/new"),
+    ("flawfinder", "FF1999"),
+    ("hadolint", "DL3999"),
+    ("hadolint", "SC2086"),
+    ("shellcheck", "SC2001"),
+    ("shellcheck", "SC1999"),
+    ("xmllint", "encoding-error"),
+    ("yamllint", "brand-new"),
     ("elsewhere", "brand-new"),
 ]
 
@@ -92,6 +102,14 @@ NEVER = [
     ("pylint", "brand-new"),
     ("ruff", "XYZ123"),
     ("elsewhere", "brand-new"),
+    # hold only with the files that a script sources
+    ("shellcheck", "SC1091"),
+    ("shellcheck", "SC2154"),
+    # taste
+    ("hadolint", "DL3008"),
+    ("cmake-lint", "C0103"),
+    ("yamllint", "document-start"),
+    ("flawfinder", "FF1013"),
 ]
 
 
@@ -125,6 +143,16 @@ def test_layout_is_only_for_google() -> None:
         ("ruff", "E902", "bugs-only"),
         ("clang-tidy", "clang-analyzer-core.NullDereference", "bugs-only"),
         ("catkin_lint", "missing_depend", "ros"),
+        ("clang-format", "formatting", "ros"),
+        ("flawfinder", "FF1001", "ros"),
+        ("hadolint", "DL3023", "bugs-only"),
+        ("hadolint", "SC1073", "bugs-only"),
+        ("shellcheck", "SC2115", "ros"),
+        ("shellcheck", "SC2086", "strict"),
+        ("xmllint", "parser-error", "bugs-only"),
+        ("yamllint", "key-duplicates", "bugs-only"),
+        ("yamllint", "line-length", "strict"),
+        ("cmakelint", "linelength", "strict"),
     ],
 )
 def test_in_profile(tool: str, identifier: str, profile: str) -> None:
@@ -145,6 +173,12 @@ def test_in_profile(tool: str, identifier: str, profile: str) -> None:
         ("cppcheck", "variableScope", Level.NOTE),
         ("cpplint", "whitespace/tab", Level.NOTE),
         ("metrics", "max-eloc-50", Level.NOTE),
+        ("shellcheck", "SC2068", Level.ERROR),
+        ("shellcheck", "SC1000", Level.ERROR),
+        ("shellcheck", "SC2001", Level.NOTE),
+        ("hadolint", "SC2164", Level.WARNING),
+        ("hadolint", "DL3009", Level.NOTE),
+        ("flawfinder", "FF1048", Level.NOTE),
     ],
 )
 def test_levels(tool: str, identifier: str, level: Level) -> None:
@@ -172,5 +206,5 @@ def test_the_same_defect_names_known_rules() -> None:
         assert len(set(rules)) == len(rules) > 1
         for name in rules:
             tool, _, identifier = name.partition(":")
-            known = check_rules() if tool == "haros-ci" else rules_of(tool)
+            known = {**own.RULES, **check_rules()} if tool == "haros-ci" else rules_of(tool)
             assert tool in ("ruff", "clang-tidy") or identifier in known, name
