@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from posixpath import dirname, join
 
-from haros_ci.linters import copies, installed, settings_files
+from haros_ci.linters import copies, installed
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.tool_xml import elements
 from haros_ci.model.location import Location
@@ -38,13 +38,17 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
     """Every style file from the file's directory up to the root, for one may inherit from the next."""
-    for directory in settings_files.upward(dirname(file.path)):
-        yield from (path for name in (*STYLES, IGNORED) if workspace.text(path := join(directory, name)))
+    path = file.path
+    while path:
+        path = dirname(path)
+        yield from (found for name in (*STYLES, IGNORED) if workspace.text(found := join(path, name)))
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
     """Only files that a style is written for: any other style would be one that nobody chose."""
-    for file in settings_files.of_languages(workspace, LANGUAGES):
+    for file in workspace.files:
+        if file.language not in LANGUAGES:
+            continue
         needs = tuple(dependencies(workspace, file))
         styles = [path for path in needs if path.endswith(STYLES)]
         if styles:

@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from haros_ci.linters import settings_files, texts
+from haros_ci.linters import settings_files, texts, yaml_settings
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -38,8 +38,8 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    names = NAMES if options.trust_config else tuple(name for name in NAMES if not name.endswith(".py"))
-    return settings_files.units(workspace, LANGUAGES, names)
+    names = (name for name in NAMES if options.trust_config or not name.endswith(".py"))
+    return settings_files.units(workspace, LANGUAGES, dict.fromkeys(names, ()))
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -59,7 +59,7 @@ def _settings(batch: Batch) -> dict[str, Any]:
         return {"file": str(batch.workspace.root / batch.group)}
     text = batch.workspace.text(batch.group) if batch.group else ""
     try:
-        given = settings_files.plain_yaml(text)
+        given = yaml_settings.read(text)
     except ValueError:
         if batch.group.endswith(DATA):
             raise

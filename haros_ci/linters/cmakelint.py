@@ -15,7 +15,7 @@ LANGUAGES = frozenset({"cmake"})
 WHEN = When.ASKED
 COST = 8.0
 
-NAMES = (".cmakelintrc",)
+MARKS: settings_files.Marks = {".cmakelintrc": ()}
 #: What ament_lint_cmake allows; a .cmakelintrc may say otherwise.
 LINE_LENGTH = 140
 
@@ -33,7 +33,7 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    return settings_files.units(workspace, LANGUAGES, NAMES)
+    return settings_files.units(workspace, LANGUAGES, MARKS)
 
 
 def command(program: Program, batch: Batch) -> Command:

@@ -38,8 +38,3 @@ def put(batch: Batch, name: str, text: str) -> None:
     place = tree(batch) / name
     place.parent.mkdir(parents=True, exist_ok=True)
     place.write_bytes(text.encode("utf-8", "replace"))
-
-
-def column(line: str, byte: int) -> int:
-    """The column, in code points from 1, of the character that begins *byte* bytes (from 1) into *line*."""
-    return len(line.encode("utf-8", "replace")[: byte - 1].decode("utf-8", "replace")) + 1

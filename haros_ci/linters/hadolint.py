@@ -19,7 +19,8 @@ LANGUAGES = frozenset({"dockerfile"})
 WHEN = When.ASKED
 COST = 60.0
 
-NAMES = (".hadolint.yaml", ".hadolint.yml")
+SETTINGS = ".hadolint.yaml"
+MARKS: settings_files.Marks = {SETTINGS: (), ".hadolint.yml": ()}
 #: hadolint cannot read the file: its syntax, or one that is newer than hadolint.
 UNREADABLE = "DL1000"
 LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
@@ -38,14 +39,14 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    return settings_files.units(workspace, LANGUAGES, NAMES)
+    return settings_files.units(workspace, LANGUAGES, MARKS)
 
 
 def command(program: Program, batch: Batch) -> Command:
     copied = copies.names(batch)
     copies.lay(batch, copied)
-    copies.put(batch, NAMES[0], batch.workspace.text(batch.group) if batch.group else "ignored: []\n")
-    options = ("--format=json", "--no-fail", "--no-color", f"--config=./{NAMES[0]}")
+    copies.put(batch, SETTINGS, batch.workspace.text(batch.group) if batch.group else "ignored: []\n")
+    options = ("--format=json", "--no-fail", "--no-color", f"--config=./{SETTINGS}")
     return Command((*program.argv, *options, "--", *copied), cwd=copies.tree(batch))
 
 

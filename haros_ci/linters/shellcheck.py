@@ -20,7 +20,7 @@ LANGUAGES = frozenset({"shell"})
 WHEN = When.ASKED
 COST = 60.0
 
-NAMES = (".shellcheckrc", "shellcheckrc")
+MARKS: settings_files.Marks = {".shellcheckrc": (), "shellcheckrc": ()}
 #: ``external-sources`` and ``source-path`` would have it read further files.
 INERT = re.compile(r"[ \t]*(?:disable|enable|shell|extended-analysis)=[\w,.:-]+[ \t]*(?:#.*)?")
 #: Shells that ShellCheck does not know, by their shebang.
@@ -41,7 +41,7 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    for unit in settings_files.units(workspace, LANGUAGES, NAMES):
+    for unit in settings_files.units(workspace, LANGUAGES, MARKS):
         if not _OTHER_SHELL.match(workspace.text(unit.file.path)):
             yield unit
 
@@ -51,7 +51,7 @@ def command(program: Program, batch: Batch) -> Command:
     copied = copies.names(batch)
     copies.lay(batch, copied)
     lines = batch.workspace.text(batch.group).splitlines() if batch.group else []
-    copies.put(batch, NAMES[0], "".join(line + "\n" for line in lines if INERT.fullmatch(line)))
+    copies.put(batch, ".shellcheckrc", "".join(line + "\n" for line in lines if INERT.fullmatch(line)))
     return Command((*program.argv, "--format=json1", "--", *copied), cwd=copies.tree(batch))
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from posixpath import dirname, isabs, join, normpath, relpath
 from typing import Any
 
-from haros_ci.linters import settings_files, texts
+from haros_ci.linters import settings_files, texts, yaml_settings
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -17,7 +17,7 @@ LANGUAGES = frozenset({"yaml", "launch"})
 WHEN = When.ASKED
 COST = 25.0
 
-NAMES = (".yamllint", ".yamllint.yaml", ".yamllint.yml")
+MARKS: settings_files.Marks = {".yamllint": (), ".yamllint.yaml": (), ".yamllint.yml": ()}
 #: The configurations that come with yamllint ("Configuration").
 SHIPPED = frozenset({"default", "relaxed", "empty"})
 DEFAULT_SETTINGS = {"extends": "default"}
@@ -40,7 +40,7 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
     """Groups by configuration; a file depends on it and on all that it extends or reads patterns from."""
     needs: dict[str, tuple[str, ...]] = {"": ()}
-    for unit in settings_files.units(workspace, LANGUAGES, NAMES):
+    for unit in settings_files.units(workspace, LANGUAGES, MARKS):
         if not unit.file.path.endswith((".yaml", ".yml")):
             continue
         if unit.group not in needs:
@@ -73,7 +73,7 @@ def resolved(workspace: Workspace, path: str, read: list[str]) -> dict[str, Any]
     ValueError for what is malformed, or refers to a file that is not in the workspace.
     """
     read.append(path)
-    settings = settings_files.plain_yaml(workspace.text(path))
+    settings = yaml_settings.read(workspace.text(path))
     settings.pop("locale", None)  # is the machine's
     rules = {name: _options(options) for name, options in _map(settings.get("rules")).items()}
     for where in (settings, *(options for options in rules.values() if isinstance(options, dict))):
