@@ -81,7 +81,7 @@ def cmake_lint(settings: Any) -> Check:
         context = lint_util.GlobalContext(None).get_file_ctx(name, config)
         tool.process_file(config, context, text)
         for record in context.get_lint():
-            line, column, *_ = (*(record.location or ()), None, None)
+            line, column, *_ = (*tuple(record.location or ()), None, None)
             yield record.spec.idstr, line, None if column is None else column + 1, " ".join(record.msg.split())
 
     return check

@@ -80,9 +80,9 @@ def resolved(workspace: Workspace, path: str, read: list[str]) -> dict[str, Any]
         _take_patterns(workspace, where, dirname(path), read)
     base = settings.get("extends")
     if isinstance(base, str) and base not in SHIPPED:
-        target = _inside(workspace, dirname(path), base)
-        if len(read) > LONGEST_CHAIN:
-            raise ValueError("extends too many files")
+        target = _inside(dirname(path), base)
+        if not workspace.text(target) or len(read) > LONGEST_CHAIN:
+            raise ValueError(f"extends {base!r}, which is no file of the workspace, or one too many")
         under = resolved(workspace, target, read)
         settings = {**{key: value for key, value in under.items() if key == "ignore"}, **settings}
         settings.pop("extends")
@@ -96,21 +96,21 @@ def resolved(workspace: Workspace, path: str, read: list[str]) -> dict[str, Any]
 
 
 def _take_patterns(workspace: Workspace, where: dict[str, Any], directory: str, read: list[str]) -> None:
-    """Puts the lines of the files that ``ignore-from-file`` names in place of the names."""
+    """Puts the lines of the files that ``ignore-from-file`` names in place of the names; one that is not there has none."""
     names = where.pop("ignore-from-file", None)
     if names is None:
         return
     lines: list[str] = []
     for name in [names] if isinstance(names, str) else names if isinstance(names, list) else []:
-        read.append(_inside(workspace, directory, str(name)))
+        read.append(_inside(directory, str(name)))
         lines += workspace.text(read[-1]).splitlines()
     where["ignore"] = lines
 
 
-def _inside(workspace: Workspace, directory: str, name: str) -> str:
+def _inside(directory: str, name: str) -> str:
     path = normpath(join(directory, name))
-    if isabs(path) or path.startswith("..") or not workspace.text(path):
-        raise ValueError(f"refers to {name!r}, which is no file of the workspace")
+    if isabs(path) or path.split("/")[0] == "..":
+        raise ValueError(f"refers to {name!r}, which lies outside the workspace")
     return path
 
 

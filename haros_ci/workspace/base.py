@@ -19,14 +19,9 @@ from haros_ci.workspace.git import BaselineUnavailable, GitError, Repository, me
 from haros_ci.workspace.objects import Blob, read_blobs, read_links, read_tree
 from haros_ci.workspace.renames import find_renames
 from haros_ci.workspace.selection import Also, Candidate, Scope, select
+from haros_ci.workspace.tool_settings import TOOL_SETTINGS
 
 __all__ = ["Base", "BaselineUnavailable", "base_workspace"]
-
-#: Settings of tools that are taken from the workspace as it is now: the base is analysed with today's configuration.
-TOOL_SETTINGS = (
-    *("CPPLINT.cfg", ".clang-tidy", ".ruff.toml", "ruff.toml", "pyproject.toml", "tox.ini"),
-    *("pylintrc", ".pylintrc", "pylintrc.toml", ".pylintrc.toml"),
-)
 
 
 IN_MEMORY = "/dev/shm"
@@ -170,8 +165,12 @@ def write_contents(directory: Path, contents: Iterable[Content | Problem]) -> It
 
 
 def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate]) -> list[str]:
-    """Copy tools' settings from the present workspace to where they apply in the base; returns their paths."""
+    """Copy tools' settings from the present workspace to where they apply in the base; returns their paths.
+
+    Not those that are analysed themselves (a .yamllint.yaml): these stand there as they were.
+    """
     directories = {""}
+    analysed = {candidate.path for candidate in wanted}
     for candidate in wanted:
         parent = candidate.path.rpartition("/")[0]
         while parent not in directories:
@@ -181,7 +180,7 @@ def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate
     for parent in sorted(directories):
         for name in TOOL_SETTINGS:
             path = f"{parent}/{name}" if parent else name
-            text = workspace.text(path)
+            text = "" if path in analysed else workspace.text(path)
             if text:
                 os.makedirs(directory / parent, exist_ok=True)
                 _create(directory / path, text.encode("utf-8"))

@@ -18,6 +18,7 @@ from haros_ci.workspace.files import TooLarge, Tree, read_head, read_regular
 from haros_ci.workspace.language import HEAD, script_language, suffix_of
 from haros_ci.workspace.listing import list_files
 from haros_ci.workspace.selection import Also, Candidate, Scope, select
+from haros_ci.workspace.tool_settings import TOOL_SETTINGS
 
 MAX_FILE_SIZE = 2_000_000
 
@@ -49,10 +50,12 @@ def discover(
     candidates = select([*listing.paths, *scope.files], scope, Excludes(exclude), also)
     disk = _Disk(root, max_file_size)
     executables = listing.executables | disk.executables(candidates)
+    present = [*listing.paths, *scope.files]
     return assemble(
         root,
         disk.read(candidates),
-        listed=[*listing.paths, *scope.files],
+        listed=[*present, *settings_above(scope)],
+        names=present,
         problems=listing.problems,
         targets=targets_of(scope, (candidate.path for candidate in candidates)),
         context=disk.manifests(manifests_above(scope)),
@@ -94,6 +97,12 @@ def manifests_above(scope: Scope) -> list[str]:
     """Where the manifests of packages would be that the given directories lie in."""
     above = {parent for path in scope.directories for parent in _parents(path)} - set(scope.directories)
     return sorted("package.xml" if directory == "." else f"{directory}/package.xml" for directory in above)
+
+
+def settings_above(scope: Scope) -> list[str]:
+    """Where settings of tools would be that hold for the given directories and lie above them."""
+    above = {parent for path in scope.directories for parent in _parents(path)} - set(scope.directories)
+    return sorted(name if at == "." else f"{at}/{name}" for at in above for name in TOOL_SETTINGS)
 
 
 class _Disk:
