@@ -11,7 +11,7 @@ fail() {
   exit 2
 }
 
-arguments=(-I -m haros_ci check)
+arguments=()
 
 option() { # NAME VALUE: give the option if there is a value
   [[ -z "$2" ]] || arguments+=("--$1=$2")
@@ -80,6 +80,9 @@ python="$INPUT_PYTHON"
 sarif="${INPUT_SARIF_FILE:-$RUNNER_TEMP/haros-ci.sarif}"
 counts="$RUNNER_TEMP/haros-ci.json"
 annotations="$RUNNER_TEMP/haros-ci-annotations"
+shard="$RUNNER_TEMP/haros-ci-${INPUT_SHARD//\//-of-}.shard.jsonl"
+[[ -z "$INPUT_SHARD" || -z "$INPUT_MERGE" ]] || fail "The inputs 'shard' and 'merge' are for different jobs."
+[[ -z "$INPUT_SHARD" || "$INPUT_SHARD" =~ ^[0-9]+/[0-9]+$ ]] || fail "The input 'shard' is not like 2/4."
 [[ "$sarif" != *$'\n'* && "$sarif" != *$'\r'* ]] || fail "The input 'sarif-file' is more than one line."
 
 # With a revision the command reads project file and baseline file from there, so that a pull request cannot bring its own.
@@ -104,33 +107,52 @@ options allow-tool-failure "$INPUT_ALLOW_TOOL_FAILURE"
 option compile-database "$INPUT_COMPILE_DATABASE"
 option jobs "$INPUT_JOBS"
 option cache-dir "${INPUT_CACHE_DIR:-$RUNNER_TEMP/haros-ci-cache}"
-option sarif-for "$INPUT_SARIF_FOR"
-option output text
-! flag annotations "$INPUT_ANNOTATIONS" || option output "github=$annotations"
-option output "sarif=$sarif"
-option output "json=$counts"
-while IFS= read -r report; do
-  [[ "$report" == ?*=?* ]] || fail "A line of the input 'reports' is not FORMAT=FILE."
-  option output "$report"
-done < <(lines "$INPUT_REPORTS")
-arguments+=(--)
-while IFS= read -r path; do
-  arguments+=("$path")
-done < <(lines "$INPUT_PATHS")
+if [[ -n "$INPUT_SHARD" ]]; then
+  option shard "$INPUT_SHARD"
+  option shard-costs "$INPUT_SHARD_COSTS"
+  option output "shard=$shard"
+else
+  option sarif-for "$INPUT_SARIF_FOR"
+  option output text
+  ! flag annotations "$INPUT_ANNOTATIONS" || option output "github=$annotations"
+  option output "sarif=$sarif"
+  option output "json=$counts"
+  while IFS= read -r report; do
+    [[ "$report" == ?*=?* ]] || fail "A line of the input 'reports' is not FORMAT=FILE."
+    option output "$report"
+  done < <(lines "$INPUT_REPORTS")
+fi
+command=check
+if [[ -n "$INPUT_MERGE" ]]; then
+  command=merge
+  options path "$INPUT_PATHS"
+  option write-costs "$INPUT_SHARD_COSTS"
+  arguments+=(--)
+  for file in "$INPUT_MERGE"/*.shard.jsonl; do
+    arguments+=("$file") # with none there the pattern itself, which the command calls a file that is not there
+  done
+else
+  arguments+=(--)
+  while IFS= read -r path; do
+    arguments+=("$path")
+  done < <(lines "$INPUT_PATHS")
+fi
 
-rm -f -- "$sarif" "$counts" "$annotations" # what stands there afterwards is this run's
+rm -f -- "$sarif" "$counts" "$annotations" "$shard" # what stands there afterwards is this run's
 code=0
 token="$("$python" -I -c 'import secrets; print(secrets.token_hex(16))')"
 printf '::stop-commands::%s\n' "$token" # the log quotes the pull request's file names and code: none of it is a command
-"$python" "${arguments[@]}" || code=$?
+"$python" -I -m haros_ci "$command" "${arguments[@]}" || code=$?
 printf '::%s::\n' "$token"
 
 [[ ! -f "$annotations" ]] || cat -- "$annotations"
 printf 'exit-code=%d\n' "$code" >> "$GITHUB_OUTPUT"
-if [[ -f "$sarif" && -f "$counts" ]]; then
+if [[ -n "$INPUT_SHARD" && -f "$shard" ]]; then
+  printf 'shard-file=%s\n' "$shard" >> "$GITHUB_OUTPUT"
+elif [[ -f "$sarif" && -f "$counts" ]]; then
   new="$("$python" -I -c 'import json, sys; print(json.load(open(sys.argv[1], "rb"))["counts"]["open"])' "$counts")"
   printf 'sarif=%s\nnew-count=%d\n' "$sarif" "$new" >> "$GITHUB_OUTPUT"
 else
-  printf '::error title=haros-ci::Nothing was checked, because of wrong inputs or configuration; see the log.\n'
+  printf '::error title=haros-ci::Nothing was checked, because of wrong inputs or configuration, or shards that make no whole; see the log.\n'
 fi
 exit "$code"

@@ -24,7 +24,7 @@ ACTION: dict[str, Any] = yaml.safe_load((ROOT / "action.yml").read_text(encoding
 WORKFLOW: dict[str, Any] = yaml.safe_load((ROOT / "docs/workflows/haros-ci.yml").read_text(encoding="utf-8"))
 
 #: Inputs that are no option of the command: arguments, where the log goes, and the action's own set-up.
-ACTION_ONLY = {"paths", "sarif-file", "reports", "annotations", "python", "install"}
+ACTION_ONLY = {"paths", "merge", "sarif-file", "reports", "annotations", "python", "install"}
 #: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
 TERMINAL_ONLY = {
     "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
