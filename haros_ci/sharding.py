@@ -53,6 +53,17 @@ _REPORTING = frozenset(
     }
 )
 
+#: Where the others are given, if not in the project file.
+_OPTIONS = {
+    "paths": "the paths",
+    "profile": "--profile",
+    "command_line": "--select or --ignore",
+    "exclude": "--exclude",
+    "compile_database": "--compile-database",
+    "trust_config": "--trust-config",
+    "plugins": "--plugin",
+}
+
 
 def part(
     settings: Settings, store: Store, number: int, of: int, costs: Costs, progress: Progress | None = None
@@ -158,16 +169,16 @@ def content_digest(workspace: Workspace) -> str:
 
 
 def settings_digests(settings: Settings, known: Registry) -> dict[str, str]:
-    """A digest of each setting that changes what the tools are to find, by the name that its option has."""
-    values: dict[str, object] = {}
+    """A digest of the settings that change what the tools are to find, by where they are given."""
+    values: dict[str, list[object]] = {}
     for field in fields(settings):
         if field.name not in _REPORTING:
             value = getattr(settings, field.name)
             if field.name == "compile_database" and value is not None:
                 value = os.path.relpath(os.path.join(settings.root, value), settings.root)
-            values[field.name.replace("_", "-")] = value
-    values["plugins"] = (values.get("plugins"), known.components)
-    return {name: _digest(repr(plain(value))) for name, value in values.items()}
+            values.setdefault(_OPTIONS.get(field.name, "the project file"), []).append(plain(value))
+    values["--plugin"] = [plain(known.components)]
+    return {name: _digest(repr(value)) for name, value in values.items()}
 
 
 def _digest(text: str) -> str:
