@@ -19,7 +19,7 @@ from haros_ci.cli import EXIT_TOOL_TROUBLE
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.output import SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered, write
+from haros_ci.output import FOLDERS, SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered, write
 from haros_ci.results.result import Report
 from haros_ci.results.rule import Rule
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
@@ -59,7 +59,7 @@ def reported(
     report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
 ) -> int:
     """Write every output, and give the exit code."""
-    is_whole = written(report, workspace, outputs, renderers, flags)
+    is_whole = written(report, workspace, outputs, renderers, settings, flags)
     on_stdout = [format for format, path in outputs if path is None]
     if flags["statistics"]:
         from haros_ci.report.statistics import render
@@ -72,11 +72,20 @@ def reported(
     return exit_code(report, settings) if is_whole else EXIT_TOOL_TROUBLE
 
 
-def written(report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, flags: Flags) -> bool:
-    """Write every output; False if a plug-in's could not be made, which is said."""
+def written(
+    report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
+) -> bool:
+    """Write every output; False if one could not be made or not whole, which is said."""
     is_whole = True
+    folders = [path for format, path in outputs if format in FOLDERS and path is not None]
+    if folders:
+        from haros_ci.folders import fill
+
+        is_whole = fill(folders, report, workspace, settings, flags)
     packages = {file.path: file.package or "" for file in workspace.files}
     for format, path in outputs:
+        if format in FOLDERS:
+            continue
         view = View(workspace.text, flags, path is not None, lambda path: packages.get(path, ""))
         try:
             text = rendered(report, format, view, renderers)

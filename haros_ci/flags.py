@@ -83,7 +83,7 @@ report_options = options(
         metavar="FORMAT[=PATH]",
         multiple=True,
         shell_complete=completion_of("formats"),
-        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv or markdown; repeatable.",
+        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv, markdown or haros-json; repeatable.",
     ),
     click.option(
         "--sarif-for",

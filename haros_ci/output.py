@@ -121,6 +121,10 @@ FORMATS: dict[str, Callable[[Report, View], str]] = {
     "csv": _csv,
     "markdown": _markdown,
 }
+#: Formats of more than one file, each written into a directory (folders.py).
+FOLDERS = ("haros-json",)
+#: Bytes of a file of an earlier run that a new one adds to.
+LARGEST_READ = 50_000_000
 #: Formats that a person reads as they are; all others are read by programs, which nothing else on stdout may disturb.
 FOR_PEOPLE = frozenset({"text", "github"})
 #: Formats that have no place for trouble with tools: stderr says it.
@@ -131,8 +135,8 @@ IN_JSON = frozenset({"sarif", "json", "gitlab", "rdjson"})
 
 def parse_outputs(wanted: tuple[str, ...], renderers: Renderers = MappingProxyType({})) -> Outputs:
     """``FORMAT[=PATH]`` as pairs, formats of plug-ins (*renderers*) included; at most one may go to stdout beside none other."""
-    known = (*FORMATS, *renderers)
-    clash = next((format for format in renderers if format in FORMATS), None)
+    known = (*FORMATS, *FOLDERS, *renderers)
+    clash = next((format for format in renderers if format in FORMATS or format in FOLDERS), None)
     if clash is not None:
         raise UserError(f"the format '{clash}' of a plug-in is one of haros-ci's own", help="give it another name")
     outputs = []
@@ -140,6 +144,10 @@ def parse_outputs(wanted: tuple[str, ...], renderers: Renderers = MappingProxyTy
         format, _, path = item.partition("=")
         if format not in known:
             raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(known)}")
+        if format in FOLDERS and not path:
+            raise UserError(f"--output {item}: {format} is several files", help=f"name a directory: {format}=DIR")
+        if format in FOLDERS and Path(path).exists() and not Path(path).is_dir():
+            raise UserError(f"--output {item}: {path} is no directory", help="name another one")
         outputs.append((format, Path(path) if path else None))
     on_stdout = [format for format, path in outputs if path is None]
     if len(on_stdout) > 1 and set(on_stdout) - FOR_PEOPLE:
@@ -188,6 +196,51 @@ def write(text: str, path: Path | None) -> None:
         draft.replace(path)
     except OSError as err:
         raise UserError(f"{path}: cannot be written: {err.strerror}", help="name another --output path") from err
+
+
+def write_folder(documents: Mapping[str, str], folder: Path) -> None:
+    """Each of *documents* below *folder* by its path there, in their order; what else lies there stays as it is.
+
+    A file appears whole or not at all. Below *folder* no symbolic link is followed: whoever wrote the analysed code may have put it there.
+    """
+    at = folder
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in documents.items():
+            *directories, own = name.split("/")
+            place = folder
+            for directory in directories:
+                place = at = place / directory
+                if place.is_symlink():
+                    raise UserError(
+                        f"{place}: is a symbolic link", help="remove it, or name another --output directory"
+                    )
+                place.mkdir(exist_ok=True)
+            at = place / own
+            draft = place / f".{os.getpid()}.tmp"
+            descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+            try:
+                with open(descriptor, "w", encoding="utf-8", errors="backslashreplace", newline="") as file:
+                    file.write(text)
+                draft.replace(at)
+            except OSError:
+                draft.unlink(missing_ok=True)
+                raise
+    except OSError as err:
+        raise UserError(f"{at}: cannot be written: {err.strerror}", help="name another --output directory") from err
+
+
+def text_in(folder: Path, name: str) -> str | None:
+    """The text of the file *name* of *folder*, None if there is none; UserError for what cannot be read as one."""
+    path = folder / name
+    try:
+        if not os.path.lexists(path):
+            return None
+        if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_READ:
+            raise UserError(f"{path}: is no file of ours", help="remove it, or name another --output directory")
+        return path.read_text(encoding="utf-8")
+    except (OSError, ValueError) as err:
+        raise UserError(f"{path}: cannot be read", help="remove it, or name another --output directory") from err
 
 
 def append(path: Path, text: str) -> None:

@@ -141,7 +141,7 @@ class Watch:
 
         report, workspace = run(self.settings, self.flags)
         self.has_run = True
-        written(report, workspace, self.outputs, self.renderers, self.flags)
+        written(report, workspace, self.outputs, self.renderers, self.settings, self.flags)
         color, width = text_style(to_file=False)
         style = {"color": color, "width": width, "why": self.flags["why"], "source": workspace.text}
         new, gone = self._compared(report)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,7 +13,7 @@ from haros_ci.haros_json.names import safe, unique
 from haros_ci.haros_json.packages import measurement_json, needed, package_json
 from haros_ci.haros_json.places import Places
 from haros_ci.haros_json.rules import Named, Rules, metrics_json
-from haros_ci.haros_json.summary import nodes_of, summary_json
+from haros_ci.haros_json.summary import nodes_of, summary_json, with_history
 from haros_ci.haros_json.systems import Shown
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.build import Build
@@ -25,6 +25,7 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.query.findings import Match, grouped
 from haros_ci.query.queries import Scenes
 from haros_ci.query.queries import run as ask
+from haros_ci.query.system import System
 from haros_ci.results.result import Report, Result
 from haros_ci.results.rule import Rule
 
@@ -64,7 +65,7 @@ def documents(given: Input) -> dict[str, str]:
     project = safe(str(given.project.get("project") or DEFAULT))
     results = [result for result in given.report.results if is_there(result)]
     shown = _packages(workspace, places, results)
-    files = {path: [] for path in (one.path for one in shown)}  # type: dict[str, list[SourceFile]]
+    files: dict[str, list[SourceFile]] = {one.path: [] for one in shown}
     for file in workspace.files:
         home = places.home(file.path)
         if home is not None and home in files:
@@ -78,7 +79,7 @@ def documents(given: Input) -> dict[str, str]:
 
     rules = Rules(_rules(given.report, results), given.documented, given.scopes, given.queries)
     scenes = Scenes(given.architecture, workspace.files, given.project)
-    systems = _systems(scenes, places)
+    systems = _systems(given.architecture, scenes, places)
     found = issues(results, systems, _matches(given, scenes, results), places, rules)
     environment = _environment(given.project)
     configurations = [
@@ -136,10 +137,33 @@ def documents(given: Input) -> dict[str, str]:
     return {**{f"{project}/{name}": text for name, text in sorted(texts.items())}, PROJECTS: _text([entry])}
 
 
-def with_others(own: str, before: str) -> str:
-    """The list of projects *own*, of one run, with the others of *before*, the file as it was; ValueError if that is none."""
-    (mine,) = json.loads(own)
-    others = json.loads(before)
+def added(files: Mapping[str, str], before: Callable[[str], str | None]) -> dict[str, str]:
+    """*files* with what a folder is to keep of the same files *before*: other projects, and the history of this one.
+
+    ValueError if its list of projects is none.
+    """
+    (mine,) = json.loads(files[PROJECTS])
+    summary = f"{mine['id']}/summary.json"
+    return {
+        **files,
+        summary: _with_history(files[summary], before(summary)),
+        PROJECTS: _with_others(mine, before(PROJECTS)),
+    }
+
+
+def _with_history(own: str, before: str | None) -> str:
+    try:
+        past = json.loads(before or "null")
+    except (ValueError, RecursionError):
+        return own
+    return _indented(with_history(json.loads(own), past))
+
+
+def _with_others(mine: Mapping[str, Any], before: str | None) -> str:
+    try:
+        others = json.loads(before or "[]")
+    except RecursionError as err:
+        raise ValueError("too deep") from err
     if not isinstance(others, list) or not all(isinstance(one, dict) for one in others):
         raise ValueError("not a list of projects")
     at = next((n for n, one in enumerate(others) if one.get("id") == mine["id"]), None)
@@ -160,8 +184,9 @@ def _rules(report: Report, results: Iterable[Result]) -> dict[str, Named]:
     return {one.full_id: known.get(one.full_id, (one.tool, Rule(one.rule, ""))) for one in results}
 
 
-def _systems(scenes: Scenes, places: Places) -> list[Shown]:
-    named = sorted(scenes.systems, key=lambda system: (system.made.name, system.made.launch))
+def _systems(architecture: Architecture, scenes: Scenes, places: Places) -> list[Shown]:
+    empty = (System(one, scenes.world) for one in architecture.configurations if not one.nodes)  # no query sees them
+    named = sorted((*scenes.systems, *empty), key=lambda system: (system.made.name, system.made.launch))
     keys = [(system.made.name, str(number)) for number, system in enumerate(named)]
     ids = unique(keys)
     return [Shown(system, ids[key], places) for system, key in zip(named, keys, strict=True)]
@@ -169,7 +194,7 @@ def _systems(scenes: Scenes, places: Places) -> list[Shown]:
 
 def _matches(given: Input, scenes: Scenes, results: Sequence[Result]) -> dict[Asking, tuple[Match, ...]]:
     """What the queries of *results* have found, by finding."""
-    wanted = {result.rule for result in results if result.rule in given.queries_of}
+    wanted = {result.rule for result in results if result.full_id in given.queries}
     if not wanted:
         return {}
     asked = ask(

@@ -35,6 +35,7 @@ class Issues:
     other: list[dict[str, Any]] = field(default_factory=list)
     queries: dict[str, list[dict[str, Any]]] = field(default_factory=dict)
 
+
 #: What tells the finding of a query in a report: its rule, message and place.
 Asking = tuple[str, str, Location]
 

@@ -22,8 +22,8 @@ COMMON = frozenset(
 )
 #: HAROS's metrics: id, name, scope, least and greatest value, what it is in our words.
 METRICS: tuple[tuple[str, str, str, float | None, float | None, str], ...] = (
-    ("comments", "Lines of Comments", "file", 0, None, "Lines that hold a comment."),
     ("comment_ratio", "Comment Ratio", "file", 0, 1.0, "The part of the lines that are not blank that hold a comment."),
+    ("comments", "Lines of Comments", "file", 0, None, "Lines that hold a comment."),
     ("coupling", "Coupling Between Objects", "file", 0, None, "Other classes that a class uses."),
     (
         "cyclomatic_complexity",
@@ -38,8 +38,22 @@ METRICS: tuple[tuple[str, str, str, float | None, float | None, str], ...] = (
     ("function_calls", "Number of Function Calls", "function", 0, None, "Calls that a function makes."),
     ("function_parameters", "Number of Function Parameters", "function", 0, None, "Parameters that a function takes."),
     ("halstead_bugs", "Number of Delivered Bugs", "file", 0, None, "Bugs in a file, as Halstead estimates them."),
-    ("halstead_time", "Time Required to Program", "file", 0, None, "Seconds to write a file, as Halstead estimates them."),
-    ("halstead_volume", "Halstead's Volume", "file", 0, None, "Operators and operands, by the number of distinct ones."),
+    (
+        "halstead_time",
+        "Time Required to Program",
+        "file",
+        0,
+        None,
+        "Seconds to write a file, as Halstead estimates them.",
+    ),
+    (
+        "halstead_volume",
+        "Halstead Volume",
+        "file",
+        0,
+        None,
+        "Operators and operands, by the number of distinct ones.",
+    ),
     ("lloc", "Logical Lines of Code", "file", 0, None, "Statements."),
     (
         "maintainability_index",
@@ -51,10 +65,24 @@ METRICS: tuple[tuple[str, str, str, float | None, float | None, str], ...] = (
     ),
     ("methods_available", "Methods Available in Class", "file", 1, None, "Methods that a class offers."),
     ("nested_control", "Nesting of Control Structures", "function", 0, None, "Control structures within each other."),
-    ("number_of_children", "Number of Immediate Children", "file", 0, None, "Classes that are derived from a class directly."),
+    (
+        "number_of_children",
+        "Number of Immediate Children",
+        "file",
+        0,
+        None,
+        "Classes that are derived from a class directly.",
+    ),
     ("ploc", "Program Lines of Code", "file", 0, None, "Lines that hold code: neither blank nor comments alone."),
     ("sloc", "Source Lines of Code", "file", 0, None, "Lines that are not blank."),
-    ("static_path_count", "Estimated Static Path Count", "function", 1, None, "Paths through a function, loops taken once."),
+    (
+        "static_path_count",
+        "Estimated Static Path Count",
+        "function",
+        1,
+        None,
+        "Paths through a function, loops taken once.",
+    ),
     (
         "unique_function_calls",
         "Number of Distinct Function Calls",
@@ -63,7 +91,14 @@ METRICS: tuple[tuple[str, str, str, float | None, float | None, str], ...] = (
         None,
         "Distinct functions that a function calls.",
     ),
-    ("weighted_methods", "Weighted Methods per Class", "file", 1, None, "The complexities of a class's methods, added up."),
+    (
+        "weighted_methods",
+        "Weighted Methods per Class",
+        "file",
+        1,
+        None,
+        "The complexities of the methods of a class, added up.",
+    ),
 )
 
 #: A rule with the name of its tool.

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
@@ -16,6 +17,10 @@ NODELET = "nodelet::Nodelet"
 COMPONENT = "rclcpp_components::NodeFactory"
 #: Counts of lines that can be a function's length; the first that is measured of functions is taken.
 LENGTHS = ("ploc", "eloc", "sloc", "lloc")
+#: A time as HAROS writes it.
+TIME = re.compile(r"[0-9]{4}(-[0-9]{2}){4}", re.ASCII)
+#: Earlier revisions that are kept in the history.
+MOST_POINTS = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +130,27 @@ def summary_json(
             "function_length": history(length),
         },
     }
+
+
+def with_history(own: Mapping[str, Any], before: object) -> Mapping[str, Any]:
+    """The summary *own* with the points of the summary *before*, of the same project, that are earlier than its own."""
+    kept = before.get("history") if isinstance(before, Mapping) else None
+    mine = own["history"]
+    if not isinstance(kept, Mapping) or not all(isinstance(kept.get(key), list) for key in mine):
+        return own
+    points = [
+        dict(zip(mine, values, strict=True))
+        for values in zip(*(kept[key] for key in mine), strict=False)
+        if isinstance(values[0], str) and TIME.fullmatch(values[0]) and all(map(_is_number, values[1:]))
+    ]
+    latest = mine["timestamps"][0] if mine["timestamps"] else "9"
+    earlier = sorted((point for point in points if point["timestamps"] < latest), key=lambda point: point["timestamps"])
+    history = {key: [*(point[key] for point in earlier[-MOST_POINTS:]), *values] for key, values in mine.items()}
+    return {**own, "history": history}
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e300
 
 
 def _values(measurements: Iterable[Measurement], metric: str, *, of_functions: bool) -> list[float]:

@@ -93,9 +93,7 @@ class Shown:
         if not isinstance(entity, Link):
             return shown
         node = entity.node
-        return Object(
-            kind=shown.kind, name=shown.name, uid=uid, node=name(node.full), node_uid=self.uids[id_of(node)]
-        )
+        return Object(kind=shown.kind, name=shown.name, uid=uid, node=name(node.full), node_uid=self.uids[id_of(node)])
 
     def json(
         self, queries: Iterable[Mapping[str, Any]], environment: Iterable[str], sloc: Callable[[str], int]
@@ -242,7 +240,12 @@ def _key(link: Link) -> tuple[Any, ...]:
 
 def _sorted(resources: Iterable[Any]) -> list[Any]:
     def key(one: Resource) -> tuple[Any, ...]:
-        return (one.full, one.TYPE, [place.sort_key for place in one.places()], [_key(link) for link in one.all_links()])
+        return (
+            one.full,
+            one.TYPE,
+            [place.sort_key for place in one.places()],
+            [_key(link) for link in one.all_links()],
+        )
 
     return sorted(resources, key=key)
 
