@@ -31,9 +31,9 @@ def _all(what: str) -> Iterable[str]:
 
         return PROFILES
     if what == "formats":
-        from haros_ci.output import FORMATS
+        from haros_ci.output import FOLDERS, FORMATS
 
-        return FORMATS
+        return (*FORMATS, *FOLDERS)
     from haros_ci.registry import built_in
 
     known = built_in()

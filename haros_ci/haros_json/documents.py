@@ -15,6 +15,7 @@ from haros_ci.haros_json.places import Places
 from haros_ci.haros_json.rules import Named, Rules, metrics_json
 from haros_ci.haros_json.summary import nodes_of, summary_json, with_history
 from haros_ci.haros_json.systems import Shown
+from haros_ci.haros_json.texts import name
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.build import Build
 from haros_ci.model.location import Location
@@ -116,7 +117,7 @@ def documents(given: Input) -> dict[str, str]:
                 packages=len(shown),
                 files=[(places.split(file.path)[1], file) for every in files.values() for file in every],
                 dependencies=len(frozenset().union(*map(needed, shown)) - {one.name for one in workspace.packages}),
-                nodes=nodes_of(build for name, build in given.builds.items() if name in {one.name for one in shown}),
+                nodes=nodes_of(build for key, build in given.builds.items() if key in {one.name for one in shown}),
                 systems=configurations,
                 tags=[rules.tags(result.full_id) for result in results],
                 violated=len({result.full_id for result in results}),
@@ -132,9 +133,9 @@ def documents(given: Input) -> dict[str, str]:
     entry = {
         "id": project,
         "packages": [places.ids[one.path] for one in shown],
-        "repositories": sorted(map(str, repositories)) if isinstance(repositories, Mapping) else [],
+        "repositories": sorted(name(str(one)) for one in repositories) if isinstance(repositories, Mapping) else [],
     }
-    return {**{f"{project}/{name}": text for name, text in sorted(texts.items())}, PROJECTS: _text([entry])}
+    return {**{f"{project}/{path}": text for path, text in sorted(texts.items())}, PROJECTS: _text([entry])}
 
 
 def added(files: Mapping[str, str], before: Callable[[str], str | None]) -> dict[str, str]:
@@ -212,9 +213,9 @@ def _environment(project: Mapping[str, Any]) -> dict[str, list[str]]:
     """The names of the environment variables that the project file sets, by configuration."""
     declared = project.get("configurations")
     found = {}
-    for name, entry in declared.items() if isinstance(declared, Mapping) else ():
+    for key, entry in declared.items() if isinstance(declared, Mapping) else ():
         given = entry.get("environment") if isinstance(entry, Mapping) else None
-        found[str(name)] = sorted(map(str, given)) if isinstance(given, Mapping) else []
+        found[str(key)] = sorted(map(str, given)) if isinstance(given, Mapping) else []
     return found
 
 

@@ -22,7 +22,9 @@ CONTRACT = json.loads(Path(__file__).with_name("haros_contract.json").read_text(
 HERE = Location("base/src/base.cpp", 7, 3)
 THERE = Location("base/launch/base.launch", 2, 5)
 
-COMPLEX = Rule("max-cyclomatic-complexity-15", "At most 15.", tags=("metrics", "kth"), aliases=("max_cyclomatic_complexity_15",))
+COMPLEX = Rule(
+    "max-cyclomatic-complexity-15", "At most 15.", tags=("metrics", "kth"), aliases=("max_cyclomatic_complexity_15",)
+)
 BRACES = Rule(
     "whitespace/braces",
     "Braces.",
@@ -117,7 +119,9 @@ def result(rule: Rule, tool: str, message: str = "Said.", path: str = "base/src/
 
 def mismatch(graph: str = "base/launch/base.launch") -> Result:
     edges = (("node:/talker", "topic:/chatter"), ("topic:/chatter", "node:/listener"))
-    return result(MISMATCH, "haros-ci", "Types differ.", subject=("/chatter", "/listener", "/talker"), graph=graph, edges=edges)
+    return result(
+        MISMATCH, "haros-ci", "Types differ.", subject=("/chatter", "/listener", "/talker"), graph=graph, edges=edges
+    )
 
 
 def runs(results: Iterable[Result]) -> tuple[Run, ...]:
@@ -140,7 +144,11 @@ def given(
 ) -> Input:
     """A workspace with the packages base and extra, and a script outside any."""
     if packages is None:
-        depends = (Dependency("roscpp", "build_depend"), Dependency("extra", "exec_depend"), Dependency("gtest", "test_depend"))
+        depends = (
+            Dependency("roscpp", "build_depend"),
+            Dependency("extra", "exec_depend"),
+            Dependency("gtest", "test_depend"),
+        )
         packages = (Package("base", "base", version="1.0.0", dependencies=depends), Package("extra", "extra"))
     texts = {
         "base/src/base.cpp": "int a;\n\nint b;\n",
@@ -153,7 +161,9 @@ def given(
     kinds = {"cpp": "cpp", "launch": "launch", "py": "python", "msg": "interface", "xml": "package"}
     home = {one.path: one.name for one in packages}
     files = tuple(
-        SourceFile(path, kinds[path.rpartition(".")[2]], len(text), "", home.get(path.partition("/")[0]), text.count("\n"))
+        SourceFile(
+            path, kinds[path.rpartition(".")[2]], len(text), "", home.get(path.partition("/")[0]), text.count("\n")
+        )
         for path, text in sorted(texts.items())
     )
     rules = more.pop("documented", DOCUMENTED)
@@ -163,7 +173,9 @@ def given(
     return Input(
         report=Report(runs(results)),
         workspace=Workspace(Path("/ws"), tuple(packages), files, Texts(texts), **more.pop("workspace", {})),
-        architecture=Architecture(configurations=(system(),) if systems is None else tuple(systems), packages=tuple(packages)),
+        architecture=Architecture(
+            configurations=(system(),) if systems is None else tuple(systems), packages=tuple(packages)
+        ),
         documented=rules,
         scopes=scopes,
         queries=queries,
@@ -190,8 +202,11 @@ def made(one: Input) -> dict[str, Any]:
 
 def kind(path: str) -> str:
     """The definition of the contract that the file at *path* is held against."""
-    for part, name in (("/compliance/source/", "source"), ("/compliance/runtime/", "runtime"), ("/metrics/", "measurements")):
+    for part, name in (
+        ("/compliance/source/", "source"),
+        ("/compliance/runtime/", "runtime"),
+        ("/metrics/", "measurements"),
+    ):
         if part in path:
             return name
     return path.rpartition("/")[2].removesuffix(".json")
-

@@ -57,7 +57,11 @@ def test_a_folder_that_the_visualizer_can_show(workspace: Path) -> None:
     (system,) = found["Two Talkers/configurations.json"]
     assert [one["name"] for one in system["nodes"]] == ["/a", "/b"]
     (package,) = found["Two Talkers/packages.json"]
-    assert (package["description"], package["authors"], package["repository"]) == ("Says . much", ["A"], "https://example.org/pub")
+    assert (package["description"], package["authors"], package["repository"]) == (
+        "Says . much",
+        ["A"],
+        "https://example.org/pub",
+    )
     summary = found["Two Talkers/summary.json"]
     assert summary["history"]["timestamps"] == ["2024-01-01-00-00"]
     assert summary["components"]["nodes"] == 1
@@ -72,7 +76,9 @@ def test_a_folder_that_the_visualizer_can_show(workspace: Path) -> None:
 
 def test_nothing_of_it_is_written_or_loaded_unasked(workspace: Path) -> None:
     before = {path for path in workspace.rglob("*") if ".git" not in path.parts}
-    done = haros("check", ".", "--profile", "architecture", "--output", f"json={workspace.parent / 'r.json'}", cwd=workspace)
+    done = haros(
+        "check", ".", "--profile", "architecture", "--output", f"json={workspace.parent / 'r.json'}", cwd=workspace
+    )
     assert done.returncode == 1
     assert {path for path in workspace.rglob("*") if ".git" not in path.parts} == before
     assert json.loads((workspace.parent / "r.json").read_text())["results"]
@@ -81,5 +87,5 @@ def test_nothing_of_it_is_written_or_loaded_unasked(workspace: Path) -> None:
 def test_a_file_in_the_way_is_a_mistake_of_the_user(workspace: Path) -> None:
     done = haros("check", ".", "--output", "haros-json=.haros-ci.yaml", cwd=workspace)
     assert done.returncode == 2
-    assert ".haros-ci.yaml: is no directory" in done.stderr
+    assert ".haros-ci.yaml is no directory" in done.stderr
     assert (workspace / ".haros-ci.yaml").read_text() == FILES[".haros-ci.yaml"]

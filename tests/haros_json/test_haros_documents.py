@@ -51,7 +51,11 @@ def test_nothing_at_all_is_fine() -> None:
 def test_the_same_bytes_whatever_the_order() -> None:
     one = kit.given([BRACES, kit.mismatch()], systems=(kit.system("a"), kit.system("b")))
     turned = replace(one, architecture=replace(one.architecture, configurations=one.architecture.configurations[::-1]))
-    assert documents(one) == documents(turned) == documents(kit.given([BRACES, kit.mismatch()], systems=(kit.system("a"), kit.system("b"))))
+    assert (
+        documents(one)
+        == documents(turned)
+        == documents(kit.given([BRACES, kit.mismatch()], systems=(kit.system("a"), kit.system("b"))))
+    )
 
 
 # -- issues ------------------------------------------------------------------------------------------------------------
@@ -93,14 +97,20 @@ def test_a_finding_of_a_configuration_is_its_own_with_all_that_it_is_about() -> 
     (system,) = found["configurations.json"]
     (query,) = system["queries"]
     uids = {one["uid"]: one["name"] for kind in ("nodes", "topics") for one in system[kind]}
-    assert [uids.get(one.get("uid", "")) or (uids[one["node_uid"]], uids[one["topic_uid"]]) for one in query["objects"]] == [
+    assert [
+        uids.get(one.get("uid", "")) or (uids[one["node_uid"]], uids[one["topic_uid"]]) for one in query["objects"]
+    ] == [
         "/talker",
         "/chatter",
         "/listener",
         ("/talker", "/chatter"),
         ("/listener", "/chatter"),
     ]
-    assert (query["qid"], query["rule"], query["name"]) == (0, "haros-ci:topic-type-mismatch", "haros-ci:topic-type-mismatch")
+    assert (query["qid"], query["rule"], query["name"]) == (
+        0,
+        "haros-ci:topic-type-mismatch",
+        "haros-ci:topic-type-mismatch",
+    )
 
 
 @pytest.mark.parametrize(
@@ -123,9 +133,7 @@ def test_a_configuration_that_is_not_there_leaves_the_finding_with_its_package()
     assert found[f"compliance/runtime/{CONFIG}.json"] == []
 
 
-@pytest.mark.parametrize(
-    "gone", [{"suppressions": (Suppression("inSource"),)}, {"state": BaselineState.ABSENT}]
-)
+@pytest.mark.parametrize("gone", [{"suppressions": (Suppression("inSource"),)}, {"state": BaselineState.ABSENT}])
 def test_what_is_not_there_is_not_shown(gone: dict[str, Any]) -> None:
     found = kit.made(kit.given([replace(BRACES, **gone)]))
     assert found["compliance/source/base.json"] == [] == found["rules.json"]
@@ -143,7 +151,9 @@ def test_a_users_query_is_an_issue_of_every_configuration_that_it_matches() -> N
     systems = (kit.system("one"), kit.system("two"), replace(kit.system("three"), nodes=()))
     unasked = kit.given(systems=systems, project=kit.CROWDED)
     asked = run(unasked.architecture, kit.CROWDED, "haros.yaml", unasked.workspace.files)
-    found = kit.made(kit.given(asked.results, systems, project=kit.CROWDED, where="haros.yaml", user_rules=1, rules_on=4))
+    found = kit.made(
+        kit.given(asked.results, systems, project=kit.CROWDED, where="haros.yaml", user_rules=1, rules_on=4)
+    )
     assert len(asked.results) == 1
     for name in ("one", "two"):
         (issue,) = found[f"compliance/runtime/{name}.json"]
@@ -181,7 +191,9 @@ def test_a_rule_goes_by_haross_id_where_one_is_the_other(tool: str, rule: Any, i
 
 def test_haross_metrics() -> None:
     found = kit.made(kit.given())
-    assert [one["id"] for one in found["metrics.json"]] == [row[0] for row in METRICS] == sorted(row[0] for row in METRICS)
+    assert (
+        [one["id"] for one in found["metrics.json"]] == [row[0] for row in METRICS] == sorted(row[0] for row in METRICS)
+    )
     ranges = {one["id"]: (one["minimum"], one["maximum"]) for one in found["metrics.json"]}
     assert ranges["comment_ratio"] == (0, 1)
     assert ranges["maintainability_index"] == (0, 100)
@@ -292,7 +304,13 @@ def test_the_summary() -> None:
         "pkgDependencies": 1,
     }
     assert summary["issues"] == {"total": 3, "coding": 1, "metrics": 1, "other": 1, "ratio": "0.43"}
-    assert summary["components"] == {"launchFiles": 1, "nodes": 3, "nodelets": 1, "parameterFiles": None, "configurations": 1}
+    assert summary["components"] == {
+        "launchFiles": 1,
+        "nodes": 3,
+        "nodelets": 1,
+        "parameterFiles": None,
+        "configurations": 1,
+    }
     assert summary["communications"] == {"topics": 2, "remappings": 1, "messages": 1, "services": 0, "actions": 0}
     assert summary["analysis"] == {"plugins": 3, "rules": 9, "userRules": 2, "violatedRules": 3}
     assert set(map(tuple, summary["history"].values())) == {()}

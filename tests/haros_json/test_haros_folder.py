@@ -11,7 +11,6 @@ import haros_kit as kit
 import pytest
 
 from haros_ci.errors import UserError
-from haros_ci.folders import filling
 from haros_ci.haros_json.documents import added, documents
 from haros_ci.output import parse_outputs, text_in, write_folder
 
@@ -62,16 +61,13 @@ def test_what_is_in_the_way_is_said(tmp_path: Path, path: str) -> None:
         write_folder({"p/a.json": "1"}, tmp_path / "data")
 
 
-def test_a_file_is_refused_before_anything_is_analysed(tmp_path: Path) -> None:
+def test_a_directory_is_needed(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(UserError, match="is no directory"):
-        filling([tmp_path / "file"], set())
-    assert callable(filling([tmp_path / "new"], set()))
-
-
-def test_a_path_is_needed() -> None:
+        parse_outputs((f"haros-json={tmp_path / 'file'}",))
     with pytest.raises(UserError, match="haros-json is several files"):
         parse_outputs(("haros-json",))
+    assert parse_outputs((f"haros-json={tmp_path}",)) == (("haros-json", tmp_path),)
     assert parse_outputs(("haros-json=d", "text")) == (("haros-json", Path("d")), ("text", None))
 
 
@@ -135,7 +131,9 @@ def test_the_history_of_earlier_revisions_is_kept() -> None:
 )
 def test_a_history_that_is_none_is_dropped(history: Any) -> None:
     own = run_of("p", "2024-01-01-00-00")
-    assert added(own, {"p/summary.json": json.dumps({"history": history})}.get)["p/summary.json"] == own["p/summary.json"]
+    assert (
+        added(own, {"p/summary.json": json.dumps({"history": history})}.get)["p/summary.json"] == own["p/summary.json"]
+    )
     assert added(own, {"p/summary.json": "{"}.get)["p/summary.json"] == own["p/summary.json"]
 
 

@@ -105,16 +105,28 @@ def test_any_text_anywhere(data: st.DataObject) -> None:
         conditions=(condition,),
         remaps=((draw(), draw()),),
     )
-    parameter = Parameter(name=draw(), type=draw(), value=data.draw(st.one_of(TEXTS, st.floats(), st.just({"a": [EVIL]}))))
-    system = replace(made, nodes=(*made.nodes[:2], node), parameters=(*made.parameters, parameter), launch=(draw(), draw()))
+    parameter = Parameter(
+        name=draw(), type=draw(), value=data.draw(st.one_of(TEXTS, st.floats(), st.just({"a": [EVIL]})))
+    )
+    system = replace(
+        made, nodes=(*made.nodes[:2], node), parameters=(*made.parameters, parameter), launch=(draw(), draw())
+    )
     rule = Rule(draw() or "r", draw(), tags=(draw(),), aliases=(draw(),))
     results = [
-        kit.result(rule, data.draw(st.sampled_from(("evil", "haros-ci", ""))), draw(), draw(), scope=draw(), also=(draw(),)),
+        kit.result(
+            rule, data.draw(st.sampled_from(("evil", "haros-ci", ""))), draw(), draw(), scope=draw(), also=(draw(),)
+        ),
         replace(kit.mismatch(system.name), message=draw(), subject=(draw(), node.name)),
     ]
-    measurement = Measurement(draw(), data.draw(st.sampled_from(("", "base/src/base.cpp"))), 1, draw(), draw(), "ploc", 1.0)
+    measurement = Measurement(
+        draw(), data.draw(st.sampled_from(("", "base/src/base.cpp"))), 1, draw(), draw(), "ploc", 1.0
+    )
     texts = Manifest(description=draw(), authors=(draw(),), website=draw(), repository=draw())
-    project = {"project": draw(), "repositories": {draw(): {}}, "configurations": {system.name: {"environment": {draw(): 1}}}}
+    project = {
+        "project": draw(),
+        "repositories": {draw(): {}},
+        "configurations": {system.name: {"environment": {draw(): 1}}},
+    }
     hold(
         kit.given(
             results,

@@ -16,12 +16,15 @@ NAMES = st.one_of(
     st.text(max_size=20),
     st.text(alphabet="aA_/.-<& ", max_size=6),
     st.text(min_size=200, max_size=400),
-    st.sampled_from(("..", ".", "", "/", "../x", "con", "NUL.json", "constructor", "__proto__", "ß", "ﬁ", "\ud800", "projects.json")),
+    st.sampled_from(
+        ("..", ".", "", "/", "../x", "con", "NUL.json", "constructor", "__proto__", "ß", "ﬁ", "\ud800", "projects.json")
+    ),
 )
 
 
 @pytest.mark.parametrize(
-    "name", ["kobuki_node", "nav2_bringup", "random walker", "Kobuki Code Quality Analysis", "größe", "a.b-c+d", "minimal"]
+    "name",
+    ["kobuki_node", "nav2_bringup", "random walker", "Kobuki Code Quality Analysis", "größe", "a.b-c+d", "minimal"],
 )
 def test_names_as_people_give_them_stay(name: str) -> None:
     assert safe(name) == name

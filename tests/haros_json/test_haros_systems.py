@@ -56,20 +56,31 @@ def test_topics_services_actions_and_parameters() -> None:
     (system,) = shown()
     chatter = named(system["topics"], "/chatter")
     assert (chatter["publishers"], chatter["subscribers"]) == (["/other", "/talker"], ["/listener"])
-    assert [one["name"] for one in system["topics"]] == ["/chatter", "/ns/?"]  # what the client library makes is left out
+    assert [one["name"] for one in system["topics"]] == [
+        "/chatter",
+        "/ns/?",
+    ]  # what the client library makes is left out
     reset = named(system["services"], "/reset")
     assert (reset["servers"], reset["type"]) == (["/listener"], "std_srvs/Empty")
     dock = named(system["services"], "/dock")
     assert (dock["servers"], dock["clients"], dock["type"]) == (["/listener"], ["/other", "/talker"], "base/Dock")
     rate = named(system["parameters"], "/listener/rate")
-    assert (rate["value"], rate["type"], rate["reads"], rate["writes"]) == (1.5, "double", ["/listener"], ["/other", "/talker"])
+    assert (rate["value"], rate["type"], rate["reads"], rate["writes"]) == (
+        1.5,
+        "double",
+        ["/listener"],
+        ["/other", "/talker"],
+    )
     assert named(system["topics"], "/ns/?")["variables"] == ["/listener subscribe@name1"]
 
 
 def test_links_lead_to_what_is_there() -> None:
     (system,) = shown()
     links = system["links"]
-    uids = {kind: {one["uid"]: one["name"] for one in system[kind]} for kind in ("nodes", "topics", "services", "parameters")}
+    uids = {
+        kind: {one["uid"]: one["name"] for one in system[kind]}
+        for kind in ("nodes", "topics", "services", "parameters")
+    }
     ends = {"topic": "topics", "service": "services", "param": "parameters"}
     every = [link for found in links.values() for link in found]
     for link in every:
@@ -86,7 +97,9 @@ def test_links_lead_to_what_is_there() -> None:
 
 def test_counts() -> None:
     (system,) = shown()
-    counts = {key: system[key] for key in ("collisions", "remaps", "unresolved", "conditional", "dependencies", "environment")}
+    counts = {
+        key: system[key] for key in ("collisions", "remaps", "unresolved", "conditional", "dependencies", "environment")
+    }
     assert counts == {
         "collisions": 0,
         "remaps": 1,
@@ -112,7 +125,9 @@ def test_collisions_and_conditions() -> None:
 
 def test_names_that_are_not_known_do_not_meet_or_collide() -> None:
     unknown = kit.end("publishers", "/?")
-    node = Node(name="/a", kind="node", package="base", type="a", endpoints=(unknown, replace(unknown, kind="subscribers")))
+    node = Node(
+        name="/a", kind="node", package="base", type="a", endpoints=(unknown, replace(unknown, kind="subscribers"))
+    )
     (system,) = shown(replace(kit.system(), nodes=(node,), parameters=()))
     assert [one["name"] for one in system["topics"]] == ["/?", "/?"]
     assert len({one["uid"] for one in system["topics"]}) == 2
@@ -137,14 +152,21 @@ def test_ros2() -> None:
         ),
     )
     (system,) = shown(replace(kit.system(), nodes=(node,), parameters=()))
-    assert [(one["queue"], one["latched"]) for one in system["links"]["publishers"]] == [(7, True), (None, None), (None, False)]
+    assert [(one["queue"], one["latched"]) for one in system["links"]["publishers"]] == [
+        (7, True),
+        (None, None),
+        (None, False),
+    ]
     assert named(system["parameters"], "/a:x.y")["reads"] == ["/a"]
 
 
 def test_uids_depend_on_the_configuration_and_nothing_else() -> None:
     def uids(*systems: Any) -> list[set[str]]:
         every = shown(*systems)
-        return [{one["uid"] for kind in ("nodes", "topics", "services", "parameters") for one in system[kind]} for system in every]
+        return [
+            {one["uid"] for kind in ("nodes", "topics", "services", "parameters") for one in system[kind]}
+            for system in every
+        ]
 
     first, second = uids(kit.system("a"), kit.system("b"))
     assert not first & second
