@@ -15,7 +15,7 @@ from commandline import haros
 from haros_ci.cli import haros_ci
 from haros_ci.completion import words
 from haros_ci.manual import ABOUT, EXAMPLES, SECTIONS
-from haros_ci.output import FORMATS
+from haros_ci.output import FOLDERS, FORMATS
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -98,5 +98,5 @@ def test_what_a_shell_is_told(line: str, expected: set[str]) -> None:
 
 
 def test_words_by_kind() -> None:
-    assert words("formats", "") == sorted(FORMATS)
+    assert words("formats", "") == sorted((*FORMATS, *FOLDERS))
     assert "pylint" in words("tools", "py") and words("profiles", "strict,bugs") == ["strict,bugs-only"]
