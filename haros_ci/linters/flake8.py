@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Iterable, Iterator
 from posixpath import dirname, relpath
 
@@ -40,6 +41,8 @@ INERT = PATHS | frozenset(
 #: What ament_flake8 sets, where the workspace sets nothing.
 DEFAULTS = {"max-line-length": "99"}
 
+SYNTAX = ("E999", "E902")
+
 
 def locate(options: LintOptions) -> Program | None:
     return installed.python_module(NAME, options)
@@ -47,8 +50,6 @@ def locate(options: LintOptions) -> Program | None:
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     """What checks: the plug-ins, and the two libraries that flake8 brings."""
-    import sys
-
     libraries = [str(installed.distribution(name)) for name in ("pycodestyle", "pyflakes")]
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     plugins = installed.providers("flake8.extension")
@@ -85,6 +86,13 @@ def command(program: Program, batch: Batch) -> Command:
     return Command((*program.argv, *options, *ours, "--", *names), cwd=root / home)
 
 
+def _is_unreadable(row: list[str], text: str) -> bool:
+    """Whether the finding says that the file is of another Python; before 3.12 f-strings were more narrow."""
+    *_, code, message = row
+    newer = sys.version_info < (3, 12) and "f-string" in message
+    return code == "E902" or (code == "E999" and (newer or python2.is_python2(text)))
+
+
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """A line for each finding; pycodestyle counts code points and pyflakes, as everything on syntax trees, bytes."""
     if output.code != 0:
@@ -93,12 +101,11 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     paths = {"./" + relpath(file.path, home or "."): file.path for file in batch.files}
     rows = [line.split("\t", 4) for line in output.stdout.decode("utf-8", "replace").split("\n") if line]
     texts = {path: batch.workspace.text(path) for path in {paths[row[0]] for row in rows}}
-    broken = {paths[row[0]] for row in rows if row[3] in ("E999", "E902")}
-    old = {path for path in broken if python2.is_python2(texts[path])}
+    broken = {paths[row[0]] for row in rows if _is_unreadable(row, texts[paths[row[0]]])}
     for name, row, column, code, message in rows:
         path, number = paths[name], int(row)
-        if path in old or code == "E902":
-            if code in ("E999", "E902"):
+        if path in broken:
+            if code in SYNTAX:
                 yield GaveUp(path, python2.why_unreadable(texts[path]), number or None)
             continue
         line = columns.line_of(texts[path], number)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -44,6 +45,9 @@ INERT = frozenset(
     disable-bytearray-promotion disable-memoryview-promotion
     """.split()
 )
+
+_NO_TYPE = re.compile(r"\w\?")
+_NO_MEMBER = re.compile(r'Module "([\w.]+)" has no attribute ')
 
 
 def locate(options: LintOptions) -> Program | None:
@@ -104,9 +108,24 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if "gave_up" in said:
             why = python2.why_unreadable(text) if said["gave_up"] == "syntax" else said["gave_up"]
             yield GaveUp(path, why, number if number and number > 0 else None)
-        elif said["severity"] == "error":
+        elif said["severity"] == "error" and not _unfounded(said["code"], said["message"], batch.workspace):
             rule = said["code"] or "misc"
             yield Finding(path, Result(NAME, rule, Level.ERROR, said["message"], _place(path, text, said)))
+
+
+def _unfounded(code: str | None, message: str, workspace: Workspace) -> bool:
+    """Whether this only follows from a module that is not there: generated, compiled, or not installed.
+
+    Such a name is a variable to mypy and no type (``name?`` in later messages); and a package may get modules when it is
+    built, as interfaces and pybind11 modules are.
+    """
+    if (code == "valid-type" and message.startswith("Variable ")) or _NO_TYPE.search(message):
+        return True
+    match = _NO_MEMBER.match(message)
+    if match is None or code != "attr-defined":
+        return False
+    init = match[1].replace(".", "/") + "/__init__.py"
+    return any(file.path == init or file.path.endswith("/" + init) for file in workspace.files)
 
 
 def _place(path: str, text: str, said: dict[str, int | None]) -> Location:

@@ -10,16 +10,18 @@ from __future__ import annotations
 import ast
 import importlib
 import json
+import os
 import re
 import sys
 import warnings
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 
-#: Times that mypy is started; after the first, because of a file that Python can read and mypy cannot.
+#: Times that mypy is started again, because of a file that Python can read and mypy cannot.
 ATTEMPTS = 20
 OPTIONS = (
     *("--output=json", "--show-error-end", "--no-error-summary", "--hide-error-context", "--no-pretty"),
-    *("--explicit-package-bases", "--namespace-packages", "--scripts-are-modules", "--no-incremental"),
+    # A directory is a package only with an __init__.py: else the directory ``launch`` of a package would be the module.
+    *("--no-namespace-packages", "--no-explicit-package-bases", "--scripts-are-modules", "--no-incremental"),
 )
 SYNTAX = "syntax"
 
@@ -38,30 +40,28 @@ def check(mypy: Mypy, files: Sequence[str], options: Sequence[str], config: str,
         if (line := unparsable(name)) is not None:
             left_out[name] = (line, SYNTAX)
     skipped = set(left_out)
-    waiting, later = [name for name in files if name not in left_out], list[str]()
-    attempts = 0
-    while waiting:
-        if (attempts := attempts + 1) > ATTEMPTS:
+    rounds = in_rounds([name for name in files if name not in left_out])
+    attempts = len(rounds) + ATTEMPTS
+    while rounds:
+        waiting = rounds.pop(0)
+        if not waiting:
+            continue
+        if not attempts:
             raise RuntimeError("mypy was stopped too often")
+        attempts -= 1
         if own:
             write_settings(config, own, skipped)
         stdout, stderr, code = mypy([*OPTIONS, *options, f"--config-file={own or config}", "--", *waiting])
         if code in (0, 1):
             yield from stdout.splitlines()
-            waiting, later = later, []
             continue
-        known = skipped | set(later)
-        for name, line, why in blamed(stdout, stderr, waiting):
-            if why.startswith("Duplicate module"):
-                later.append(name)
-            else:
-                skipped.add(name)
-                left_out[name] = (line, why)
-        if skipped | set(later) == known:
+        found = [(name, line, why) for name, line, why in blamed(stdout, stderr, waiting) if name not in skipped]
+        if not found:
             raise RuntimeError((stderr or stdout).strip()[-300:])
-        waiting = [name for name in waiting if name not in skipped and name not in later]
-        if not waiting:
-            waiting, later = later, []
+        for name, line, why in found:
+            skipped.add(name)
+            left_out[name] = (line, why)
+        rounds.insert(0, [name for name in waiting if name not in skipped])
     for name, (line, why) in left_out.items():
         yield json.dumps({"file": name, "line": line, "gave_up": why})
 
@@ -92,18 +92,34 @@ def blamed(stdout: str, stderr: str, files: Collection[str]) -> Iterator[tuple[s
             yield from ((name, 0, f"{match[1]} is not a valid name of a package") for name in inside)
 
 
-def module_names(path: str) -> set[str]:
-    """What mypy may call the module at *path*: directories that are identifiers are packages, another begins anew."""
-    parts = path.removesuffix(".py").removesuffix("/__init__").split("/")
-    first = max((i + 1 for i, part in enumerate(parts[:-1]) if not part.isidentifier()), default=0)
-    return {".".join(parts[i:]) for i in (range(first, len(parts)) if first else (0,))}
+def in_rounds(files: Iterable[str]) -> list[list[str]]:
+    """*files* in as few lists as possible of which none has two files for the same module, which mypy refuses."""
+    rounds: list[list[str]] = []
+    count: dict[str, int] = {}
+    for name in files:
+        module = module_name(name)
+        number = count[module] = count.get(module, -1) + 1
+        if number == len(rounds):
+            rounds.append([])
+        rounds[number].append(name)
+    return rounds
+
+
+def module_name(path: str) -> str:
+    """What mypy calls the module at *path*: it grows upwards as long as directories have an ``__init__.py``."""
+    directory, _, stem = path.removesuffix(".py").rpartition("/")
+    parts = [] if stem == "__init__" else [stem]
+    while directory and os.path.exists(directory + "/__init__.py"):
+        directory, _, name = directory.rpartition("/")
+        parts.insert(0, name)
+    return ".".join(parts)
 
 
 def write_settings(config: str, own: str, skipped: Collection[str]) -> None:
     """Writes to *own* what *config* says, and that imports of the files *skipped* are not followed."""
     with open(config, encoding="utf-8") as stream:
         text = stream.read()
-    for module in sorted({module for name in skipped for module in module_names(name)}):
+    for module in sorted(set(map(module_name, skipped))):
         if all(map(str.isidentifier, module.split("."))) and f"[mypy-{module}]" not in text:
             text += f"\n[mypy-{module}]\nfollow_imports = skip\n"
     with open(own, "w", encoding="utf-8") as stream:

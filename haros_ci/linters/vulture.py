@@ -26,11 +26,13 @@ MARKS = {"pyproject.toml": ("[tool.vulture",)}
 INERT = frozenset("exclude ignore-decorators ignore-names min-confidence".split())
 #: Below 80 stand functions, classes, methods and attributes, which other packages, launch files and ROS itself may use.
 CONFIDENCE = 80
-#: What launch, launch_testing, rclpy's and lifecycle's base classes, pytest, catkin and setuptools call by its name.
+#: What launch, launch_testing, rclpy's and lifecycle's base classes, pytest, catkin and setuptools call by its name, and
+#: parameters that a function has because of who calls it.
 CALLED = (
     "generate_launch_description generate_test_description on_configure on_activate on_deactivate on_cleanup"
     " on_shutdown on_error main setup test_* Test* setUp tearDown setUpClass tearDownClass pytest_* callback *_callback"
     " *_cb execute"
+    " self cls args kwargs context request response goal_handle event"
 ).split()
 
 _LINE = re.compile(r"(.+?):(\d+): (.+) \(\d+% confidence(?:, \d+ lines?)?\)$")
