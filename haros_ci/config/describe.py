@@ -102,7 +102,7 @@ def _linter(linter: LinterSettings, tool: DeclaredTool | None) -> str:
         values |= {"exec": tool.argv, "files": tool.files or None, "languages": tool.languages or None}
         values |= {"reads": tool.reads or None, "output": tool.output, "pattern": tool.pattern or None}
         values |= {"fields": dict(tool.fields) or None, "levels": dict(tool.levels) or None}
-        values |= {"stream": tool.stream, "exit": tool.exits}
+        values |= {"stream": tool.stream, "exit": tool.exits or "any"}
     return _shown({key: value for key, value in values.items() if value is not None})
 
 

@@ -88,7 +88,7 @@ class DeclaredLinter:
         return Command(tuple(argv), environment=ENVIRONMENT)
 
     def parse(self, output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
-        if output.code not in self.tool.exits:
+        if self.tool.exits and output.code not in self.tool.exits:
             raise ValueError(f"exit code {output.code}")
         data = {"stdout": output.stdout, "stderr": output.stderr, "both": output.stdout + b"\n" + output.stderr}
         found = self._sarif if self.tool.output == "sarif" else self._text
@@ -104,7 +104,7 @@ class DeclaredLinter:
             message = clean(said.message)
             if place is None or level is None or not message:
                 continue
-            rule = clean(said.rule, MAX_RULE) or clean(said.level, MAX_RULE).lower() or "finding"
+            rule = clean(said.rule, MAX_RULE) or clean(said.level, MAX_RULE).lower().replace(" ", "-") or "finding"
             notes = ((_location(note, places), clean(note.message)) for note in said.notes[:100])
             related = tuple(Related(where, text) for where, text in notes if where is not None and text)
             yield Finding(places.unit(place.path), Result(self.NAME, rule, level, message, place, related=related))

@@ -24,9 +24,13 @@ _ESCAPES = re.compile(
     "\x1b\\[[0-?]{0,30}[ -/]{0,10}[@-~]|\x1b\\][^\x07\x1b\n]{0,2000}(?:\x07|\x1b\\\\)|\x1b[@-Z\\\\-_]"
 )
 _CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
-_GCC = re.compile(
-    r"(?P<path>[^:]{1,1000}):(?P<line>\d{1,9}):(?:(?P<column>\d{1,9}):)? ?(?:(?P<level>[A-Za-z][A-Za-z ]{0,30}): )?"
-)
+_GCC = re.compile(r"(?P<path>[^:]{1,1000}):(?P<line>\d{1,9}):(?:(?P<column>\d{1,9}):)?")
+_WORD = re.compile(r" ?([\w ]{1,30}): ")
+#: Words for levels that are known without ``levels``.
+WORDS = frozenset(
+    "error fatal critical severe warning warn note info information hint remark style performance portability"
+    " convention refactor major minor".split()
+) | {"fatal error"}
 _GCC_RULE = re.compile(r"[^\s\[\]][^\[\]]{0,199}")
 
 
@@ -72,16 +76,19 @@ def _lines(data: bytes) -> Iterator[str]:
 
 def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
     """``path:line:column: level: message [rule]``, as GCC, Clang and many others write it; notes belong to what is above."""
-    own_notes = any(word == "note" for word, _ in tool.levels)
+    own_words = {word for word, _ in tool.levels}
     pending: Said | None = None
     for line in _lines(data):
         match = _GCC.match(line)
         if match is None or not line[match.end() :].strip():
             continue
-        message, rule = _apart(line[match.end() :].strip())
-        level = (match["level"] or "").strip().lower()
+        word = _WORD.match(line, match.end())
+        level = word[1].strip() if word else ""
+        is_level = level.lower() in WORDS or level in own_words
+        message, rule = _apart(line[word.end() if word and is_level else match.end() :].strip())
+        level = level if is_level else ""
         said = Said(match["path"], message, _number(match["line"]), _number(match["column"]), rule=rule, level=level)
-        if level == "note" and pending is not None and not own_notes:
+        if level == "note" and pending is not None and "note" not in own_words:
             pending.notes.append(said)
             continue
         if pending is not None:

@@ -22,7 +22,8 @@ class DeclaredTool:
 
     ``argv`` is started without a shell. ``files`` are globs and ``languages`` kinds of files that it is given; ``reads``
     are globs of files that its results depend on besides. ``fields`` and ``levels`` are pairs, ``levels`` from the tool's
-    words to ours. ``exits`` are the codes of a run without trouble. ``origin`` is ``FILE:LINE``.
+    words to ours. ``exits`` are the codes of a run without trouble,
+    empty for any. ``origin`` is ``FILE:LINE``.
     """
 
     name: str
