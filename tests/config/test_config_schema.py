@@ -12,13 +12,17 @@ import pytest
 
 import haros_ci.config
 from haros_ci import PROJECT_URL
-from haros_ci.config import project, shapes
+from haros_ci.config import exemptions, project, shapes
+from haros_ci.config.declared import EXEC_KEYS
 from haros_ci.config.haros import CONFIGURATION_KEYS, IGNORE_KEYS
 from haros_ci.config.project import read_project
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.config.yaml_lines import parse, plain
 from haros_ci.errors import UserError
 from haros_ci.model.api import ENTRY_KEYS, ENTRY_KINDS, ROW_KEYS
+from haros_ci.model.declared_tool import OUTPUTS, PARTS, STREAMS
+from haros_ci.model.package import LANGUAGES
+from haros_ci.results.linear_regex import MAX_PATTERN
 
 SCHEMA: dict[str, Any] = json.loads((Path(haros_ci.config.__file__).parent / "schema.json").read_text(encoding="utf-8"))
 DEFS = SCHEMA["$defs"]
@@ -27,7 +31,10 @@ DEFS = SCHEMA["$defs"]
 def test_the_same_keys() -> None:
     assert set(SCHEMA["properties"]) == set(project.KNOWN_KEYS)
     assert set(DEFS["perPath"]["properties"]) == {"profile", *project.POLICY_KEYS}
-    assert set(DEFS["linter"]["properties"]) == set(project.LINTER_KEYS)
+    assert set(DEFS["linter"]["properties"]) == {*project.LINTER_KEYS, *EXEC_KEYS}
+    assert set(DEFS["linter"]["else"]["properties"]) == set(project.LINTER_KEYS)
+    assert set(DEFS["linter"]["properties"]["fields"]["properties"]) == {"results", *PARTS}
+    assert set(DEFS["exception"]["properties"]) == set(exemptions.KEYS)
     assert set(SCHEMA["properties"]["analysis"]["properties"]["ignore"]["properties"]) == set(IGNORE_KEYS)
     configuration = SCHEMA["properties"]["configurations"]["additionalProperties"]["anyOf"][1]
     assert set(configuration["properties"]) == set(CONFIGURATION_KEYS)
@@ -41,6 +48,11 @@ def test_the_same_words_and_limits() -> None:
     assert DEFS["template"]["maxLength"] == DEFS["apiName"]["maxLength"] == project.MAX_ROW_TEXT
     assert SCHEMA["properties"]["apis"]["maxItems"] == shapes.MAX_ENTRIES
     assert DEFS["profile"]["enum"] == list(PROFILES)
+    linter = DEFS["linter"]["properties"]
+    assert linter["languages"]["items"]["enum"] == list(LANGUAGES)
+    assert set(linter["output"]["enum"]) - {None} == set(OUTPUTS) and set(linter["stream"]["enum"]) - {None} == set(STREAMS)
+    assert SCHEMA["properties"]["exceptions"]["maxItems"] == exemptions.MAX_EXEMPTIONS
+    assert linter["pattern"]["maxLength"] == DEFS["exception"]["properties"]["message"]["maxLength"] == MAX_PATTERN
     assert set(DEFS["levels"]["additionalProperties"]["enum"]) - {False, None} == set(project.LEVELS)
     assert set(SCHEMA["properties"]["fail-on"]["enum"]) - {None} == set(project.FAIL_ON)
     assert DEFS["selectors"]["maxItems"] == DEFS["texts"]["maxItems"] == shapes.MAX_ENTRIES
@@ -58,6 +70,13 @@ VALID = [
     "select: [pylint, 'cpplint:build/*']\nignore: [formatting]",
     "levels: {a: off, b: 'off', c: error}",
     "per-path: {'test/**, doc': {profile: all, select: [a], ignore: [b], levels: {c: note}}, x: }",
+    "per-package: {a: strict, 'b, c*': {ignore: [x], levels: {y: off}}, d: }",
+    "exceptions: [{files: [a]}, {packages: ['b*'], rules: [c], message: '^d', reason: e}]\nper-package:",
+    "exceptions:",
+    "linters: {t: {exec: [t, '{files}'], languages: [cpp], enabled: false, timeout: 3}}",
+    "linters: {t: {exec: [t], files: ['*.c'], reads: [.t], output: regex, pattern: '(?P<path>a)(?P<message>b)'}}",
+    "linters: {t: {exec: [t], files: [a], output: json, fields: {results: a.*, end-line: b}, stream: both, exit: 3}}",
+    "linters: {t: {exec: [t], files: [a], levels: {E: error, '*': off}, exit: [0, 255]}, u: {exec: [u], files: [a], exit: any}}",
     "exclude: [third_party, './a', /build, '!a/b', 'b/**', '..a', 'a..b']",
     "linters: {ruff: true, pylint: {enabled: false, timeout: 1.5, arguments: [-v]}, radon: }",
     "fail-on: never\nmax-file-size: 10\ncompile-database: build\nbaseline: a.jsonl\nplugins: [mine]",
@@ -102,6 +121,27 @@ INVALID = [
     "linters: {a: {timeout: long}}",
     "linters: {a: {enabled: 1}}",
     "linters: {a: {arguments: -v}}",
+    "per-package: [a]",
+    "per-package: {a: strikt}",
+    "per-package: {a: {ignored: [b]}}",
+    "per-package: {' , ': strict}",
+    "exceptions: {files: [a]}",
+    "exceptions: [{}]",
+    "exceptions: [{reason: a}]",
+    "exceptions: [{files: []}]",
+    "exceptions: [{file: [a]}]",
+    "exceptions: [{message: [a]}]",
+    "linters: {t: {exec: t, files: [a]}}",
+    "linters: {t: {exec: [], files: [a]}}",
+    "linters: {t: {exec: [t]}}",
+    "linters: {t: {exec: [t], languages: [c]}}",
+    "linters: {t: {exec: [t], files: [a], output: text}}",
+    "linters: {t: {exec: [t], files: [a], output: regex}}",
+    "linters: {t: {exec: [t], files: [a], output: json, fields: {file: a}}}",
+    "linters: {t: {exec: [t], files: [a], arguments: [-v]}}",
+    "linters: {t: {exec: [t], files: [a], exit: [256]}}",
+    "linters: {t: {exec: [t], files: [a], exit: all}}",
+    "linters: {t: {files: [a]}}",
     "fail-on: warnings",
     "max-file-size: 0",
     "max-file-size: 1.5",

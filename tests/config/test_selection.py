@@ -10,7 +10,7 @@ import pytest
 
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import NO_MATCH, rank
-from haros_ci.config.settings import PathPolicy, Policy, Settings
+from haros_ci.config.settings import PackagePolicy, PathPolicy, Policy, Settings
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level, Rule
@@ -300,3 +300,56 @@ def test_haros_file_patterns(pattern: str, path: str, ignored: bool) -> None:
     chosen = Selection(Settings(root=Path("/"), ignore_files=(pattern,)), lambda tool: {})
     assert chosen.ignores_file("rover_driver", path) is ignored
     assert not chosen.ignores_file(None, path)
+
+
+# -- per-package -----------------------------------------------------------------------------------------------------
+
+HOMES = {"src/arm/a.py": "arm_driver", "src/arm/test/b.py": "arm_driver", "src/leg/a.py": "leg_driver"}
+
+
+def in_packages(profile: str = "ros", command_line: Policy | None = None, **per_path: Policy) -> Selection:
+    settings = Settings(
+        root=Path("/"),
+        profile=profile,
+        policy=Policy(ignore=("style",)),
+        per_package=(
+            PackagePolicy(names=("arm_*", "hand"), policy=Policy(select=("import-error",)), profile="bugs-only"),
+            PackagePolicy(names=("leg_driver",), policy=Policy(select=("unused-import",), levels=(("pylint", NOTE),))),
+            PackagePolicy(names=("arm_driver",), policy=Policy(ignore=("bugs",))),
+        ),
+        per_path=tuple(PathPolicy(globs=(glob,), policy=policy) for glob, policy in per_path.items()),
+        command_line=command_line or Policy(),
+    )
+    return Selection(settings, lambda tool: MappingProxyType(CATALOGUE.get(tool, {})), package=HOMES.get)
+
+
+@pytest.mark.parametrize(
+    ("path", "rule", "level"),
+    [
+        ("src/arm/a.py", "import-error", ERROR),
+        ("src/arm/a.py", "used-before-assignment", None),  # the later entry ignores it
+        ("src/arm/a.py", "unused-import", None),
+        ("src/leg/a.py", "unused-import", NOTE),  # beats the file's ignore
+        ("src/leg/a.py", "used-before-assignment", NOTE),
+        ("src/leg/a.py", "import-error", None),
+        ("tools/a.py", "used-before-assignment", ERROR),
+        ("tools/a.py", "import-error", None),
+        ("tools/a.py", "unused-import", None),
+    ],
+)
+def test_packages(path: str, rule: str, level: Level | None) -> None:
+    assert in_packages().decide("pylint", rule, path) is level
+
+
+def test_paths_beat_packages_and_the_command_line_both() -> None:
+    chosen = in_packages(**{"**/test/**": Policy(select=("used-before-assignment",))})
+    assert chosen.decide("pylint", "used-before-assignment", "src/arm/test/b.py") is ERROR
+    assert chosen.decide("pylint", "used-before-assignment", "src/arm/a.py") is None
+    typed = in_packages(command_line=Policy(ignore=("import-error",)))
+    assert typed.decide("pylint", "import-error", "src/arm/a.py") is None
+
+
+def test_another_revision_has_other_packages() -> None:
+    old = in_packages().over({"src/arm/a.py": "leg_driver"}.get)
+    assert old.decide("pylint", "unused-import", "src/arm/a.py") is NOTE
+    assert in_packages().over(lambda path: None).decide("pylint", "import-error", "src/arm/a.py") is None
