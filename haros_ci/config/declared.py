@@ -179,5 +179,7 @@ def _exits(file: File, entries: dict[str, Value], what: str) -> tuple[int, ...]:
     items = value.data if isinstance(value.data, tuple) else (value,)
     codes = [item.data for item in items]
     if not codes or len(codes) > MAX_CODES or not all(type(code) is int and 0 <= code <= 255 for code in codes):
-        raise file.error(value.line, f"'exit' of {what} must be a list of codes from 0 to 255", "write exit: [0, 1], or exit: any")
+        raise file.error(
+            value.line, f"'exit' of {what} must be a list of codes from 0 to 255", "write exit: [0, 1], or exit: any"
+        )
     return tuple(sorted({code for code in codes if isinstance(code, int)}))

@@ -46,7 +46,12 @@ def test_every_key() -> None:
 
 @pytest.mark.parametrize(
     ("rest", "stream", "exits"),
-    [("", "both", (0, 1)), (", output: json", "stdout", (0, 1)), (", exit: 3", "both", (3,)), (", exit: any", "both", ())],
+    [
+        ("", "both", (0, 1)),
+        (", output: json", "stdout", (0, 1)),
+        (", exit: 3", "both", (3,)),
+        (", exit: any", "both", ()),
+    ],
 )
 def test_what_is_taken_for_granted(rest: str, stream: str, exits: tuple[int, ...]) -> None:
     (tool,) = tools(f"t: {{exec: [t, '{{files}}'], languages: [cpp]{rest}}}")
@@ -86,7 +91,10 @@ def test_other_entries_declare_nothing(text: str) -> None:
         ("t: {exec: [t], files: [a], output: regex}", "'pattern' goes with output: regex, and that needs one"),
         ("t: {exec: [t], files: [a], pattern: x}", "'pattern' goes with output: regex"),
         ("t: {exec: [t], files: [a], output: regex, pattern: '(?P<path>a)'}", "has no group 'message'"),
-        ("t: {exec: [t], files: [a], output: regex, pattern: '(?P<file>a)(?P<message>b)'}", "no group is called 'file'"),
+        (
+            "t: {exec: [t], files: [a], output: regex, pattern: '(?P<file>a)(?P<message>b)'}",
+            "no group is called 'file'",
+        ),
         ("t: {exec: [t], files: [a], output: regex, pattern: '(a)\\1'}", "a back reference"),
         ("t: {exec: [t], files: [a], fields: {path: x}}", "'fields' goes with output: json"),
         ("t: {exec: [t], files: [a], output: json, fields: {file: x}}", "unknown key 'file'"),

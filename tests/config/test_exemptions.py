@@ -93,7 +93,7 @@ def test_does_not_fit(text: str) -> None:
 
 
 def test_reasons() -> None:
-    first, second = suppressed("- {rules: [pylint], reason: \"  it's\\n so \"}\n- {files: [src]}")
+    first, second = suppressed('- {rules: [pylint], reason: "  it\'s\\n so "}\n- {files: [src]}')
     assert first.justification == "it's so"
     assert second.justification == "accepted by the exception at .haros-ci.yaml:3"
 
@@ -170,7 +170,9 @@ TWO = "- {rules: [pylint]}\n- {rules: [cpplint]}\n"
 UNUSED = (".haros-ci.yaml:3: this exception fits no finding of this run; remove it",)
 
 
-def notes(text: str, *, targets: frozenset[str] | None = None, successful: bool = True, **changes: object) -> tuple[str, ...]:
+def notes(
+    text: str, *, targets: frozenset[str] | None = None, successful: bool = True, **changes: object
+) -> tuple[str, ...]:
     chosen = replace(settings(text), **changes)  # type: ignore[arg-type]
     matches = Selection(chosen, lambda tool: RULES.get(tool, {})).matches
     runs = exempt([Run(Tool("pylint"), results=(FOUND,), successful=successful)], chosen, matches, HOMES.get)

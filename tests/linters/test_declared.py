@@ -157,7 +157,9 @@ def test_json_lines(box: Path) -> None:
 
 
 def sarif(*results: dict[str, object], **more: object) -> str:
-    return json.dumps({"version": "2.1.0", "runs": [{"tool": {"driver": {"name": "x"}}, "results": list(results), **more}]})
+    return json.dumps(
+        {"version": "2.1.0", "runs": [{"tool": {"driver": {"name": "x"}}, "results": list(results), **more}]}
+    )
 
 
 def at(uri: str, line: int = 1) -> list[dict[str, object]]:
@@ -166,7 +168,9 @@ def at(uri: str, line: int = 1) -> list[dict[str, object]]:
 
 def test_sarif(box: Path) -> None:
     inside = {"ruleId": "R", "level": "error", "message": {"text": "m"}, "locations": at("a.py", 3)}
-    foreign = [{**inside, "locations": at(uri)} for uri in ("../x.py", "/etc/passwd", "file:///etc/passwd", "z.py", "c:/a.py")]
+    foreign = [
+        {**inside, "locations": at(uri)} for uri in ("../x.py", "/etc/passwd", "file:///etc/passwd", "z.py", "c:/a.py")
+    ]
     done = run(box, tool(output="sarif"), sarif(inside, *foreign), 0)
     assert told(done) == [("a.py", 3, 2, "error", "R", "m")] and done.results[0].tool == "my-tool"
     failed = run(box, tool(output="sarif"), sarif(inside, invocations=[{"executionSuccessful": False}]), 0)
@@ -254,7 +258,12 @@ BOMB = '<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><checkstyle><file n
         ({"output": "checkstyle"}, BOMB, 0, "document type declaration"),
         ({"output": "sarif"}, "[]", 0, "not a SARIF log"),
         ({"output": "sarif"}, '{"version": "2.1.0", "runs": ' + "[" * 100_000, 0, "nested too deeply"),
-        ({}, "c.cpp:1: warning: in a header\n", 1, "reports on c.cpp, which it was not given: name such files under 'reads'"),
+        (
+            {},
+            "c.cpp:1: warning: in a header\n",
+            1,
+            "reports on c.cpp, which it was not given: name such files under 'reads'",
+        ),
         ({"argv": ("no-such-tool", "{files}")}, "", 0, "my-tool is not installed"),
     ],
 )
@@ -264,7 +273,9 @@ def test_trouble_is_never_green(box: Path, changes: dict[str, Any], says: str, c
 
 def test_what_it_also_reads_it_may_report_on(box: Path) -> None:
     one = tool(argv=("my-tool", "{file}"), languages=(), files=("a.py",), reads=("*.cpp",))
-    assert told(run(box, one, "c.cpp:1: warning: in a header\n")) == [("c.cpp", 1, None, "warning", "warning", "in a header")]
+    assert told(run(box, one, "c.cpp:1: warning: in a header\n")) == [
+        ("c.cpp", 1, None, "warning", "warning", "in a header")
+    ]
     many = tool(reads=("*.cpp",))
     done = run(box, many, "c.cpp:1: warning: in a header\n")
     assert done.successful and len(calls(box)) > 2, "asked again with fewer files, until it is clear whose it is"
@@ -272,7 +283,9 @@ def test_what_it_also_reads_it_may_report_on(box: Path) -> None:
 
 def test_a_flood_ends(box: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("haros_ci.linters.tool_text.MAX_FINDINGS", 50)
-    assert "more than 50 findings" in complaint(run(box, tool(files=("a.py",), languages=()), "a.py:1: error: e\n" * 51))
+    assert "more than 50 findings" in complaint(
+        run(box, tool(files=("a.py",), languages=()), "a.py:1: error: e\n" * 51)
+    )
 
 
 def test_hostile_text_becomes_one_clean_line(box: Path) -> None:
@@ -295,7 +308,18 @@ def test_hostile_text_becomes_one_clean_line(box: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "path", ["../ws2/a.py", "/etc/passwd", "/a.py", "a.py/../../a.py", "sub/../../a.py", "z.py", "a.py\0", "~/a.py", "c:\\a.py"]
+    "path",
+    [
+        "../ws2/a.py",
+        "/etc/passwd",
+        "/a.py",
+        "a.py/../../a.py",
+        "sub/../../a.py",
+        "z.py",
+        "a.py\0",
+        "~/a.py",
+        "c:\\a.py",
+    ],
 )
 def test_places_elsewhere_are_dropped(box: Path, path: str) -> None:
     done = run(box, tool(output="json"), json.dumps([{"path": path, "line": 1, "message": "m"}]))
@@ -310,7 +334,13 @@ def test_places_inside_are_found(box: Path, path: str) -> None:
 
 @pytest.mark.parametrize(
     ("word", "level"),
-    [("Error", Level.ERROR), ("fatal", Level.ERROR), ("WARNING", Level.WARNING), ("info", Level.NOTE), ("E501", Level.WARNING)],
+    [
+        ("Error", Level.ERROR),
+        ("fatal", Level.ERROR),
+        ("WARNING", Level.WARNING),
+        ("info", Level.NOTE),
+        ("E501", Level.WARNING),
+    ],
 )
 def test_levels_by_likeness(word: str, level: Level) -> None:
     (adapter,) = declared([tool()])

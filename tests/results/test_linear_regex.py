@@ -53,7 +53,9 @@ def test_finds_what_python_finds(pattern: str, text: str) -> None:
     assert search(pattern, text) == (None if theirs is None else theirs.groupdict())
 
 
-PIECES = st.sampled_from(["a", "b", ".", r"\d", "[ab]", "[^a]", "(?P<x>a|b.)", "(?:", "(", ")", "*", "+", "?", "|", "^", "$", r"\b"])
+PIECES = st.sampled_from(
+    ["a", "b", ".", r"\d", "[ab]", "[^a]", "(?P<x>a|b.)", "(?:", "(", ")", "*", "+", "?", "|", "^", "$", r"\b"]
+)
 
 
 @given(st.lists(PIECES, max_size=9).map("".join), st.text("ab1 ", max_size=8))
@@ -103,7 +105,10 @@ def test_refused(pattern: str, why: str) -> None:
         compiled(pattern)
 
 
-@pytest.mark.parametrize("pattern", ["(a*)*[b]", "(?:a|a)*[b]", "(?:a+)+[b]", "(.*)(.*)(.*)(.*)(.*)[=]", "(?:a?){30}[a]{30}[b]", "(x+x+)+y|a*[b]"])
+@pytest.mark.parametrize(
+    "pattern",
+    ["(a*)*[b]", "(?:a|a)*[b]", "(?:a+)+[b]", "(.*)(.*)(.*)(.*)(.*)[=]", "(?:a?){30}[a]{30}[b]", "(x+x+)+y|a*[b]"],
+)
 def test_bombs_take_steps_in_proportion(pattern: str) -> None:
     short, long = Budget(), Budget()
     compiled(pattern).search("a" * 200, short)
