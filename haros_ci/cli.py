@@ -212,6 +212,31 @@ def query(**flags: Any) -> int:
 
 
 @haros_ci.command()
+@click.argument("paths", nargs=-1, type=click.Path())
+@click.option(
+    "--format", type=click.Choice(["text", "json", "csv"]), default="text", show_default=True,
+    help="A line for each function, class, file and package, or data.",
+)  # fmt: skip
+@click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
+@click.option(
+    "--level", type=click.Choice(["package", "file", "class", "function"]), multiple=True, help="Only values of these."
+)
+@click.option("--metric", metavar="NAME", multiple=True, help="Only these metrics (docs/metrics.md).")
+@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
+@click.option("--isolated", is_flag=True, help="Read no project file.")
+@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
+@click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores.")
+@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
+@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+@click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
+def metrics(**flags: Any) -> int:
+    """Measure functions, classes, files and packages, with HAROS's limits beside the values."""
+    from haros_ci import metrics_command
+
+    return metrics_command.metrics(flags)
+
+
+@haros_ci.command()
 @click.argument("launch", nargs=-1, metavar="[LAUNCH]...")
 @click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
 @click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")

@@ -75,6 +75,11 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
         ("what this branch does to the system", "haros-ci diff origin/main --merge-base"),
         ("between two tags, for a changelog", "haros-ci diff 1.0.0 1.1.0 --format markdown"),
     ),
+    "metrics": (
+        ("packages and files at a glance", "haros-ci metrics --level package --level file"),
+        ("every value for a spreadsheet", "haros-ci metrics --format csv --output metrics.csv"),
+        ("which functions have the most paths", "haros-ci metrics --metric static-path-count --level function"),
+    ),
     "policy": (("allow what the nodes do, and nothing else", "haros-ci policy robot/launch/robot.launch.xml --output robot.policy.xml"),),
     "rules": (("what is on in a profile", "haros-ci rules --profile strict"),),
     "explain": (("a rule by its id, its catalogue id or HAROS's", "haros-ci explain G06"),),

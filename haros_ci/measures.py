@@ -75,9 +75,11 @@ def measure(workspace: Workspace, settings: Settings, store: Store, progress: Pr
     packages = {file.path: file.package or "" for file in workspace.files}
     single = [*_of_runs(runs, packages, found), *_of_structure(found, workspace, packages)]
     single += of_files(single)
+    partly = {packages[file.path] for file in workspace.files if not workspace.reports_on(file.path)}
+    whole = (each for each in single if each.package not in partly)
     notes = (*(_named(note) for run in runs for note in run.notifications), *problems(found, workspace))
     return Measures(
-        tuple(sorted([*single, *of_packages(single)])),
+        tuple(sorted([*single, *of_packages(whole)])),
         tuple(dict.fromkeys(notes)),
         tuple(run.tool.name.removesuffix(values.SUFFIX) for run in runs if not run.successful),
     )

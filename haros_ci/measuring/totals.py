@@ -44,6 +44,10 @@ OF_PACKAGE: dict[str, Combine] = {
 }
 
 
+#: All metrics, as HAROS names them but with hyphens.
+METRICS = frozenset(OF_PACKAGE) | {"comment-ratio"}
+
+
 def of_files(values: Iterable[Measurement]) -> Iterator[Measurement]:
     """The values of files that follow from those of their functions and classes."""
     together: dict[tuple[str, str, str], list[float]] = defaultdict(list)
