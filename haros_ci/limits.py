@@ -5,7 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from haros_ci.linters.metrics import CLASS_THRESHOLDS, FILE_THRESHOLDS, FUNCTION_THRESHOLDS, STRUCTURE_THRESHOLDS, Threshold
+from haros_ci.linters.metrics import (
+    CLASS_THRESHOLDS,
+    FILE_THRESHOLDS,
+    FUNCTION_THRESHOLDS,
+    STRUCTURE_THRESHOLDS,
+    Threshold,
+)
 from haros_ci.linters.values import FILE_METRICS, FUNCTION_METRICS
 from haros_ci.report.measurements import Limit
 

@@ -58,7 +58,9 @@ def as_json(values: Iterable[Measurement], limits: Iterable[Limit], notes: Itera
     listed: dict[str, list[object]] = {_PLURALS[each]: [] for each in LEVELS}
     by_metric = _by_metric(given)
     for entity, found in _entities(values):
-        crossed = [limit.rule for metric, value in found.items() for limit in _crossed(by_metric, entity[0], metric, value)]
+        crossed = [
+            limit.rule for metric, value in found.items() for limit in _crossed(by_metric, entity[0], metric, value)
+        ]
         listed[_PLURALS[entity[0]]].append(
             {
                 **_named(entity),
@@ -70,12 +72,18 @@ def as_json(values: Iterable[Measurement], limits: Iterable[Limit], notes: Itera
         "version": VERSION,
         "tool": {"name": "haros-ci", "version": __version__},
         "limits": [
-            {"rule": each.rule, "level": each.level, "metric": each.metric, "min" if each.is_lowest else "max": number(each.limit)}
+            {
+                "rule": each.rule,
+                "level": each.level,
+                "metric": each.metric,
+                "min" if each.is_lowest else "max": number(each.limit),
+            }
             for each in given
         ],
         **listed,
         "notifications": [
-            {"level": n.level.value, "tool": n.tool, "path": n.path, "line": n.line, "message": n.message} for n in notes
+            {"level": n.level.value, "tool": n.tool, "path": n.path, "line": n.line, "message": n.message}
+            for n in notes
         ],
     }
     return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
@@ -118,7 +126,9 @@ def _told(limits: Limits, here: str, metric: str, value: float) -> str:
     crossed = _crossed(limits, here, metric, value)
     if not crossed:
         return text
-    worst = min(crossed, key=lambda each: each.limit) if crossed[0].is_lowest else max(crossed, key=lambda each: each.limit)
+    worst = (
+        min(crossed, key=lambda each: each.limit) if crossed[0].is_lowest else max(crossed, key=lambda each: each.limit)
+    )
     return f"{text} ({'under' if worst.is_lowest else 'over'} {_short(worst.limit)})"
 
 
