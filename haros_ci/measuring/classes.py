@@ -54,7 +54,7 @@ class _Measuring:
         self.code = code
         self.facts = facts
         self.every: list[Measured] = []
-        self.by_definition: dict[int, Measured] = {}
+        self.by_place: dict[tuple[str, str, int], Measured] = {}
         self.meant: dict[tuple[str, str, str], Measured | None] = {}
 
     def all(self) -> Classes:
@@ -83,7 +83,7 @@ class _Measuring:
             definition = places.get((each.name, each.line))
             if definition is not None:
                 found = Measured(source, each, (source, definition))
-                self.by_definition[id(definition)] = found
+                self.by_place[source.path, each.name, each.line] = found
                 yield found
 
     def _functions(self) -> Iterator[tuple[Source, FunctionFacts]]:
@@ -108,16 +108,20 @@ class _Measuring:
         name = function.class_name
         own = [each for each in source.program.classes if each.name == name]
         if len(own) == 1:
-            return self.by_definition.get(id(own[0]))
+            return self._at((source, own[0]))
         if own:  # specialisations: the last one that begins before
             before = [each for each in own if each.line <= function.line]
-            return self.by_definition.get(id(before[-1])) if before else None
+            return self._at((source, before[-1])) if before else None
         if source.separator == ".":
             return None
         found = self._class(name, source)
         for space in self.code.cpp.opened(source) if found is None else ():
             found = found or self._class(f"{space}::{name}", source)
         return found
+
+    def _at(self, owner: Owner) -> Measured | None:
+        """The index may have another object for a class than its file."""
+        return self.by_place.get((owner[0].path, owner[1].name, owner[1].line))
 
     def _class(self, name: str, source: Source) -> Measured | None:
         """The class of a resolved name, if *source* can see it."""
@@ -126,7 +130,7 @@ class _Measuring:
             return None
         if source.separator != "." and not self.code.cpp.sees(source, owner[0], NOWHERE):
             return None
-        return self.by_definition.get(id(owner[1]))
+        return self._at(owner)
 
     def named(self, source: Source, scope: str, name: str) -> Measured | None:
         """The class that *name* means in *scope* of a file, None if it is none of the workspace."""

@@ -50,7 +50,8 @@ class Body:
             self.counts.nested(nesting + 1)
             paths += self._expression(node.test) + self._sequence(node.body, nesting + 1, depth)
             otherwise = node.orelse
-            if len(otherwise) != 1 or not isinstance(otherwise[0], ast.If):
+            is_elif = len(otherwise) == 1 and isinstance(otherwise[0], ast.If)
+            if not is_elif or otherwise[0].col_offset != node.col_offset:  # ``else:`` with an ``if`` of its own in it
                 return paths + self._sequence(otherwise, nesting + 1, depth)
             node = otherwise[0]
 
@@ -115,7 +116,6 @@ class Body:
             elif isinstance(node, (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)):
                 paths += 1
             elif isinstance(node, ast.Lambda):
-                self.counts.complexity += 1
                 self.counts.apart += max(1, self._expression(node.body)) - 1
                 waiting.extend((*node.args.defaults, *(each for each in node.args.kw_defaults if each)))
                 continue
