@@ -215,6 +215,9 @@ def settings_from(flags: Flags) -> Settings:
         "compile_database": flags.get("compile_database"),
         "imports": tuple(flags.get("imports") or ()),
         "plugins": plugins_of(flags),
+        "plugin_whitelist": flatten(flags.get("plugin_whitelist")),
+        "plugin_blacklist": flatten(flags.get("plugin_blacklist")),
+        "plugin_export": flags.get("plugin_export"),
         "baseline": flags.get("baseline"),
         "baseline_rev": flags.get("baseline_rev"),
         "no_baseline": flags.get("no_baseline") or False,
@@ -276,10 +279,11 @@ def cache_dir(flags: Flags, root: Path) -> Path | None:
 
 def documented_rules(flags: Flags) -> Iterator[tuple[str, Rule]]:
     """Every documented rule, those of plug-ins included, with its tool's name."""
+    from haros_ci.config.load import load
     from haros_ci.registry import registry
 
-    root = Path.cwd()
-    return registry(Settings(root=root, plugins=tuple(dict.fromkeys(plugins_of(flags))))).documented_rules()
+    settings = load(Path.cwd(), isolated=True, command_line={"plugins": plugins_of(flags)})
+    return registry(settings).documented_rules()
 
 
 def rules(flags: Flags) -> int:

@@ -12,6 +12,7 @@ from haros_ci.baselines import at_base, compare, read_input, sarif_runs
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors
 from haros_ci.config.settings import PROFILES, Settings
+from haros_ci.hosting import hosted
 from haros_ci.inspection import Architectures, asks, inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
@@ -164,6 +165,8 @@ def examine(
         raw = (*raw, crossings(workspace, architectures.store, architectures.settings.jobs, progress))
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
+    of_plugins = hosted(workspace, selection, architectures, results, progress)
+    runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace))
     return finished(
         distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection, architectures.settings
     )

@@ -138,6 +138,8 @@ def registry(settings: Settings) -> Registry:
         from haros_ci.plugins.load import load
 
         known = with_plugins(known, load(settings.plugins, settings.root))
+    if settings.haros_plugins or settings.plugin_whitelist:
+        known = with_haros_plugins(known, settings)
     return with_declared(known, settings) if settings.declared else known
 
 
@@ -166,6 +168,19 @@ def with_plugins(before: Registry, plugins: tuple[Plugin, ...]) -> Registry:
         open_ended=(*before.open_ended, *(tool for plugin in plugins for tool in plugin.rules)),
         renderers=MappingProxyType({f: render for plugin in plugins for f, render in plugin.renderers.items()}),
         components=(*before.components, *(Tool(p.name, p.version or f"0+{p.digest}") for p in plugins)),
+    )
+
+
+def with_haros_plugins(before: Registry, settings: Settings) -> Registry:
+    """*before* and the rules of HAROS's plug-ins, which are read and not run for it; UserError for one that cannot be had."""
+    from haros_ci.haros_plugins.chosen import chosen
+
+    names = (settings.haros_plugins, settings.plugin_whitelist, settings.plugin_blacklist)
+    plugins = chosen(*names, settings.root)
+    return replace(
+        before,
+        tool_rules=MappingProxyType({**before.tool_rules, **{each.name: each.all_rules() for each in plugins}}),
+        declared=(*before.declared, *(each.name for each in plugins)),
     )
 
 
@@ -207,5 +222,5 @@ def with_declared(before: Registry, settings: Settings) -> Registry:
         before,
         linters=(*before.linters, *declared(settings.tools)),
         open_ended=(*before.open_ended, *names),
-        declared=names,
+        declared=(*before.declared, *names),
     )

@@ -26,8 +26,10 @@ DOORS: dict[str, set[str]] = {
     "query": {"model", "results"},
     "report": {"errors", "model", "results"},
     "checking": {"changes", "code", "errors", "interfaces", "knowledge", "model", "results"},
+    "haros_plugins": {"errors", "linters", "plugins", "query", "results"},
+    "hosting": {"config", "haros_plugins", "inspection", "measures", "model", "query", "results"},
     "plugins": {"checking", "errors", "linters", "model", "results"},
-    "registry": {"checking", "config", "errors", "linters", "model", "plugins", "results"},
+    "registry": {"checking", "config", "errors", "haros_plugins", "linters", "model", "plugins", "results"},
     # checks see a system; api.testing makes one of the examples of their pages
     "api": {
         "architecture",
@@ -86,6 +88,7 @@ DOORS: dict[str, set[str]] = {
         "config",
         "crossings",
         "errors",
+        "hosting",
         "inspection",
         "linters",
         "model",

@@ -165,8 +165,7 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
     for name in ("baseline_rev", "require_baseline", "jobs", "cache_dir"):
         if flags.get(name):
             changes[name] = flags[name]
-    if plugins := _words(flags.get("plugins")):
-        changes["plugins"] = tuple(dict.fromkeys((*plugins, *settings.plugins)))
+    changes |= _plugins(settings, flags)
     for name in ("imports", "paths"):
         if flags.get(name):
             changes[name] = tuple(flags[name])
@@ -179,6 +178,25 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
         if name not in ("per_package", "per_path", "command_line")
     }
     return replace(settings, **changes, origins=tuple(sorted({**dict(settings.origins), **said}.items())))
+
+
+def _plugins(settings: Settings, flags: Mapping[str, Any]) -> dict[str, Any]:
+    """Whose code is to run: plug-ins of our API, and HAROS's own, which are told by their names."""
+    named = tuple(dict.fromkeys((*_words(flags.get("plugins")), *settings.plugins)))
+    of_haros = tuple(name for name in named if name.startswith("haros_plugin_"))
+    changes: dict[str, Any] = {}
+    if named != settings.plugins or of_haros:
+        changes["plugins"] = tuple(name for name in named if name not in of_haros)
+        changes["haros_plugins"] = of_haros
+    for name in ("plugin_whitelist", "plugin_blacklist"):
+        if words := _words(flags.get(name)):
+            changes[name] = tuple(dict.fromkeys(words))
+    if flags.get("plugin_export"):
+        changes["plugin_export"] = os.path.abspath(flags["plugin_export"])
+    if (of_haros or changes.get("plugin_whitelist")) and not settings.trust_config:
+        text = "HAROS plug-ins do not run without --trust-config: they open the workspace's files with code that is not haros-ci's"
+        changes["notes"] = (*settings.notes, text)
+    return changes
 
 
 def _words(given: Iterable[Any] | str | None) -> tuple[str, ...]:

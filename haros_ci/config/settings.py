@@ -85,7 +85,9 @@ class Settings:
     ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
     ``project`` is the project file as plain data. ``packages`` are the packages to analyse, empty for all.
     ``ignore_files`` are HAROS patterns on ``<package>/<path in package>`` (``Selection.ignores_file`` matches them).
-    ``plugins`` are modules, those of the command line and the environment before those that a trusted project file names.
+    ``plugins`` are modules, those of the command line and the environment before those that a trusted project file names;
+    ``haros_plugins`` are those among them that are HAROS's (``haros_plugin_*``), which run only under ``trust_config``, through the two
+    lists. ``plugin_export`` is the directory for the files that these export.
     ``declared`` are the tools that the project file declares, trusted or not: they run only under ``trust_config``.
     ``origins`` says where a value stands, ``FILE:LINE`` or
     ``command line``, by key (``fail-on``), ``selector <text>``, ``haros <text>`` (a selector of a HAROS ignore list) or
@@ -123,6 +125,10 @@ class Settings:
     packages: tuple[str, ...] = ()
     ignore_files: tuple[str, ...] = ()
     plugins: tuple[str, ...] = ()
+    haros_plugins: tuple[str, ...] = ()
+    plugin_whitelist: tuple[str, ...] = ()
+    plugin_blacklist: tuple[str, ...] = ()
+    plugin_export: str | None = None
     origins: tuple[tuple[str, str], ...] = ()
 
     @property

@@ -45,7 +45,7 @@ class Processes:
         streams[0].write_bytes(command.stdin)
         with open(streams[0], "rb") as stdin, open(streams[1], "wb") as stdout, open(streams[2], "wb") as stderr:
             process = self._start(command, root, scratch, stdin.fileno(), stdout.fileno(), stderr.fileno())
-        _limit(process.pid, timeout)
+        limit(process.pid, timeout)
         expired = threading.Event()
 
         def expire() -> None:
@@ -84,7 +84,7 @@ class Processes:
             if self._stopped:
                 raise Unstartable("the run was abandoned")
             try:
-                with _small_files():
+                with small_files():
                     process = subprocess.Popen(
                         command.argv,
                         stdin=stdin,
@@ -140,10 +140,10 @@ def _within(path: str, roots: list[str]) -> bool:
 
 
 @contextmanager
-def _small_files() -> Iterator[None]:
+def small_files() -> Iterator[None]:
     """A process started in here inherits the limit on files before its first instruction, as does what it forks.
 
-    ``_limit`` comes too late for a child that it forks at once. Nothing of ours writes as much meanwhile.
+    ``limit`` comes too late for a child that it forks at once. Nothing of ours writes as much meanwhile.
     """
     try:
         import resource
@@ -160,7 +160,7 @@ def _small_files() -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
 
 
-def _limit(pid: int, timeout: float) -> None:
+def limit(pid: int, timeout: float) -> None:
     """Limits from outside (Linux): a preexec function would be unsafe beside threads.
 
     The one on processor time ends what outlives us, should we be killed before its time is up.

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plug-ins of HAROS, each in a process of its own: first all analyses, then what processes their data, as HAROS does."""
+
+from __future__ import annotations
+
+import pickle
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from haros_ci.haros_plugins.manifest import HarosPlugin
+from haros_ci.linters.conversation import Conversation, Ended
+from haros_ci.linters.linter import Command
+from haros_ci.linters.process import TimedOut, Unstartable
+
+#: Violations, values and log messages of one plug-in that are kept.
+MOST, MOST_LOGGED = 200_000, 50
+#: Bytes of all files that one plug-in exports.
+MOST_EXPORTED = 200_000_000
+
+Data = dict[str, Any]
+#: Violations or values by the id of what they are about.
+ByScope = Mapping[str, Sequence[Data]]
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What a plug-in is shown: the workspace at *root*, its *model* for the process, the names of *packages* and paths of *files* to analyse."""
+
+    root: Path
+    model: tuple[Any, Any, Any]
+    packages: tuple[str, ...]
+    files: tuple[str, ...]
+
+
+@dataclass(slots=True)
+class Told:
+    """What a plug-in has said. *failures* ended it; what it had said before stays."""
+
+    plugin: HarosPlugin
+    violations: list[Data] = field(default_factory=list)
+    metrics: list[Data] = field(default_factory=list)
+    logged: list[tuple[str, str]] = field(default_factory=list)
+    exported: list[str] = field(default_factory=list)
+    failures: list[str] = field(default_factory=list)
+
+    def take(self, said: Data) -> None:
+        """One answer of the process; what is none is nothing."""
+        kind = said.get("kind")
+        if kind == "failed":
+            self.failures.append(str(said.get("message")))
+        elif kind == "log" and len(self.logged) < MOST_LOGGED:
+            self.logged.append(("error" if said.get("level") == "error" else "warning", str(said.get("message"))))
+        elif kind == "export" and isinstance(said.get("path"), str):
+            self.exported.append(said["path"])
+        elif kind == "violation":
+            self._keep(self.violations, said)
+        elif kind == "metric" and isinstance(said.get("value"), (int, float)):
+            self._keep(self.metrics, said)
+
+    def _keep(self, kept: list[Data], said: Data) -> None:
+        if len(kept) == MOST:
+            self.failures.append(f"said more than {MOST:,} things; the rest is lost")
+        if len(kept) <= MOST:
+            kept.append(said)
+
+
+def run(
+    plugins: Iterable[HarosPlugin],
+    scene: Scene,
+    seconds: Mapping[str, float],
+    violations: ByScope,
+    metrics: ByScope,
+    export: Path | None,
+) -> tuple[Told, ...]:
+    """What each plug-in says of *scene*, in at most so many *seconds* a phase (by name).
+
+    *violations* and *metrics* are haros-ci's own, which the hooks of processing see beside those of all plug-ins. Files that a plug-in
+    exports go into a directory of its name in *export*; None leaves them out.
+    """
+    told: list[Told] = []
+    open_ones: list[tuple[Told, Conversation, Path]] = []
+    with ExitStack() as stack:
+        directory = Path(
+            stack.enter_context(tempfile.TemporaryDirectory(prefix="haros-ci-", ignore_cleanup_errors=True))
+        )
+        model = directory / "model"
+        model.write_bytes(pickle.dumps(scene.model))
+        for plugin in plugins:
+            each = Told(plugin)
+            told.append(each)
+            scratch = directory / plugin.name
+            talk = _started(each, scene, model, scratch, seconds[plugin.name], stack)
+            if talk is None:
+                continue
+            if _asked(each, talk, _job(plugin, scene, model)) and _asked(each, talk, {"phase": "analysis"}):
+                open_ones.append((each, talk, scratch))
+            else:
+                talk.__exit__(None, None, None)
+                _exported(each, scratch, export)
+        given = _merged([violations, *(_by_scope(each.violations, each.plugin) for each in told)])
+        values = _merged([metrics, *(_by_scope(each.metrics, each.plugin) for each in told)])
+        for each, talk, scratch in open_ones:
+            if _processes(each.plugin):
+                _asked(each, talk, {"phase": "processing", "violations": given, "metrics": values})
+            talk.__exit__(None, None, None)
+            _exported(each, scratch, export)
+    return tuple(told)
+
+
+def _started(
+    told: Told, scene: Scene, model: Path, scratch: Path, seconds: float, stack: ExitStack
+) -> Conversation | None:
+    argv = (sys.executable, "-I", "-X", "utf8", str(Path(__file__).with_name("child.py")))
+    try:
+        return stack.enter_context(Conversation(Command(argv), root=scene.root, scratch=scratch, seconds=seconds))
+    except Unstartable as err:
+        told.failures.append(f"could not be started: {err}")
+        return None
+
+
+def _job(plugin: HarosPlugin, scene: Scene, model: Path) -> Data:
+    import haros_ci
+
+    rules, metrics = plugin.all_rules(), plugin.all_metrics()
+    return {
+        "path": list(dict.fromkeys((*sys.path, str(Path(haros_ci.__path__[0]).parent)))),
+        "name": plugin.name,
+        "home": str(plugin.home),
+        "root": str(scene.root),
+        "model": str(model),
+        "languages": plugin.languages,
+        "packages": scene.packages,
+        "files": scene.files,
+        "rules": [
+            {"id": id, "name": rule.summary, "description": rule.help, "tags": list(rule.tags)}
+            for id, rule in rules.items()
+        ],
+        "metrics": [
+            {
+                "id": id,
+                "name": metric.name,
+                "scope": metric.scope,
+                "description": metric.description,
+                "minimum": metric.minimum,
+                "maximum": metric.maximum,
+            }
+            for id, metric in metrics.items()
+        ],
+    }
+
+
+def _asked(told: Told, talk: Conversation, request: Data) -> bool:
+    """Whether the plug-in did what was asked of it; what it says meanwhile is taken."""
+    before = len(told.failures)
+    try:
+        for said in talk.ask(request):
+            told.take(said)
+    except TimedOut:
+        told.failures.append(f"was stopped after {talk.seconds:g} s")
+    except Ended as err:
+        told.failures.append(f"crashed: {err}")
+    return len(told.failures) == before
+
+
+def _processes(plugin: HarosPlugin) -> bool:
+    names = ("process_", "pre_process", "post_process", "*")
+    return any(hook.startswith(names) for hook in plugin.hooks)
+
+
+def _by_scope(data: Iterable[Data], plugin: HarosPlugin) -> dict[str, list[Data]]:
+    """The data of a plug-in as others see them: their ids are then whole."""
+    found: dict[str, list[Data]] = {}
+    for each in data:
+        seen = {key: each.get(key) for key in ("line", "function", "class", "message", "value")}
+        id = str(each.get("rule", each.get("metric")))
+        if "rule" in each:
+            rule = plugin.rules.get(id)
+            seen["rule"] = f"{plugin.name}:{id}" if rule is not None else id
+            seen |= {"name": rule.summary if rule else id, "description": rule.help if rule else ""}
+            seen["tags"] = list(rule.tags) if rule else []
+        else:
+            seen["metric"] = f"{plugin.name}:{id}" if id in plugin.metrics else id
+        found.setdefault(str(each.get("scope")), []).append(seen)
+    return found
+
+
+def _merged(parts: Iterable[ByScope]) -> dict[str, list[Data]]:
+    found: dict[str, list[Data]] = {}
+    for part in parts:
+        for scope, data in part.items():
+            found.setdefault(scope, []).extend(data)
+    return found
+
+
+def _exported(told: Told, scratch: Path, export: Path | None) -> None:
+    """Copy what the plug-in wants kept: plain files of its own directory, up to a limit."""
+    if not told.exported:
+        return
+    if export is None:
+        told.logged.append(("warning", f"exported {len(told.exported)} files, which are kept with --plugin-export DIR"))
+        return
+    left = MOST_EXPORTED
+    for name in dict.fromkeys(told.exported):
+        source = (scratch / name).resolve()
+        if not source.is_relative_to(scratch.resolve()) or not source.is_file():
+            continue  # as in HAROS, which keeps what is there
+        left -= source.stat().st_size
+        if left < 0:
+            told.logged.append(("warning", f"exported more than {MOST_EXPORTED:,} bytes; the rest is not kept"))
+            break
+        target = export / told.plugin.name / source.relative_to(scratch.resolve())
+        try:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, target)
+        except OSError as err:
+            told.failures.append(f"{target.name} cannot be exported: {err.strerror}")
