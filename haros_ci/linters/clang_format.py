@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from posixpath import dirname, join
 
@@ -25,6 +26,7 @@ IGNORED = ".clang-format-ignore"
 RULE = "formatting"
 #: Places told of one file; a file that was never formatted has hundreds.
 MOST = 25
+_NAME = re.compile(r"^Formatting \[\d+/\d+\] (.+)$", re.MULTILINE)
 _DOCUMENT = b"<?xml version='1.0'?>"
 
 
@@ -38,10 +40,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
     """Every style file from the file's directory up to the root, for one may inherit from the next."""
-    path = file.path
-    while path:
-        path = dirname(path)
-        yield from (found for name in (*STYLES, IGNORED) if workspace.text(found := join(path, name)))
+    return _settings(workspace, file.path)
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
@@ -64,19 +63,24 @@ def command(program: Program, batch: Batch) -> Command:
             copies.put(batch, path, batch.workspace.text(path))
     (batch.scratch / STYLES[0]).write_text("BasedOnStyle: LLVM\n", encoding="ascii")  # what inherits from nothing
     (batch.scratch / IGNORED).write_text("", encoding="ascii")
-    options = ("--output-replacements-xml", "--style=file", "--fallback-style=none", "-Wno-error=unknown")
+    options = ("--output-replacements-xml", "--verbose", "--style=file", "--fallback-style=none", "-Wno-error=unknown")
     return Command((*program.argv, *options, "--", *copied), cwd=copies.tree(batch))
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
-    """A document of replacements (byte offsets) for each file, in order; ValueError if one is missing."""
-    paths = list(_copied(batch).values())
-    documents = output.stdout.split(_DOCUMENT)[1:]
+    """A document of replacements (byte offsets) for each file in the order that stderr tells, without those to ignore.
+
+    ValueError if one is missing.
+    """
+    copied, documents = _copied(batch), output.stdout.split(_DOCUMENT)[1:]
+    paths = [copied[name] for name in _NAME.findall(output.stderr.decode("utf-8", "replace")) if name in copied]
     if len(documents) != len(paths) or output.code:
         raise ValueError(f"{len(documents)} answers for {len(paths)} files")
-    for file in batch.files:
-        if file.path not in paths:
-            yield GaveUp(file.path, "its name is too long")
+    for path in {file.path for file in batch.files}.difference(paths):
+        if path not in copied.values():
+            yield GaveUp(path, "its name is too long")
+        elif not any(needed.endswith(IGNORED) for needed in _settings(batch.workspace, path)):
+            raise ValueError(f"no answer for {path}")
     for path, document in zip(paths, documents):
         found = elements(_DOCUMENT + document, "replacement", "")
         spans = [(int(e.attributes["offset"]), int(e.attributes["length"])) for e in found]
@@ -88,6 +92,12 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
                 f"Not formatted{until} as {batch.group} asks{more if number == MOST else ''}; clang-format -i mends it"
             )
             yield Finding(path, Result(NAME, RULE, Level.NOTE, message, Location(path, first, column)))
+
+
+def _settings(workspace: Workspace, path: str) -> Iterator[str]:
+    while path:
+        path = dirname(path)
+        yield from (found for name in (*STYLES, IGNORED) if workspace.text(found := join(path, name)))
 
 
 def _copied(batch: Batch) -> dict[str, str]:

@@ -46,7 +46,7 @@ def command(program: Program, batch: Batch) -> Command:
     try:
         settings = _settings(batch)
     except ValueError as err:
-        return texts.refusal(program, batch, f"{batch.group}: {err}")
+        raise ValueError(f"{batch.group}: {err}") from err
     return texts.command(program, batch, settings)
 
 

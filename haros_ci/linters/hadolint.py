@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator
 
-from haros_ci.linters import copies, installed, settings_files
+from haros_ci.linters import copies, installed, settings_files, yaml_settings
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -43,17 +43,23 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def command(program: Program, batch: Batch) -> Command:
+    """ValueError for settings that are no map, which hadolint would go on without."""
+    settings = batch.workspace.text(batch.group) if batch.group else "ignored: []\n"
+    try:
+        yaml_settings.read(settings)
+    except ValueError as err:
+        raise ValueError(f"{batch.group}: {err}") from err
     copied = copies.names(batch)
     copies.lay(batch, copied)
-    copies.put(batch, SETTINGS, batch.workspace.text(batch.group) if batch.group else "ignored: []\n")
+    copies.put(batch, SETTINGS, settings)
     options = ("--format=json", "--no-fail", "--no-color", f"--config=./{SETTINGS}")
     return Command((*program.argv, *options, "--", *copied), cwd=copies.tree(batch))
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """The JSON report; a finding's column is always 1 there, so its line is meant."""
-    if output.code:
-        raise ValueError(f"exit code {output.code}")
+    if output.code or b"Error parsing your config file" in output.stderr:
+        raise ValueError(f"exit code {output.code}, or settings that it does not understand")
     paths = copies.names(batch)
     for said in json.loads(output.stdout):
         path, line = paths[said["file"]], said["line"]

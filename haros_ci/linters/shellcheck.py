@@ -24,7 +24,9 @@ MARKS: settings_files.Marks = {".shellcheckrc": (), "shellcheckrc": ()}
 #: ``external-sources`` and ``source-path`` would have it read further files.
 INERT = re.compile(r"[ \t]*(?:disable|enable|shell|extended-analysis)=[\w,.:-]+[ \t]*(?:#.*)?")
 #: Shells that ShellCheck does not know, by their shebang.
-_OTHER_SHELL = re.compile(r"#![^\n]*\b(?:zsh|fish|csh|tcsh|nu|pwsh|xonsh)\b")
+_OTHER_SHELL = re.compile(
+    r"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+)*)?(?:\S*/)?(?:zsh|fish|csh|tcsh|nu|pwsh|xonsh)(?:\s|$)"
+)
 LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 
 

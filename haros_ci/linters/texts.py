@@ -26,11 +26,6 @@ def command(program: Program, batch: Batch, settings: object, name: Callable[[st
     return Command(program.argv, stdin=json.dumps({"settings": settings, "files": files}).encode(), cwd=batch.scratch)
 
 
-def refusal(program: Program, batch: Batch, problem: str) -> Command:
-    """Ends with *problem* as its last words: without the settings that the workspace asks for, nothing is checked."""
-    return Command(program.argv, stdin=json.dumps({"problem": problem}).encode(), cwd=batch.scratch)
-
-
 def parse(output: Output, batch: Batch, tool: str) -> Iterator[Finding | GaveUp]:
     """One answer for each file, or ValueError."""
     answers = {}

@@ -54,11 +54,14 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def command(program: Program, batch: Batch) -> Command:
-    """Paths are given as yamllint would see them where the configuration lies, for its patterns begin there."""
+    """Paths are given as yamllint would see them where the configuration lies, for its patterns begin there.
+
+    ValueError for a configuration that cannot be followed: without it nothing is checked.
+    """
     try:
         settings = resolved(batch.workspace, batch.group, []) if batch.group else DEFAULT_SETTINGS
     except ValueError as err:
-        return texts.refusal(program, batch, f"{batch.group}: {err}")
+        raise ValueError(f"{batch.group}: {err}") from err
     return texts.command(program, batch, settings, lambda path: relpath(path, dirname(batch.group) or "."))
 
 

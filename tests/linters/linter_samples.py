@@ -17,7 +17,10 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
-LANGUAGES = {"py": "python", "cpp": "cpp", "hpp": "cpp", "h": "cpp", "c": "cpp", "xml": "package", "txt": "cmake"}
+LANGUAGES = {
+    **{"py": "python", "cpp": "cpp", "hpp": "cpp", "h": "cpp", "c": "cpp", "xml": "package", "txt": "cmake"},
+    **{"cmake": "cmake", "launch": "launch", "sh": "shell", "urdf": "xml", "yaml": "yaml", "Dockerfile": "dockerfile"},
+}
 
 
 @dataclass

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 #: Sets of ``tool:rule``; of the results on one line the one whose rule stands first is kept. Each pair was seen to fire
-#: together. The order of tools is cpplint, cppcheck, clang-tidy, pylint, ruff, metrics; metrics come first where
+#: together. The order of tools is cpplint, cppcheck, clang-tidy, pylint, ruff, metrics, then those that are asked for; metrics come first where
 #: another tool counts the same with a number of its own, because their value can be compared with a baseline.
 SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     (  # why the rule or value does nothing, before that it does nothing
@@ -43,7 +43,15 @@ SAME_DEFECT: tuple[tuple[str, ...], ...] = (
         "clang-tidy:bugprone-suspicious-memset-usage",
         "clang-tidy:clang-diagnostic-memset-transposed-args",
     ),
-    ("cpplint:runtime/printf", "clang-tidy:clang-analyzer-security.insecureAPI.strcpy"),
+    (
+        "cpplint:runtime/printf",
+        "clang-tidy:clang-analyzer-security.insecureAPI.strcpy",
+        "flawfinder:FF1001",
+        "flawfinder:FF1005",
+        "flawfinder:FF1015",
+    ),
+    ("cmakelint:whitespace/eol", "cmake-lint:C0303"),
+    ("cmakelint:linelength", "cmake-lint:C0301"),
     ("cpplint:runtime/threadsafe_fn", "clang-tidy:concurrency-mt-unsafe"),
     (
         "cpplint:readability/inheritance",
