@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from haros_ci import PROJECT_URL, __version__
@@ -13,12 +13,12 @@ from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.hosting import hosted
-from haros_ci.inspection import Architectures, asks, inspected
+from haros_ci.inspection import Architectures, asks, inspected, is_inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.metrics import STRUCTURE_RULES, keep_worst_band
-from haros_ci.linters.recorded import Recorded
+from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
@@ -38,13 +38,8 @@ METRICS = "metrics"
 MEASURED_BY = ("lizard", "radon", "structure")
 
 
-@dataclass(frozen=True, slots=True)
-class Testimony:
-    """What other machines have found out of one revision: what the tools say, and our own run if it took part."""
-
-    lint: Recorded
-    own: Run | None
-
+#: What is found out of a whole revision at once: what the checks say of its architecture, and what only all its code tells.
+ARCHITECTURE, STRUCTURE = "architecture", "structure"
 
 #: That of the head and of the base revision, once it is clear what they are.
 Told = Callable[[Workspace, Base | None], tuple[Testimony, Testimony | None]]
@@ -157,12 +152,10 @@ def examine(
     own_one = own_run(workspace, known)
     if told is None:
         own_one = inspected(own_one, workspace, selection, architectures, progress, base)
-    elif told.own is not None:
-        own_one = replace(told.own, tool=own_one.tool, analysed=own_one.analysed)
+    elif is_inspected(workspace, selection, architectures.settings, known):
+        own_one = replace(told.whole(ARCHITECTURE), tool=own_one.tool, analysed=own_one.analysed)
     if has_structure(workspace, selection):
-        from haros_ci.crossings import crossings
-
-        raw = (*raw, crossings(workspace, architectures.store, architectures.settings.jobs, progress))
+        raw = (*raw, structured(workspace, architectures, progress) if told is None else told.whole(STRUCTURE))
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     of_plugins = hosted(workspace, selection, architectures, results, progress)
@@ -170,6 +163,13 @@ def examine(
     return finished(
         distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection, architectures.settings
     )
+
+
+def structured(workspace: Workspace, architectures: Architectures, progress: Progress | None) -> Run:
+    """What syntax trees and the index of the workspace tell of functions and classes."""
+    from haros_ci.crossings import crossings
+
+    return crossings(workspace, architectures.store, architectures.settings.jobs, progress)
 
 
 def has_structure(workspace: Workspace, selection: Selection) -> bool:

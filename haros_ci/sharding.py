@@ -16,10 +16,22 @@ from haros_ci.config.settings import Settings
 from haros_ci.inspection import Architectures, inspected, is_inspected
 from haros_ci.linters.part import Noted, answers
 from haros_ci.linters.portions import portions
-from haros_ci.linters.recorded import Recorded, Unanswered
+from haros_ci.linters.recorded import Recorded, Testimony, Unanswered
 from haros_ci.linters.work import Digests, Work, works
 from haros_ci.model.workspace import Store, Workspace
-from haros_ci.pipeline import Progress, Testimony, analyse, found, lint_options, narrowed, own_run, selection_of
+from haros_ci.pipeline import (
+    ARCHITECTURE,
+    STRUCTURE,
+    Progress,
+    analyse,
+    found,
+    has_structure,
+    lint_options,
+    narrowed,
+    own_run,
+    selection_of,
+    structured,
+)
 from haros_ci.registry import Registry, registry
 from haros_ci.results.result import Report, Run
 from haros_ci.shards.costs import Costs
@@ -29,11 +41,8 @@ from haros_ci.shards.shard import BASE, HEAD, SIDES, Failed, Had, Header, Said, 
 from haros_ci.shards.values import plain
 from haros_ci.workspace.base import Base
 
-#: What is done once for a whole workspace: the checks and queries.
-ARCHITECTURE = "architecture"
-#: CPU microseconds for a byte of what the architecture is read from, where nothing is remembered (docs/measurements.md).
-ARCHITECTURE_COST = 8.0
-ARCHITECTURE_LANGUAGES = frozenset({"cpp", "python", "launch"})
+#: CPU microseconds for a byte of code, where nothing is remembered (docs/measurements.md).
+WHOLE_COSTS = {ARCHITECTURE: 8.0, STRUCTURE: 3.0}
 
 #: Settings that say how the run is made or reported, not what the tools are to find.
 _REPORTING = frozenset(
@@ -72,7 +81,6 @@ def part(
     known = registry(settings)
     selection, _ = selection_of(settings, known)
     head = found(settings, selection)
-    selection = selection.over(head.package_finder())
     options = lint_options(settings, known)
     with at_base(head, settings) as base:
         past = base if isinstance(base, Base) else None
@@ -83,11 +91,11 @@ def part(
             works(side, known.linters, options, store, hashed, tools)
             for side, hashed, tools in zip(sides, digests, noted, strict=True)
         ]
-        wholes = [ARCHITECTURE] if is_inspected(head, selection, settings, known) else []
-        whole_costs = [costs.get("", {}).get(ARCHITECTURE, _guess(sides)) for _ in wholes]
-        parts = portions([_works(side) for side in planned], costs, of, sum(whole_costs))
+        makers = _Makers(sides, past, selection, Architectures(settings, store, known), progress)
+        wholes = {name: costs.get("", {}).get(name, makers.guess(name)) for name in makers.needed}
+        parts = portions([_works(side) for side in planned], costs, of, sum(wholes.values()))
         jobs = [
-            *(Job(("", name), cost) for name, cost in zip(wholes, whole_costs, strict=True)),
+            *(Job(("", name), cost) for name, cost in wholes.items()),
             *(Job((portion.tool, *portion.keys), portion.cost) for portion in parts),
         ]
         given = divide(jobs, of)
@@ -105,12 +113,7 @@ def part(
                 said[answer.tool, answer.key] = Said(answer.tool, answer.path, answer.key, cost, value)
             failed += _failures(plan)
             mine -= {(failure.tool, key) for failure in failed for key in failure.keys}
-        is_mine = ("", ARCHITECTURE) in mine
-        runs = (
-            tuple(_inspected(sides, past, selection, Architectures(settings, store, known), progress))
-            if is_mine
-            else ()
-        )
+        runs = tuple(run for name in wholes if ("", name) in mine for run in makers.runs(name))
         header = Header(
             version=__version__,
             number=number,
@@ -137,9 +140,7 @@ def merged(settings: Settings, store: Store, joined: Joined) -> tuple[Report, Wo
             workspace=content_digest(workspace),
             base=None if past is None else past.revision,
         )
-        selection, _ = selection_of(settings, known)
-        needed = is_inspected(workspace, selection.over(workspace.package_finder()), settings, known)
-        return _testimony(joined, HEAD, needed), None if past is None else _testimony(joined, BASE, needed)
+        return _testimony(joined, HEAD), None if past is None else _testimony(joined, BASE)
 
     try:
         return analyse(settings, store, told=told)
@@ -148,14 +149,11 @@ def merged(settings: Settings, store: Store, joined: Joined) -> tuple[Report, Wo
         raise ShardError(f"no shard has answered for {what}", help=ANEW) from err
 
 
-def _testimony(joined: Joined, side: str, needed: bool) -> Testimony:
-    own = joined.wholes.get((ARCHITECTURE, side))
-    if needed and own is None:
-        raise ShardError(f"no shard has looked at the architecture ({side})", help=ANEW)
+def _testimony(joined: Joined, side: str) -> Testimony:
     recorded = Recorded(
         joined.versions(side), joined.fingerprints(side), joined.answers, joined.failures, joined.errors(side)
     )
-    return Testimony(recorded, own if needed else None)
+    return Testimony(recorded, {name: run for (name, where), run in joined.wholes.items() if where == side})
 
 
 def content_digest(workspace: Workspace) -> str:
@@ -189,12 +187,6 @@ def _works(planned: Iterable[Work | Run]) -> list[Work]:
     return [work for work in planned if isinstance(work, Work)]
 
 
-def _guess(sides: Iterable[Workspace]) -> int:
-    """What the architecture of all *sides* may cost."""
-    size = sum(file.size for side in sides for file in side.files if file.language in ARCHITECTURE_LANGUAGES)
-    return int(size * ARCHITECTURE_COST)
-
-
 class _Remembered:
     """What a unit costs: as measured now, else as it was before."""
 
@@ -212,29 +204,52 @@ def _failures(planned: Iterable[Work | Run]) -> Iterator[Failed]:
             yield Failed(work.linter.NAME, message, paths, keys)
 
 
-def _inspected(
-    sides: list[Workspace],
-    past: Base | None,
-    selection: Selection,
-    architectures: Architectures,
-    progress: Progress | None,
-) -> Iterator[Whole]:
-    """Our own runs of both sides; what they cost is told of the head's."""
-    before = _cpu()
-    runs = [
-        inspected(
-            own_run(side, architectures.registry),
-            side,
-            selection.over(side.package_finder()),
-            architectures,
-            progress,
-            base,
-        )
-        for side, base in zip(sides, (past, None), strict=False)
-    ]
-    spent = int((_cpu() - before) * 1e6)
-    for side, run in zip(SIDES, runs, strict=False):
-        yield Whole(ARCHITECTURE, side, spent if side == HEAD else None, replace(run, analysed=frozenset()))
+class _Makers:
+    """What is found out of all *sides* as wholes, one after the other."""
+
+    def __init__(
+        self,
+        sides: list[Workspace],
+        past: Base | None,
+        selection: Selection,
+        architectures: Architectures,
+        progress: Progress | None,
+    ) -> None:
+        self._sides = [(side, selection.over(side.package_finder())) for side in sides]
+        self._past = past
+        self._architectures = architectures
+        self._progress = progress
+        self.needed = [name for name in WHOLE_COSTS if any(self._needs(name, *side) for side in self._sides)]
+
+    def guess(self, name: str) -> int:
+        """What it may cost, in CPU microseconds."""
+        code = sum(file.size for side, _ in self._sides for file in side.files if file.language in ("cpp", "python"))
+        return int(code * WHOLE_COSTS[name])
+
+    def runs(self, name: str) -> Iterator[Whole]:
+        """Those of the sides that need it; what all of them cost is told of the first."""
+        before = _cpu()
+        made = [
+            (word, self._run(name, *side))
+            for word, side in zip(SIDES, self._sides, strict=False)
+            if self._needs(name, *side)
+        ]
+        spent: int | None = int((_cpu() - before) * 1e6)
+        for word, run in made:
+            yield Whole(name, word, spent, replace(run, analysed=frozenset()) if name == ARCHITECTURE else run)
+            spent = None
+
+    def _needs(self, name: str, side: Workspace, selection: Selection) -> bool:
+        if name == STRUCTURE:
+            return has_structure(side, selection)
+        return is_inspected(side, selection, self._architectures.settings, self._architectures.registry)
+
+    def _run(self, name: str, side: Workspace, selection: Selection) -> Run:
+        if name == STRUCTURE:
+            return structured(side, self._architectures, self._progress)
+        base = self._past if side is self._sides[0][0] else None
+        run = own_run(side, self._architectures.registry)
+        return inspected(run, side, selection, self._architectures, self._progress, base)
 
 
 def _cpu() -> float:

@@ -318,3 +318,20 @@ def test_no_tool_is_needed_where_shards_are_joined(small: Place, monkeypatch: py
 def test_names_that_no_tool_can_be_given_are_told_as_ever(small: Place) -> None:
     write(small.root, {"scripts/odd\x07.py": NODE, "scripts/--jobs=1.py": NODE, "scripts/é \u2028.py": NODE})
     assert small.merged(small.shards(3, cache="--no-cache")) == small.whole()
+
+
+def test_what_only_all_the_code_tells_is_found_once(small: Place, capsys: pytest.CaptureFixture[str]) -> None:
+    """The thresholds on structure: a part of its own, that has to be there."""
+    deep = "def f(a):\n" + "".join(f"{'    ' * n}if a > {n}:\n" for n in range(1, 9)) + f"{'    ' * 9}return a\n"
+    write(small.root, {"scripts/deep.py": deep})
+    options = ["--profile=all", "--ignore=pylint"]
+    expected = small.whole(*options)
+    assert any("nest" in result["rule"] for result in json.loads(expected[1]["json"])["results"])
+    files = small.shards(3, *options)
+    assert small.merged(files, *options) == expected
+    [holder] = [Path(file) for file in files if '["whole",{"name":"structure"' in Path(file).read_text()]
+    lines = [line for line in holder.read_text().splitlines()[:-1] if '"name":"structure"' not in line]
+    holder.write_text("\n".join([*lines, json.dumps({"lines": len(lines) + 1}, separators=(",", ":"))]) + "\n")
+    capsys.readouterr()
+    assert small.merged(files, *options) == (3, {})
+    assert "no shard has answered for structure" in capsys.readouterr().err

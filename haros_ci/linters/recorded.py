@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from haros_ci.linters.linter import Linter, LintOptions, Program
 from haros_ci.linters.work import Work
 from haros_ci.model.workspace import Workspace
+from haros_ci.results.result import Run
 
 #: A sentence, and the paths that it leaves without an answer.
 Failure = tuple[str, tuple[str, ...]]
@@ -60,3 +61,17 @@ class Recorded:
                 failures.update(dict.fromkeys(found))
             for message, paths in failures:
                 work.fail(message, paths)
+
+
+@dataclass(frozen=True, slots=True)
+class Testimony:
+    """What other machines have found out of one revision: what the tools say, and runs on the whole of it by name."""
+
+    lint: Recorded
+    wholes: Mapping[str, Run]
+
+    def whole(self, name: str) -> Run:
+        """Raises Unanswered if nobody has made it."""
+        if name not in self.wholes:
+            raise Unanswered(name)
+        return self.wholes[name]
