@@ -11,7 +11,15 @@ import click
 
 from haros_ci import __version__
 from haros_ci.errors import UserError
-from haros_ci.flags import analysis_options, completion_of, costs_option, plugin_option, report_options, what_options
+from haros_ci.flags import (
+    analysis_options,
+    completion_of,
+    costs_option,
+    plugin_option,
+    report_options,
+    what_options,
+    workspace_options,
+)
 from haros_ci.manual import EXIT_CODES, Group
 
 EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
@@ -169,12 +177,7 @@ def show(**flags: Any) -> int:
     "--expect", type=click.Path(dir_okay=False), help="Compare with the architecture that this file declares."
 )
 @click.option("--check-readme", is_flag=True, help="Compare with the interface tables of the packages' READMEs.")
-@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
-@click.option("--isolated", is_flag=True, help="Read no project file.")
-@plugin_option
-@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
-@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
-@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+@workspace_options
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
 def model(**flags: Any) -> int:
     """Reconstruct the running system from source: nodes, topics, services, actions, parameters."""
@@ -198,12 +201,7 @@ def model(**flags: Any) -> int:
 @click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
 @click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
 @click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
-@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
-@click.option("--isolated", is_flag=True, help="Read no project file.")
-@plugin_option
-@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
-@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
-@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+@workspace_options
 def query(**flags: Any) -> int:
     """Ask a QUERY of the running systems, as HAROS does: topics[len(self.publishers) > 1] (docs/queries.md)."""
     from haros_ci import query_command
@@ -222,12 +220,8 @@ def query(**flags: Any) -> int:
     "--level", type=click.Choice(["package", "file", "class", "function"]), multiple=True, help="Only values of these."
 )
 @click.option("--metric", metavar="NAME", multiple=True, help="Only these metrics (docs/metrics.md).")
-@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
-@click.option("--isolated", is_flag=True, help="Read no project file.")
-@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
+@workspace_options
 @click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores.")
-@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
-@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
 def metrics(**flags: Any) -> int:
     """Measure functions, classes, files and packages, with HAROS's limits beside the values."""
@@ -241,12 +235,7 @@ def metrics(**flags: Any) -> int:
 @click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
 @click.option("--arg", metavar="NAME:=VALUE", multiple=True, help="An argument of the launch files.")
 @click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
-@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
-@click.option("--isolated", is_flag=True, help="Read no project file.")
-@plugin_option
-@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
-@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
-@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+@workspace_options
 def policy(**flags: Any) -> int:
     """Write a security policy (SROS2) that allows what the nodes of LAUNCH files, or of all configurations, do."""
     from haros_ci import policy_command
@@ -267,12 +256,7 @@ def policy(**flags: Any) -> int:
 @click.option("--output", type=click.Path(), help="File to write; default: stdout.")
 @click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's.")
 @click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed.")
-@click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found.")
-@click.option("--isolated", is_flag=True, help="Read no project file.")
-@plugin_option
-@click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out.")
-@click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
-@click.option("--no-cache", is_flag=True, help="Neither read nor write the cache.")
+@workspace_options
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
 def diff(**flags: Any) -> int:
     """Say what the change from BASE to HEAD (default: the work tree) does to interfaces, graph, parameters and QoS."""
@@ -291,11 +275,11 @@ def diff(**flags: Any) -> int:
 @plugin_option
 def rules(**flags: Any) -> int:
     """List every documented rule: id, level, and whether the profile enables it."""
-    from haros_ci import commands
+    from haros_ci import rules_command
 
     if flags["standards"]:
-        return commands.standards_table()
-    return commands.check_table() if flags["as_checks"] else commands.rules(flags)
+        return rules_command.standards_table()
+    return rules_command.check_table() if flags["as_checks"] else rules_command.rules(flags)
 
 
 @haros_ci.command()
@@ -303,9 +287,9 @@ def rules(**flags: Any) -> int:
 @plugin_option
 def explain(rule: str, **flags: Any) -> int:
     """Say what a RULE means, why it matters and how to silence it."""
-    from haros_ci import commands
+    from haros_ci import rules_command
 
-    return commands.explain(rule, flags)
+    return rules_command.explain(rule, flags)
 
 
 @haros_ci.command()

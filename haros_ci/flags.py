@@ -124,3 +124,14 @@ costs_option = click.option(
 
 def what_options(function: Any) -> Any:
     return path_arguments(analysis_options(function))
+
+
+#: What commands have that read a workspace and report no findings.
+workspace_options = options(
+    click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found."),
+    click.option("--isolated", is_flag=True, help="Read no project file."),
+    plugin_option,
+    click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
+    click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),
+    click.option("--no-cache", is_flag=True, help="Neither read nor write the cache."),
+)
