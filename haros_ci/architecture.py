@@ -228,8 +228,8 @@ def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
     """
     best = ""
     for directory, name in roots:
-        if path.startswith(f"{directory}/"):
-            inner = path[len(directory) + 1 :]
+        if directory == "." or path.startswith(f"{directory}/"):
+            inner = path if directory == "." else path[len(directory) + 1 :]
             found = f"{name}/{inner}" if name else inner
             if not best or len(found) < len(best):
                 best = found

@@ -32,6 +32,9 @@ _TRAILING = kinds("trailing_return_type")
 _LOST = kinds("{ } if for while switch case else try catch compound_statement if_statement for_statement")
 _OPERATOR = re.compile(r"\boperator\s+(?=\W)")
 _ERRORS = 20
+_COMPOUND, _DECLARATION = kinds("compound_statement"), kinds("declaration")
+_MADE, _ARGUMENTS = kinds("init_declarator"), kinds("argument_list")
+_OUTSIDE = "a statement outside of functions: braces that do not match hide part of the file"
 _UNREAD = "syntax that is not understood: part of the function is not measured"
 
 
@@ -185,7 +188,7 @@ def _function(file: _File, node: Node, scope: _Scope, depth: int) -> None:
         return
     has_type = before.node is not None or any(child.kind_id in _TRAILING for child in declared.function.children)
     last = declared.name
-    is_macro = not has_type and last.isupper() and last != scope.name.rpartition("::")[2]
+    is_macro = not has_type and last.isupper() and "::" not in last and last != scope.name.rpartition("::")[2]
     if scope.inside is not None and not is_macro:
         _method(scope.inside, declared.name, node, has_type)
     parts = [child for child in node.children if child.kind_id in _BODIES or child.kind_id in _INITS]
@@ -223,6 +226,23 @@ def _function(file: _File, node: Node, scope: _Scope, depth: int) -> None:
     _visit(file, body.local, _Scope(name, name), depth)
 
 
+def _stray(file: _File, node: Node, scope: _Scope, depth: int) -> None:
+    """The body of a function that declares its parameters before it, as C did before ANSI; else something is lost."""
+    head = node.prev_sibling if node.kind_id in _COMPOUND and scope.inside is None else None
+    while head is not None and head.kind_id in _DECLARATION:
+        made = next((child for child in head.children if child.kind_id in _MADE), None)
+        if made is not None and made.children[-1].kind_id in _ARGUMENTS:
+            name = scope.qualified(file.unit.cut(made.children[0]))
+            body = Body(file.unit)
+            body.take([node])
+            counts, (line, column) = body.counts, file.unit.position(made)
+            numbers = (counts.complexity, counts.nesting, counts.calls, len(counts.names), body.paths)
+            file.functions.append(FunctionFacts(name, "", line, column, *numbers))
+            return
+        head = head.prev_sibling
+    file.problem(node, _OUTSIDE)
+
+
 def _prefix(name: str, written: str) -> str:
     """What is before the last part of the *name* of a definition outside of its class; "" for a plain function's."""
     return name.rpartition("::")[0] if "::" in written.removeprefix("::").partition("operator")[0] else ""
@@ -237,8 +257,9 @@ _HANDLERS: dict[int, _Handler] = table(
     {
         "declaration field_declaration": _declaration,
         "function_definition inline_method_definition": _function,
-        "template_declaration linkage_specification declaration_list translation_unit ERROR preproc_if preproc_ifdef"
-        " compound_statement": _inside,
+        "template_declaration linkage_specification declaration_list translation_unit ERROR preproc_if preproc_ifdef": _inside,
+        "compound_statement if_statement for_statement for_range_loop while_statement do_statement switch_statement"
+        " return_statement try_statement": _stray,
         "namespace_definition": _namespace,
         "friend_declaration": _friend,
         "access_specifier": _access,

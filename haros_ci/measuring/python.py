@@ -106,7 +106,8 @@ def _place(source: Source, node: ast.FunctionDef | ast.AsyncFunctionDef | ast.Cl
     """Where the name stands on the line of its ``def`` or ``class``."""
     line, column = place(source, node)
     row = source.lines[line - 1] if line <= len(source.lines) else ""
-    at = row.find(node.name, column + 2)
+    keyword = "class" if isinstance(node, ast.ClassDef) else "def"
+    at = row.find(node.name, row.find(keyword, column - 1) + len(keyword))
     return line, at + 1 if at >= 0 else column
 
 
