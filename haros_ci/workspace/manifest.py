@@ -3,37 +3,62 @@
 
 from __future__ import annotations
 
-from haros_ci.model.element import Element
+from collections.abc import Iterable, Mapping
+
 from haros_ci.model.manifest import Manifest
 from haros_ci.workspace.xml import XmlError, parse_xml
 
 MOST_PEOPLE = 1000
+#: A tag right below the outermost one: its name, its attributes, all text in it.
+Said = tuple[str, Mapping[str, str], str]
 
 
 def read_manifest(data: bytes) -> Manifest:
     """What the manifest *data* tells people; nothing, where it cannot be read (which is a finding elsewhere)."""
     try:
-        root = parse_xml(data)
+        parse_xml(data)  # refuses what must not be read
     except XmlError:
         return Manifest()
-    addresses: dict[str, str] = {}
-    for url in root.all("url"):
-        addresses[url.attributes.get("type", "website")] = _text(url)
+    said = _said(data)
+    addresses = {attributes.get("type", "website"): text for tag, attributes, text in said if tag == "url"}
     return Manifest(
-        description=next((_text(each) for each in root.all("description")), ""),
-        authors=_people(root, "author"),
-        maintainers=_people(root, "maintainer"),
+        description=next((text for tag, _, text in said if tag == "description"), ""),
+        authors=_people(said, "author"),
+        maintainers=_people(said, "maintainer"),
         website=addresses.get("website", ""),
         repository=addresses.get("repository", ""),
         bugtracker=addresses.get("bugtracker", ""),
     )
 
 
-def _people(root: Element, tag: str) -> tuple[str, ...]:
-    names = [_text(each) for each in root.all(tag)][:MOST_PEOPLE]
-    return tuple(dict.fromkeys(name for name in names if name))
+def _people(said: Iterable[Said], tag: str) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(text for own, _, text in said if own == tag and text))[:MOST_PEOPLE]
 
 
-def _text(element: Element) -> str:
-    """All text in *element*, what stands directly in it first (descriptions may be XHTML)."""
-    return " ".join(" ".join((element.text, *(_text(child) for child in element.children))).split())
+def _said(data: bytes) -> list[Said]:
+    """The tags in document order; of markup in them (descriptions may be XHTML) the text stays."""
+    from xml.parsers import expat
+
+    found: list[tuple[str, Mapping[str, str], list[str]]] = []
+    depth = 0
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        nonlocal depth
+        depth += 1
+        if depth == 2:
+            found.append((tag, attributes, []))
+
+    def end(_: str) -> None:
+        nonlocal depth
+        depth -= 1
+
+    def text(characters: str) -> None:
+        if depth >= 2:
+            found[-1][2].append(characters)
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.CharacterDataHandler = text
+    parser.Parse(data, True)
+    return [(tag, attributes, " ".join("".join(parts).split())) for tag, attributes, parts in found]

@@ -58,7 +58,7 @@ def test_a_folder_that_the_visualizer_can_show(workspace: Path) -> None:
     assert [one["name"] for one in system["nodes"]] == ["/a", "/b"]
     (package,) = found["Two Talkers/packages.json"]
     assert (package["description"], package["authors"], package["repository"]) == (
-        "Says . much",
+        "Says much.",
         ["A"],
         "https://example.org/pub",
     )
