@@ -165,12 +165,8 @@ def write_contents(directory: Path, contents: Iterable[Content | Problem]) -> It
 
 
 def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate]) -> list[str]:
-    """Copy tools' settings from the present workspace to where they apply in the base; returns their paths.
-
-    Not those that are analysed themselves (a .yamllint.yaml): these stand there as they were.
-    """
+    """Copy tools' settings from the present workspace to where they apply in the base; returns their paths."""
     directories = {""}
-    analysed = {candidate.path for candidate in wanted}
     for candidate in wanted:
         parent = candidate.path.rpartition("/")[0]
         while parent not in directories:
@@ -180,7 +176,7 @@ def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate
     for parent in sorted(directories):
         for name in TOOL_SETTINGS:
             path = f"{parent}/{name}" if parent else name
-            text = "" if path in analysed else workspace.text(path)
+            text = workspace.text(path)
             if text:
                 os.makedirs(directory / parent, exist_ok=True)
                 _create(directory / path, text.encode("utf-8"))

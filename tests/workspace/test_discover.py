@@ -335,3 +335,13 @@ def test_texts_that_are_refused(git: Git, tmp_path: Path, path: str) -> None:
     (git.top / "dir").symlink_to("../out")
     git.commit({"a.cpp": b""})
     assert discover(git.top, (".",)).text(path) == ""
+
+
+def test_settings_of_tools_above_a_given_directory_hold(tmp_path: Path) -> None:
+    for path in (".clang-format", "p/.shellcheckrc", "p/q/a.cpp", "p/b.cpp", "r/.clang-format"):
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(f"# {path}\n")
+    found = discover(tmp_path, ("p/q",))
+    assert found.text(".clang-format") == "# .clang-format\n" and found.text("p/.shellcheckrc")
+    assert [file.path for file in found.files] == ["p/q/a.cpp"]
+    assert found.text("p/b.cpp") == found.text("r/.clang-format") == "" and found.names == {"p/q/a.cpp"}

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 #: Sets of ``tool:rule``; of the results on one line the one whose rule stands first is kept. Each pair was seen to fire
-#: together. The order of tools is cpplint, cppcheck, clang-tidy, pylint, ruff, metrics, then those that are asked for; metrics come first where
-#: another tool counts the same with a number of its own, because their value can be compared with a baseline.
+#: together. The order of tools is cpplint, cppcheck, clang-tidy, pylint, ruff, metrics, then those that are asked for;
+#: metrics come first where another tool counts the same with a number of its own, because their value can be compared
+#: with a baseline.
 SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     (  # why the rule or value does nothing, before that it does nothing
         "haros-ci:graph-change",
