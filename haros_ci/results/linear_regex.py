@@ -10,33 +10,17 @@ the very end.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
 
-MAX_PATTERN = 500  # characters
+from haros_ci.results.pattern_tree import MAX_PATTERN, Node, PatternError, parsed
+
 MAX_PROGRAM = 1_000  # instructions, counted repetitions written out
-MAX_DEPTH = 50
-MAX_GROUPS = 20
 #: Steps of the machine that all searches with one Budget may take: some ten seconds.
 MAX_STEPS = 20_000_000
 
 _CHAR, _SPLIT, _JUMP, _SAVE, _ASSERT, _MATCH = range(6)
-_Test = Callable[[str], bool]
-_Node = tuple[Any, ...]
-_COUNT = re.compile(r"\{(\d{0,4})(?:(,)(\d{0,4}))?\}")
-_NAME = re.compile(r"\(\?P<([A-Za-z_]\w{0,30})>")
-_PLAIN_ESCAPES = {"t": "\t", "n": "\n", "r": "\r", "f": "\f", "v": "\v"}
-_UNSUPPORTED = {
-    "(?=": "look-ahead", "(?!": "look-ahead", "(?<=": "look-behind", "(?<!": "look-behind",
-    "(?P=": "a back reference", "(?(": "a condition", "(?>": "an atomic group",
-}  # fmt: skip
-
-
-class PatternError(ValueError):
-    """The pattern is malformed, too large, or uses what cannot be matched in linear time."""
 
 
 class TooMuchWork(ValueError):
@@ -60,7 +44,7 @@ class LinearPattern:
     """A compiled pattern; *groups* are the named ones, *literal* is a text that every match contains."""
 
     source: str
-    program: tuple[_Node, ...]
+    program: tuple[Node, ...]
     groups: Mapping[str, int]
     literal: str = ""
     slots_needed: int = 0
@@ -78,181 +62,26 @@ class LinearPattern:
 @lru_cache(maxsize=512)
 def compiled(source: str) -> LinearPattern:
     """*source* as a pattern. Raises PatternError."""
-    if len(source) > MAX_PATTERN:
-        raise PatternError(f"more than {MAX_PATTERN} characters")
-    parser = _Parser(source)
-    tree = parser.whole()
+    pattern = parsed(source)
     writer = _Writer()
-    writer.write(tree)
+    writer.write(pattern.tree)
     writer.add((_MATCH,))
-    literal = "" if parser.ignores_case else max(_literals(tree), key=len, default="")
-    return LinearPattern(source, tuple(writer.program), parser.names, literal, 2 * (parser.groups + 1))
-
-
-@dataclass(slots=True)
-class _Parser:
-    """Recursive descent over the pattern; nodes are tuples whose first entry is their kind."""
-
-    source: str
-    at: int = 0
-    groups: int = 0
-    depth: int = 0
-    names: dict[str, int] = field(default_factory=dict)
-    ignores_case: bool = False
-
-    def whole(self) -> _Node:
-        if self.source.startswith("(?i)"):
-            self.ignores_case, self.at = True, 4
-        tree = self.alternatives()
-        if self.at < len(self.source):
-            raise self.error("an unmatched ')'")
-        return tree
-
-    def error(self, what: str) -> PatternError:
-        return PatternError(f"{what} at character {self.at + 1}")
-
-    def alternatives(self) -> _Node:
-        branches = [self.sequence()]
-        while self.source.startswith("|", self.at):
-            self.at += 1
-            branches.append(self.sequence())
-        return branches[0] if len(branches) == 1 else ("either", branches)
-
-    def sequence(self) -> _Node:
-        parts: list[_Node] = []
-        while self.at < len(self.source) and self.source[self.at] not in "|)":
-            parts.append(self.repeated(self.part()))
-        return ("all", parts)
-
-    def repeated(self, node: _Node) -> _Node:
-        character = self.source[self.at : self.at + 1]
-        counts = _COUNT.match(self.source, self.at)
-        if character and character in "*+?":
-            low, high, length = {"*": (0, None, 1), "+": (1, None, 1), "?": (0, 1, 1)}[character]
-        elif counts is not None and counts[0] != "{}" and counts[0] != "{,}":
-            low, length = int(counts[1] or 0), len(counts[0])
-            high = low if not counts[2] else int(counts[3]) if counts[3] else None
-            if high is not None and high < low:
-                raise self.error("a repetition whose least is above its most")
-        else:
-            return node
-        if node[0] == "where":
-            raise self.error("nothing to repeat")
-        self.at += length
-        lazy = self.source.startswith("?", self.at)
-        self.at += lazy
-        if self.source[self.at : self.at + 1] in ("*", "+", "?") or _COUNT.match(self.source, self.at):
-            raise self.error("a repetition of a repetition")
-        return ("repeat", node, low, high, lazy)
-
-    def part(self) -> _Node:
-        character = self.source[self.at]
-        match character:
-            case "(":
-                return self.group()
-            case "[":
-                return self.characters()
-            case "\\":
-                return self.escape()
-            case "^" | "$":
-                self.at += 1
-                return ("where", character)
-            case ".":
-                self.at += 1
-                return ("any", lambda char: True)
-            case "*" | "+" | "?":
-                raise self.error("nothing to repeat")
-        self.at += 1
-        return self.literal(character)
-
-    def literal(self, character: str) -> _Node:
-        if self.ignores_case:
-            return ("any", re.compile(re.escape(character), re.IGNORECASE).fullmatch)
-        return ("char", character)
-
-    def group(self) -> _Node:
-        for start, what in _UNSUPPORTED.items():
-            if self.source.startswith(start, self.at):
-                raise self.error(f"{what}, which cannot be matched in linear time,")
-        name = _NAME.match(self.source, self.at)
-        captures = name is not None or not self.source.startswith("(?", self.at)
-        if not captures and not self.source.startswith("(?:", self.at):
-            raise self.error("an unknown kind of group")
-        self.depth += 1
-        if self.depth > MAX_DEPTH:
-            raise self.error(f"more than {MAX_DEPTH} groups in one another")
-        number = 0
-        if captures:
-            self.groups += 1
-            number = self.groups
-            if number > MAX_GROUPS:
-                raise self.error(f"more than {MAX_GROUPS} groups that capture")
-        if name is not None:
-            if name[1] in self.names:
-                raise self.error(f"a second group {name[1]!r}")
-            self.names[name[1]] = number
-        self.at += len(name[0]) if name else 1 if captures else 3
-        inner = self.alternatives()
-        if not self.source.startswith(")", self.at):
-            raise self.error("a missing ')'")
-        self.at += 1
-        self.depth -= 1
-        return ("group", inner, number) if captures else inner if inner[0] == "either" else ("all", [inner])
-
-    def characters(self) -> _Node:
-        """A class in brackets; it tests one character, so Python's own may do it."""
-        end = self.at + 1
-        end += self.source.startswith("^", end)
-        end += self.source.startswith("]", end)
-        while end < len(self.source) and self.source[end] != "]":
-            end += 2 if self.source[end] == "\\" else 1
-        if end >= len(self.source):
-            raise self.error("a missing ']'")
-        written = self.source[self.at : end + 1]
-        test = self.one(
-            re.sub(r"(?<!^)(?<!^\[\^)(?<!\\)([\[&~|])", r"\\\1", written)
-        )  # not yet special to ``re``, but it warns
-        self.at = end + 1
-        return ("any", test)
-
-    def escape(self) -> _Node:
-        character = self.source[self.at + 1 : self.at + 2]
-        if not character:
-            raise self.error("a lone backslash")
-        if character.isdigit():
-            raise self.error("a back reference, which cannot be matched in linear time,")
-        self.at += 2
-        if character in "bB":
-            return ("where", character)
-        if character in "dDwWsS":
-            return ("any", self.one("\\" + character))
-        if character in _PLAIN_ESCAPES:
-            return ("char", _PLAIN_ESCAPES[character])
-        if character.isalpha():
-            self.at -= 2
-            raise self.error(f"an unknown escape \\{character}")
-        return self.literal(character)
-
-    def one(self, source: str) -> _Test:
-        try:
-            return re.compile(source, re.IGNORECASE if self.ignores_case else 0).fullmatch  # type: ignore[return-value]
-        except (re.error, OverflowError) as err:
-            raise self.error(f"a class that is malformed ({str(err)[:80]})") from err
+    return LinearPattern(source, tuple(writer.program), pattern.names, pattern.literal, 2 * (pattern.groups + 1))
 
 
 @dataclass(slots=True)
 class _Writer:
     """From the tree to instructions."""
 
-    program: list[_Node] = field(default_factory=list)
+    program: list[Node] = field(default_factory=list)
 
-    def add(self, instruction: _Node) -> int:
+    def add(self, instruction: Node) -> int:
         if len(self.program) >= MAX_PROGRAM:
             raise PatternError(f"repetitions that come to more than {MAX_PROGRAM} steps")
         self.program.append(instruction)
         return len(self.program) - 1
 
-    def write(self, node: _Node) -> None:
+    def write(self, node: Node) -> None:
         match node[0]:
             case "char" | "any":
                 self.add((_CHAR, node[1]))
@@ -270,7 +99,7 @@ class _Writer:
             case _:
                 self.repeat(*node[1:])
 
-    def either(self, branches: list[_Node]) -> None:
+    def either(self, branches: list[Node]) -> None:
         leaving = []
         for branch in branches[:-1]:
             fork = self.add((_SPLIT,))
@@ -281,7 +110,7 @@ class _Writer:
         for jump in leaving:
             self.program[jump] = (_JUMP, len(self.program))
 
-    def repeat(self, node: _Node, low: int, high: int | None, lazy: bool) -> None:
+    def repeat(self, node: Node, low: int, high: int | None, lazy: bool) -> None:
         for _ in range(low):
             self.write(node)
         forks = []
@@ -296,25 +125,6 @@ class _Writer:
         for fork in forks:
             ways = (fork + 1, len(self.program))
             self.program[fork] = (_SPLIT, *(reversed(ways) if lazy else ways))
-
-
-def _literals(node: _Node) -> list[str]:
-    """Texts that every match of *node* contains."""
-    if node[0] == "char":
-        return [node[1]]
-    if node[0] == "group" or (node[0] == "repeat" and node[2] > 0):
-        return _literals(node[1])
-    if node[0] != "all":
-        return []
-    found, run = [], ""
-    for part in [*node[1], ("end",)]:
-        if part[0] == "char":
-            run += part[1]
-            continue
-        found.append(run)
-        run = ""
-        found += _literals(part)
-    return found
 
 
 def _run(pattern: LinearPattern, text: str, budget: Budget) -> tuple[int, ...] | None:
@@ -346,7 +156,7 @@ def _run(pattern: LinearPattern, text: str, budget: Budget) -> tuple[int, ...] |
 
 
 def _follow(
-    program: tuple[_Node, ...],
+    program: tuple[Node, ...],
     start: int,
     saved: tuple[int, ...],
     text: str,
@@ -393,3 +203,6 @@ def _is_word(character: str) -> bool:
 def _slice(text: str, saved: tuple[int, ...], number: int) -> str | None:
     start, end = saved[2 * number], saved[2 * number + 1]
     return text[start:end] if start >= 0 and end >= 0 else None
+
+
+__all__ = ["MAX_PATTERN", "Budget", "LinearPattern", "PatternError", "TooMuchWork", "compiled"]
