@@ -15,7 +15,8 @@ from haros_ci.linters.linter import Command, Output
 
 #: Bytes read of stdout and of stderr each; also the largest file that a tool may write.
 OUTPUT_LIMIT = 64_000_000
-#: Bytes of address space; far above what any tool needs, below what would take the machine down.
+#: Bytes of memory that a process can write to; far above what any tool needs, below what would take the machine down. Address
+#: space would not do: programs in Haskell, Java or JavaScript reserve terabytes of it and use little.
 MEMORY_LIMIT = 8_000_000_000
 
 
@@ -172,7 +173,7 @@ def limit(pid: int, timeout: float) -> None:
         resource.prlimit(pid, resource.RLIMIT_CPU, (seconds, seconds))
         resource.prlimit(pid, resource.RLIMIT_CORE, (0, 0))
         resource.prlimit(pid, resource.RLIMIT_FSIZE, (OUTPUT_LIMIT, OUTPUT_LIMIT))
-        resource.prlimit(pid, resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
+        resource.prlimit(pid, resource.RLIMIT_DATA, (MEMORY_LIMIT, MEMORY_LIMIT))
     except (ImportError, AttributeError, OSError, ValueError):
         pass
 
