@@ -90,9 +90,15 @@ class DeclaredLinter:
     def parse(self, output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if self.tool.exits and output.code not in self.tool.exits:
             raise ValueError(f"exit code {output.code}")
-        data = {"stdout": output.stdout, "stderr": output.stderr, "both": output.stdout + b"\n" + output.stderr}
+        data = self._written(output)
+        if output.code and not data.strip():
+            raise Unread(f"exit code {output.code}, and nothing was written")
         found = self._sarif if self.tool.output == "sarif" else self._text
-        yield from found(data[self.tool.stream], output.code, batch)
+        yield from found(data, output.code, batch)
+
+    def _written(self, output: Output) -> bytes:
+        streams = {"stdout": output.stdout, "stderr": output.stderr, "both": output.stdout + b"\n" + output.stderr}
+        return streams[self.tool.stream]
 
     def _text(self, data: bytes, code: int, batch: Batch) -> Iterator[Finding]:
         places = _Places(batch, self.tool)

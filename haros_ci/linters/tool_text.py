@@ -75,7 +75,10 @@ def _lines(data: bytes) -> Iterator[str]:
 
 
 def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
-    """``path:line:column: level: message [rule]``, as GCC, Clang and many others write it; notes belong to what is above."""
+    """``path:line:column: level: message [rule]``, as GCC, Clang and many others write it.
+
+    A note without a rule belongs to what is above it.
+    """
     own_words = {word for word, _ in tool.levels}
     pending: Said | None = None
     for line in _lines(data):
@@ -88,7 +91,7 @@ def _gcc(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
         message, rule = _apart(line[word.end() if word and is_level else match.end() :].strip())
         level = level if is_level else ""
         said = Said(match["path"], message, _number(match["line"]), _number(match["column"]), rule=rule, level=level)
-        if level == "note" and pending is not None and "note" not in own_words:
+        if level == "note" and not rule and pending is not None and "note" not in own_words:
             pending.notes.append(said)
             continue
         if pending is not None:

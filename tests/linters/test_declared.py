@@ -105,6 +105,11 @@ def test_notes_explain_what_is_above(box: Path) -> None:
     assert [(r.location.path, r.message) for r in only.related] == [("b.py", "because of this")]
 
 
+def test_a_note_with_a_rule_stands_for_itself(box: Path) -> None:
+    done = run(box, tool(), "a.py:1:1: warning: bad [S1]\na.py:2:1: note: less bad [S2]\n")
+    assert [(rule, level) for _, _, _, level, rule, _ in told(done)] == [("S1", "warning"), ("S2", "note")]
+
+
 REGEX = r"^(?P<level>[EW]) (?P<path>\S+) line (?P<line>\d+)(?:-(?P<end_line>\d+))?: (?P<message>.*) \((?P<rule>\w+)\)$"
 
 
@@ -248,6 +253,9 @@ BOMB = '<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><checkstyle><file n
     [
         ({}, "a.py:1: error: e\n", 2, "exit code 2"),
         ({}, "usage: my-tool\n", 1, "exit code 1, and no line of its output is a finding"),
+        ({"output": "json"}, "", 1, "exit code 1, and nothing was written"),
+        ({"output": "sarif"}, "", 1, "exit code 1, and nothing was written"),
+        ({"stream": "stderr"}, "a.py:1: error: e\n", 1, "exit code 1, and nothing was written"),
         ({"output": "json"}, "oops", 1, "cannot be understood"),
         ({"output": "json"}, "[" * 100_000, 0, "failed"),
         ({"output": "json"}, '{"a":' * 100_000, 0, "failed"),
