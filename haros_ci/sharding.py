@@ -41,8 +41,8 @@ from haros_ci.shards.shard import BASE, HEAD, SIDES, Failed, Had, Header, Said, 
 from haros_ci.shards.values import plain
 from haros_ci.workspace.base import Base
 
-#: CPU microseconds for a byte of code, where nothing is remembered (docs/measurements.md).
-WHOLE_COSTS = {ARCHITECTURE: 8.0, STRUCTURE: 3.0}
+#: CPU microseconds for a byte of code, where nothing is remembered: 3 to 10 were measured for the first (docs/scale.md).
+WHOLE_COSTS = {ARCHITECTURE: 6.0, STRUCTURE: 2.0}
 
 #: Settings that say how the run is made or reported, not what the tools are to find.
 _REPORTING = frozenset(
