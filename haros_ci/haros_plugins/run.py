@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import pickle
 import shutil
 import sys
@@ -16,7 +17,7 @@ from typing import Any
 from haros_ci.haros_plugins.manifest import HarosPlugin
 from haros_ci.linters.conversation import Conversation, Ended
 from haros_ci.linters.linter import Command
-from haros_ci.linters.process import TimedOut, Unstartable
+from haros_ci.linters.process import TimedOut, Unstartable, search_path
 
 #: Violations, values and log messages of one plug-in that are kept.
 MOST, MOST_LOGGED = 200_000, 50
@@ -117,8 +118,10 @@ def _started(
     told: Told, scene: Scene, model: Path, scratch: Path, seconds: float, stack: ExitStack
 ) -> Conversation | None:
     argv = (sys.executable, "-I", "-X", "utf8", str(Path(__file__).with_name("child.py")))
+    programs = [os.path.join(sys.prefix, "bin"), *search_path(os.environ, scene.root)]  # tools beside us come first
+    command = Command(argv, environment={"PATH": os.pathsep.join(programs)})
     try:
-        return stack.enter_context(Conversation(Command(argv), root=scene.root, scratch=scratch, seconds=seconds))
+        return stack.enter_context(Conversation(command, root=scene.root, scratch=scratch, seconds=seconds))
     except Unstartable as err:
         told.failures.append(f"could not be started: {err}")
         return None
