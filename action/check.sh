@@ -104,6 +104,7 @@ option baseline-rev "$INPUT_BASELINE_REV"
 ! flag require-baseline "$INPUT_REQUIRE_BASELINE" || arguments+=(--require-baseline)
 option fail-on "$INPUT_FAIL_ON"
 options allow-tool-failure "$INPUT_ALLOW_TOOL_FAILURE"
+options plugin "$INPUT_PLUGINS"
 option compile-database "$INPUT_COMPILE_DATABASE"
 option jobs "$INPUT_JOBS"
 option cache-dir "${INPUT_CACHE_DIR:-$RUNNER_TEMP/haros-ci-cache}"

@@ -11,20 +11,36 @@ fail() {
 
 case "$INPUT_INSTALL" in
   true) ;;
-  false) exit 0 ;;
+  false)
+    [[ -z "$INPUT_PLUGIN_PACKAGES" ]] || fail "The input 'plugin-packages' needs install: true; put them into your image."
+    exit 0
+    ;;
   *) fail "The input 'install' is neither true nor false." ;;
 esac
 
 "$INPUT_PYTHON" -I -c 'import sys; sys.exit(sys.version_info < (3, 10))' ||
   fail "The input 'python' does not name a Python 3.10 or later. Put actions/setup-python before this step."
 
+# Names, with versions or an address of https: a path would be the pull request's own code, an option anything at all.
+requirement='^[A-Za-z0-9][A-Za-z0-9._-]*(\[[A-Za-z0-9,._-]+\])?([[:blank:]]*([=<>!~]=?=?[A-Za-z0-9.*+!,<>=~ -]+)|[[:blank:]]+@[[:blank:]]+(git\+)?https://[^[:blank:]]+)?$'
+packages=()
+while IFS= read -r line; do
+  [[ "$line" =~ $requirement ]] || fail "The input 'plugin-packages' has a line that is no requirement by name: only names, versions and https addresses."
+  packages+=("$line")
+done < <(printf '%s\n' "$INPUT_PLUGIN_PACKAGES" | tr -d '\r' | sed -e 's/^[[:blank:]]*//' -e 's/[[:blank:]]*$//' -e '/^$/d')
+
 environment="$RUNNER_TEMP/haros-ci-environment"
 made_from="$environment/made-from" # written last: a second use of the action in a job finds it and goes on
-if [[ -f "$made_from" && "$(cat "$made_from")" == "$GITHUB_ACTION_PATH" ]]; then
+wanted="$GITHUB_ACTION_PATH ${packages[*]-}"
+if [[ -f "$made_from" && "$(cat "$made_from")" == "$wanted" ]]; then
   exit 0
 fi
 "$INPUT_PYTHON" -I -m venv --clear "$environment" ||
   fail "No virtual environment could be made. On Debian and Ubuntu images install python3-venv."
 "$environment/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-input "$GITHUB_ACTION_PATH" ||
   fail "haros-ci could not be installed; see the log above."
-printf '%s' "$GITHUB_ACTION_PATH" > "$made_from"
+if [[ ${#packages[@]} -gt 0 ]]; then
+  (CDPATH='' cd -- "$RUNNER_TEMP" && "$environment/bin/python" -I -m pip install --quiet --disable-pip-version-check --no-input -- "${packages[@]}") ||
+    fail "The packages of the input 'plugin-packages' could not be installed; see the log above."
+fi
+printf '%s' "$wanted" > "$made_from"

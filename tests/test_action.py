@@ -24,11 +24,11 @@ ACTION: dict[str, Any] = yaml.safe_load((ROOT / "action.yml").read_text(encoding
 WORKFLOW: dict[str, Any] = yaml.safe_load((ROOT / "docs/workflows/haros-ci.yml").read_text(encoding="utf-8"))
 
 #: Inputs that are no option of the command: arguments, where the log goes, and the action's own set-up.
-ACTION_ONLY = {"paths", "merge", "sarif-file", "reports", "annotations", "python", "install"}
+ACTION_ONLY = {"paths", "merge", "plugins", "plugin-packages", "sarif-file", "reports", "annotations", "python", "install"}
 #: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
 TERMINAL_ONLY = {
     "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
-    "trust-config", "why", "fix", "diff", "watch",
+    "trust-config", "why", "fix", "diff", "watch", "plugin", "plugin-whitelist", "plugin-blacklist", "plugin-export",
 }  # fmt: skip
 
 MANIFEST = """<package format="3">
@@ -450,6 +450,8 @@ def test_a_planted_repository_is_not_asked(tmp_path: Path) -> None:
         {"reports": "jnuit=report.xml"},
         {"jobs": "-1; touch pwned"},
         {"select": "--help"},
+        {"plugins": "no_such_plugin_of_ours"},
+        {"plugin-packages": "our-rules"},  # not installed with install: false
     ],
     ids=lambda inputs: next(iter(inputs)),
 )
@@ -463,6 +465,27 @@ def test_wrong_inputs_are_said(tmp_path: Path, inputs: dict[str, str]) -> None:
     assert "sarif" not in job.outputs
     assert "new-count" not in job.outputs
     assert not list(tmp_path.rglob("pwned"))
+
+
+@pytest.mark.parametrize(
+    "line", ["./rules", "../rules", "rules/x", "/rules", "-r rules.txt", "--pre", "x @ file:///rules", "x; y", "$(touch pwned)"]
+)
+def test_packages_of_plugins_have_no_paths(tmp_path: Path, line: str) -> None:
+    workspace = tmp_path / "workspace"
+    workspace.mkdir()
+    job = run_action(workspace, {"install": "true", "plugin-packages": f"our-rules==1.0\n{line}\n"})
+    assert job.code == 2 and "no requirement by name" in job.log
+    assert not (tmp_path / "runner" / "haros-ci-environment").exists() and not list(tmp_path.rglob("pwned"))
+
+
+@pytest.mark.parametrize(
+    "line", ["rules", "rules[a,b]", "rules==1.2", "rules >=1, <2", "rules @ git+https://example.org/rules@v1", "rules~=1.0"]
+)
+def test_packages_of_plugins_have_names(line: str) -> None:
+    script = (ROOT / "action/install.sh").read_text(encoding="utf-8")
+    [pattern] = re.findall(r"^requirement='.*'$", script, re.M)
+    done = subprocess.run(["bash", "-c", f'{pattern}; [[ "$1" =~ $requirement ]]', "bash", line])
+    assert done.returncode == 0
 
 
 def test_an_old_log_is_not_passed_on(tmp_path: Path) -> None:
