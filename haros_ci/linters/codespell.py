@@ -7,8 +7,7 @@ import json
 import os
 import re
 from collections.abc import Iterable, Iterator
-from fnmatch import fnmatch
-from posixpath import dirname, join, normpath, relpath
+from posixpath import dirname, join, normpath
 
 from haros_ci.linters import columns, installed, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
@@ -55,7 +54,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
         config = unit.group
         if config not in settings:
             settings[config] = settings_files.read(workspace, config).get(NAME, {}) if config else {}
-        if not _skipped(unit.file.path, config, settings_files.words(settings[config].get("skip", ""))):
+        if not settings_files.excludes(settings[config].get("skip", ""), config, unit.file.path):
             lists = tuple(path for key in FILES for path in _paths(key, settings[config], config))
             yield Unit(unit.file, group=config, dependencies=(*unit.dependencies, *lists))
 
@@ -106,14 +105,6 @@ def _message(word: str, corrections: str) -> str:
         else f"'{word}' should be one of: {', '.join(choices)}"
     )
     return f"{said} ({reason.strip()})." if reason.strip() else f"{said}."
-
-
-def _skipped(path: str, config: str, globs: list[str]) -> bool:
-    """Whether codespell, started beside its settings, would skip the file or a directory that it is in."""
-    inside = "./" + relpath(path, dirname(config) or ".")
-    parts = inside.split("/")[1:]
-    names = {inside, inside[2:], *parts, *("./" + "/".join(parts[:n]) for n in range(1, len(parts)))}
-    return any(fnmatch(name, glob.rstrip("/")) for glob in globs for name in names)
 
 
 def _paths(key: str, settings: dict[str, object], config: str) -> list[str]:

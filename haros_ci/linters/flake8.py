@@ -24,12 +24,15 @@ COST = 12.0
 #: In the order of flake8's documentation, "Configuration"; it takes the first with a section of its own.
 MARKS = {"setup.cfg": ("[flake8",), "tox.ini": ("[flake8",), ".flake8": ("[flake8",)}
 
-#: Options that name paths; flake8 reads them relative to the file that has them, and on the command line to where it runs.
-PATHS = frozenset("exclude extend-exclude per-file-ignores".split())
+#: Options that name files that flake8 would not look at, were it to look for them.
+EXCLUDES = ("exclude", "extend-exclude")
+#: The option that names paths: relative to the file that has it, and on the command line to where flake8 runs.
+PER_FILE = "per-file-ignores"
 #: Options that only count, switch or name things: flake8's own, then those of plug-ins that ROS projects use. Left out are
 #: plug-ins in the workspace ([flake8:local-plugins]), files to write, processes, and the layout of the output.
-INERT = PATHS | frozenset(
+INERT = frozenset(
     """
+    per-file-ignores
     max-line-length max-doc-length max-complexity indent-size hang-closing ignore extend-ignore select extend-select
     disable-noqa builtins doctests include-in-doctest exclude-from-doctest enable-extensions
     import-order-style application-import-names application-package-names inline-quotes multiline-quotes
@@ -61,7 +64,13 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    return settings_files.units(workspace, LANGUAGES, MARKS)
+    settings: dict[str, dict[str, object]] = {"": {}}
+    for unit in settings_files.units(workspace, LANGUAGES, MARKS):
+        if unit.group not in settings:
+            settings[unit.group] = settings_files.read(workspace, unit.group).get(NAME, {})
+        globs = [word for key in EXCLUDES for word in settings_files.words(settings[unit.group].get(key, ""))]
+        if not settings_files.excludes(globs, unit.group, unit.file.path):
+            yield unit
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -75,9 +84,9 @@ def command(program: Program, batch: Batch) -> Command:
         given = settings_files.read(batch.workspace, batch.group).get("flake8", {}) if batch.group else DEFAULTS
         chosen = settings_files.inert(given, INERT)
         own = batch.scratch / "flake8.cfg"
-        rest = {key: value for key, value in chosen.items() if key not in PATHS}
-        own.write_text(settings_files.ini_text(NAME, rest), encoding="utf-8")
-        options = (f"--config={own}", *(f"--{key}={chosen[key]}" for key in sorted(PATHS & chosen.keys())))
+        per_file = (f"--{PER_FILE}={chosen.pop(PER_FILE)}",) if PER_FILE in chosen else ()
+        own.write_text(settings_files.ini_text(NAME, chosen), encoding="utf-8")
+        options = (f"--config={own}", *per_file)
         if batch.options.trust_config:
             options += batch.options.arguments.get(NAME, ())
     layout = "--format=%(path)s\t%(row)d\t%(col)d\t%(code)s\t%(text)s"

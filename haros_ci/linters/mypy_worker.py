@@ -39,7 +39,6 @@ def check(mypy: Mypy, files: Sequence[str], options: Sequence[str], config: str,
     for name in files:
         if (line := unparsable(name)) is not None:
             left_out[name] = (line, SYNTAX)
-    skipped = set(left_out)
     rounds = in_rounds([name for name in files if name not in left_out])
     attempts = len(rounds) + ATTEMPTS
     while rounds:
@@ -50,18 +49,19 @@ def check(mypy: Mypy, files: Sequence[str], options: Sequence[str], config: str,
             raise RuntimeError("mypy was stopped too often")
         attempts -= 1
         if own:
-            write_settings(config, own, skipped)
+            write_settings(config, own, left_out)
         stdout, stderr, code = mypy([*OPTIONS, *options, f"--config-file={own or config}", "--", *waiting])
         if code in (0, 1):
             yield from stdout.splitlines()
             continue
-        found = [(name, line, why) for name, line, why in blamed(stdout, stderr, waiting) if name not in skipped]
+        found = list(blamed(stdout, stderr, waiting))
+        if all(name in left_out for name, _, _ in found):  # found again, because of the files beside it
+            places = {os.path.dirname(name): why for name, _, why in found}
+            found = [(name, 0, places[place]) for name in waiting if (place := os.path.dirname(name)) in places]
         if not found:
             raise RuntimeError((stderr or stdout).strip()[-300:])
-        for name, line, why in found:
-            skipped.add(name)
-            left_out[name] = (line, why)
-        rounds.insert(0, [name for name in waiting if name not in skipped])
+        left_out.update((name, (line, why)) for name, line, why in found if name not in left_out)
+        rounds.insert(0, [name for name in waiting if name not in left_out])
     for name, (line, why) in left_out.items():
         yield json.dumps({"file": name, "line": line, "gave_up": why})
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from posixpath import dirname, join
+from fnmatch import fnmatch
+from posixpath import dirname, join, relpath
 
 from haros_ci.linters.linter import Unit
 from haros_ci.model.workspace import Workspace
@@ -62,6 +63,20 @@ def inert(settings: Mapping[str, object], keys: Collection[str]) -> dict[str, ob
     """The plain values of *settings* whose key, written with ``-``, is one of *keys*."""
     options = ((key.strip().lower().replace("_", "-"), value) for key, value in settings.items())
     return {key: value for key, value in options if key in keys and plain(value)}
+
+
+def excludes(globs: object, config: str, path: str) -> bool:
+    """Whether *globs* in the settings file *config* name *path* or a directory that it is in.
+
+    As tools do that look for files themselves and were started beside their settings: a glob is of a name, or of a
+    whole path with or without ``./``.
+    """
+    inside = relpath(path, dirname(config) or ".")
+    parts = inside.split("/")
+    above = ("/".join(parts[:n]) for n in range(1, len(parts)))
+    names = {*parts, *(f"{dot}{name}" for name in (inside, *above) for dot in ("", "./"))}
+    patterns = [word.rstrip("/") for word in words(globs)]
+    return any(fnmatch(name, pattern) for pattern in patterns for name in names)
 
 
 def ini(text: str) -> dict[str, dict[str, object]]:

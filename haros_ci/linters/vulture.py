@@ -35,7 +35,7 @@ CALLED = (
     " self cls args kwargs context request response goal_handle event"
 ).split()
 
-_LINE = re.compile(r"(.+?):(\d+): (.+) \(\d+% confidence(?:, \d+ lines?)?\)$")
+_LINE = re.compile(r"(.+):(\d+): (.+) \(\d+% confidence(?:, \d+ lines?)?\)$")
 _ENTRY = re.compile(r"=\s*[\w.]+:(\w+)")
 _UNUSED = re.compile(r"unused (\w+) '(.*)'$")
 

@@ -35,6 +35,14 @@ INVENTED = [
     ("shellcheck", "SC1999"),
     ("xmllint", "encoding-error"),
     ("yamllint", "brand-new"),
+    ("bandit", "B999"),
+    ("black", "brand-new"),
+    ("codespell", "brand-new"),
+    ("flake8", "Q000"),
+    ("flake8", "XYZ123"),
+    ("isort", "brand-new"),
+    ("mypy", "brand-new"),
+    ("vulture", "brand-new"),
     ("elsewhere", "brand-new"),
 ]
 
@@ -79,6 +87,9 @@ LAYOUT = ("black", "clang-format", "isort")
 
 @pytest.mark.parametrize("tool", sorted({*TOOLS} - {*LAYOUT}))
 def test_what_ros_shows_can_fail_a_run(tool: str) -> None:
+    if tool in ("black", "isort"):  # layout: who asks for it sees it, and need not fail for it
+        assert {r.level for r in rules_of(tool).values()} == {Level.NOTE}
+        return
     shown = [r for r in rules_of(tool).values() if "ros" in r.profiles]
     assert [r.id for r in shown if not r.level.reaches(Level.WARNING)] == []
 
@@ -90,6 +101,11 @@ NEVER = [
     ("pylint", "no-member"),
     ("pylint", "c-extension-no-member"),
     ("pylint", "wrong-import-order"),
+    ("mypy", "import-not-found"),
+    ("mypy", "import-untyped"),
+    ("vulture", "unused-function"),
+    ("bandit", "B101"),
+    ("flake8", "E501"),
     ("cppcheck", "missingInclude"),
     ("cppcheck", "missingIncludeSystem"),
     ("cppcheck", "unusedFunction"),
@@ -105,6 +121,8 @@ NEVER = [
     ("cppcheck", "brandNew"),
     ("pylint", "brand-new"),
     ("ruff", "XYZ123"),
+    ("flake8", "XYZ123"),
+    ("mypy", "brand-new"),
     ("elsewhere", "brand-new"),
     # hold only with the files that a script sources
     ("shellcheck", "SC1091"),
@@ -157,6 +175,15 @@ def test_layout_is_only_for_google() -> None:
         ("yamllint", "key-duplicates", "bugs-only"),
         ("yamllint", "line-length", "strict"),
         ("cmakelint", "linelength", "strict"),
+        ("bandit", "B602", "ros"),
+        ("black", "would-reformat", "ros"),
+        ("codespell", "misspelling", "ros"),
+        ("flake8", "F821", "bugs-only"),
+        ("flake8", "F401", "ros"),
+        ("isort", "unsorted-imports", "ros"),
+        ("mypy", "arg-type", "ros"),
+        ("mypy", "no-untyped-def", "strict"),
+        ("vulture", "unused-import", "ros"),
     ],
 )
 def test_in_profile(tool: str, identifier: str, profile: str) -> None:
@@ -183,6 +210,14 @@ def test_in_profile(tool: str, identifier: str, profile: str) -> None:
         ("hadolint", "SC2164", Level.WARNING),
         ("hadolint", "DL3009", Level.NOTE),
         ("flawfinder", "FF1048", Level.NOTE),
+        ("bandit", "B602", Level.ERROR),
+        ("bandit", "B506", Level.WARNING),
+        ("bandit", "B101", Level.NOTE),
+        ("flake8", "E999", Level.ERROR),
+        ("flake8", "F401", Level.WARNING),
+        ("flake8", "E501", Level.NOTE),
+        ("mypy", "call-arg", Level.ERROR),
+        ("mypy", "assignment", Level.WARNING),
     ],
 )
 def test_levels(tool: str, identifier: str, level: Level) -> None:
@@ -196,7 +231,9 @@ def test_ids_keep_the_case_that_was_asked_for() -> None:
 
 
 def test_every_metric_has_a_rule() -> None:
-    thresholds = {t.rule for t in (*metrics.FUNCTION_THRESHOLDS, *metrics.FILE_THRESHOLDS)} | set(metrics.STRUCTURE_RULES)
+    thresholds = {t.rule for t in (*metrics.FUNCTION_THRESHOLDS, *metrics.FILE_THRESHOLDS)} | set(
+        metrics.STRUCTURE_RULES
+    )
     assert thresholds == set(rules_of("metrics"))
     assert metrics.WORSE_BANDS.keys() | {w for worse in metrics.WORSE_BANDS.values() for w in worse} <= thresholds
 
@@ -212,3 +249,10 @@ def test_the_same_defect_names_known_rules() -> None:
             tool, _, identifier = name.partition(":")
             known = {**own.RULES, **check_rules()} if tool == "haros-ci" else rules_of(tool)
             assert tool in ("ruff", "clang-tidy") or identifier in known, name
+
+
+@pytest.mark.parametrize(
+    ("identifier", "weakness"), [("B602", 78), ("B506", 20), ("B108", 377), ("B608", 89), ("B501", 295), ("B301", 502)]
+)
+def test_bandit_s_weaknesses(identifier: str, weakness: int) -> None:
+    assert rule("bandit", identifier).cwe == (weakness,)

@@ -3,10 +3,17 @@
 
 from __future__ import annotations
 
+#: The tests of Bandit that ruff has, too.
+BANDIT = (
+    "101 103 104 105 106 107 108 110 112 113 201 202 301 302 303 304 305 306 308 310 311 312 313 314 315 316 317 318 319"
+    " 321 323 324 401 402 403 404 405 406 407 408 409 411 412 413 415 501 502 503 504 505 506 507 508 509 601 602 603"
+    " 604 605 606 607 608 609 610 611 612 701 702 704"
+)
+
 #: Sets of ``tool:rule``; of the results on one line the one whose rule stands first is kept. Each pair was seen to fire
-#: together. The order of tools is cpplint, cppcheck, clang-tidy, pylint, ruff, metrics, then those that are asked for;
-#: metrics come first where another tool counts the same with a number of its own, because their value can be compared
-#: with a baseline.
+#: together, or has the same number by design. The order of tools is cpplint, cppcheck, clang-tidy, pylint, ruff, metrics,
+#: then those that are asked for; metrics come first where another tool counts the same with a number of its own, because
+#: their value can be compared with a baseline.
 SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     (  # why the rule or value does nothing, before that it does nothing
         "haros-ci:graph-change",
@@ -106,32 +113,32 @@ SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     ),
     ("cppcheck:memleak", "clang-tidy:clang-analyzer-cplusplus.NewDeleteLeaks"),
     ("cppcheck:passedByValue", "clang-tidy:performance-unnecessary-value-param"),
-    ("pylint:unused-import", "ruff:F401"),
-    ("pylint:unused-variable", "ruff:F841"),
-    ("pylint:undefined-variable", "ruff:F821"),
-    ("pylint:undefined-all-variable", "ruff:F822"),
-    ("pylint:wildcard-import", "ruff:F403"),
-    ("pylint:reimported", "ruff:F811"),
-    ("pylint:function-redefined", "ruff:F811"),
-    ("pylint:multiple-imports", "ruff:E401"),
+    ("pylint:unused-import", "ruff:F401", "flake8:F401", "vulture:unused-import"),
+    ("pylint:unused-variable", "ruff:F841", "flake8:F841"),
+    ("pylint:undefined-variable", "ruff:F821", "flake8:F821", "mypy:name-defined"),
+    ("pylint:undefined-all-variable", "ruff:F822", "flake8:F822"),
+    ("pylint:wildcard-import", "ruff:F403", "flake8:F403"),
+    ("pylint:reimported", "ruff:F811", "flake8:F811"),
+    ("pylint:function-redefined", "ruff:F811", "flake8:F811", "mypy:no-redef"),
+    ("pylint:multiple-imports", "ruff:E401", "flake8:E401"),
     ("pylint:dangerous-default-value", "ruff:B006"),
-    ("pylint:literal-comparison", "ruff:F632"),
-    ("pylint:notimplemented-raised", "pylint:not-callable", "ruff:F901"),
-    ("pylint:duplicate-key", "ruff:F601"),
+    ("pylint:literal-comparison", "ruff:F632", "flake8:F632"),
+    ("pylint:notimplemented-raised", "pylint:not-callable", "ruff:F901", "flake8:F901"),
+    ("pylint:duplicate-key", "ruff:F601", "flake8:F601"),
     ("pylint:duplicate-value", "ruff:B033"),
-    ("pylint:assert-on-tuple", "ruff:F631"),
-    ("pylint:f-string-without-interpolation", "ruff:F541"),
-    ("pylint:too-few-format-args", "ruff:F507", "ruff:F524"),
-    ("pylint:truncated-format-string", "ruff:F501"),
+    ("pylint:assert-on-tuple", "ruff:F631", "flake8:F631"),
+    ("pylint:f-string-without-interpolation", "ruff:F541", "flake8:F541"),
+    ("pylint:too-few-format-args", "ruff:F507", "ruff:F524", "flake8:F507", "flake8:F524"),
+    ("pylint:truncated-format-string", "ruff:F501", "flake8:F501"),
     ("pylint:pointless-statement", "ruff:B015"),
     ("pylint:cell-var-from-loop", "ruff:B023"),
     ("pylint:raise-missing-from", "ruff:B904"),
     ("pylint:duplicate-except", "ruff:B025"),
     ("pylint:return-in-finally", "pylint:lost-exception", "ruff:B012"),
     ("pylint:bad-str-strip-call", "ruff:B005", "ruff:PLE1310"),
-    ("pylint:anomalous-backslash-in-string", "ruff:W605"),
-    ("pylint:eval-used", "ruff:S307"),
-    ("pylint:exec-used", "ruff:S102"),
+    ("pylint:anomalous-backslash-in-string", "ruff:W605", "flake8:W605"),
+    ("pylint:eval-used", "ruff:S307", "bandit:B307"),
+    ("pylint:exec-used", "ruff:S102", "bandit:B102"),
     ("pylint:broad-exception-caught", "ruff:BLE001"),
     ("pylint:unspecified-encoding", "ruff:PLW1514"),
     ("pylint:consider-using-with", "ruff:SIM115"),
@@ -146,11 +153,35 @@ SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     ("pylint:super-without-brackets", "ruff:PLW0245"),
     ("pylint:consider-using-f-string", "ruff:UP031"),
     ("pylint:redefined-builtin", "ruff:A002"),
+    ("pylint:syntax-error", "ruff:invalid-syntax", "flake8:E999", "mypy:syntax"),
+    ("pylint:used-before-assignment", "mypy:used-before-def"),
+    ("pylint:no-member", "mypy:attr-defined"),
+    ("pylint:unreachable", "vulture:unreachable-code"),
+    ("pylint:unused-argument", "vulture:unused-variable"),
+    ("pylint:line-too-long", "ruff:E501", "flake8:E501"),
+    ("pylint:trailing-whitespace", "ruff:W291", "flake8:W291"),
+    ("pylint:trailing-whitespace", "ruff:W293", "flake8:W293"),
+    ("pylint:missing-final-newline", "ruff:W292", "flake8:W292"),
+    ("pylint:trailing-newlines", "ruff:W391", "flake8:W391"),
+    ("pylint:bare-except", "ruff:E722", "flake8:E722"),
+    ("pylint:singleton-comparison", "ruff:E711", "flake8:E711"),
+    ("pylint:singleton-comparison", "ruff:E712", "flake8:E712"),
+    ("pylint:unidiomatic-typecheck", "ruff:E721", "flake8:E721"),
+    ("pylint:multiple-statements", "ruff:E701", "flake8:E701"),
+    ("pylint:multiple-statements", "ruff:E702", "flake8:E702"),
+    ("pylint:unnecessary-semicolon", "ruff:E703", "flake8:E703"),
+    ("pylint:wrong-import-position", "ruff:E402", "flake8:E402"),
+    ("pylint:unnecessary-lambda-assignment", "ruff:E731", "flake8:E731"),
+    ("ruff:I001", "isort:unsorted-imports"),
+    ("ruff:F405", "flake8:F405"),
+    # ruff has taken over Bandit's numbers.
+    *((f"ruff:S{number}", f"bandit:B{number}") for number in BANDIT.split()),
     (
         "metrics:max-cyclomatic-complexity-15",
         "metrics:max-cyclomatic-complexity-10",
         "pylint:too-many-branches",
         "ruff:C901",
+        "flake8:C901",
         "ruff:PLR0912",
     ),
     (
