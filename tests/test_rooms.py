@@ -217,7 +217,6 @@ DOORS: dict[str, set[str]] = {
     "flags": {"completion"},
     "completion": {"config", "output", "registry"},
     "cli": {
-        "rules_command",
         "baseline_command",
         "commands",
         "completion",
@@ -233,6 +232,7 @@ DOORS: dict[str, set[str]] = {
         "policy_command",
         "query_command",
         "report",
+        "rules_command",
     },
     "__main__": {"cli"},
     "__init__": set(),
