@@ -96,9 +96,9 @@ def command(program: Program, batch: Batch) -> Command:
 
 
 def _is_unreadable(row: list[str], text: str) -> bool:
-    """Whether the finding says that the file is of another Python; before 3.12 f-strings were more narrow."""
-    *_, code, message = row
-    newer = sys.version_info < (3, 12) and "f-string" in message
+    """Whether the finding says that the file is not of this Python, rather than that it is wrong."""
+    _, line, _, code, message = row
+    newer = python2.is_newer(columns.line_of(text, int(line)), message)
     return code == "E902" or (code == "E999" and (newer or python2.is_python2(text)))
 
 

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Iterable, Iterator
-from pathlib import Path
-from posixpath import relpath
+from posixpath import join, relpath
 
 from haros_ci.linters import columns, imports, installed, python2, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
@@ -22,7 +22,7 @@ NAME = "mypy"
 LANGUAGES = frozenset({"python"})
 WHEN = When.ASKED
 COST = 20.0
-#: Long batches: every process reads the types of the standard library anew.
+#: Long batches: every process reads the types of the standard library anew, packages in one only once.
 BATCH_SECONDS = 10.0
 
 MARKS = {
@@ -64,45 +64,44 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    """One group per package and settings file; a file depends on the modules of its package that it imports."""
+    """One group per settings file; a file depends on the modules of its package that it imports."""
     closures = imports.closures(workspace)
-    homes = {package.name: package.path for package in workspace.packages}
-    for unit in settings_files.units(workspace, LANGUAGES, MARKS, lambda path, config: closures[path]):
-        home = homes.get(unit.file.package or "", ".")
-        yield Unit(unit.file, json.dumps([unit.group, home]), unit.dependencies)
+    return settings_files.units(workspace, LANGUAGES, MARKS, lambda path, config: closures[path])
 
 
 def command(program: Program, batch: Batch) -> Command:
-    """The worker runs in the package's directory, which its modules are named after."""
-    config, home = json.loads(batch.group)
-    root = Path(batch.workspace.root)
+    """The worker checks one package after another, each from the package's directory."""
     own: tuple[str, ...] = batch.options.arguments.get(NAME, ()) if batch.options.trust_config else ()
-    if batch.options.trust_config and config:
-        rc, place = root / config, ""
+    if batch.options.trust_config and batch.group:
+        rc, place = batch.workspace.root / batch.group, ""
     else:
         rc, place = batch.scratch / "given.ini", str(batch.scratch / "mypy.ini")
-        rc.write_text(_rc(settings_files.read(batch.workspace, config), config), encoding="utf-8")
+        rc.write_text(_rc(settings_files.read(batch.workspace, batch.group), batch.group), encoding="utf-8")
         own = ("--no-site-packages", *own)
     request = {
-        "config": str(rc),
+        "config": os.path.abspath(rc),
         "own": place,
+        "cache": str(batch.scratch / "cache"),
         "options": own,
-        "files": [relpath(file.path, home) for file in batch.files],
+        "parts": [{"home": home, "files": files} for home, files in _parts(batch).items()],
     }
-    return Command(program.argv, stdin=json.dumps(request).encode(), cwd=root / home)
+    return Command(program.argv, stdin=json.dumps(request).encode())
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """Lines of JSON, the last of which says ``done``. Columns count from 0, in units that differ by version if not ASCII."""
-    _, home = json.loads(batch.group)
-    paths = {relpath(file.path, home): file.path for file in batch.files}
+    paths = {join(home, name).removeprefix("./") for home, names in _parts(batch).items() for name in names}
     *lines, last = output.stdout.decode("utf-8", "replace").rstrip("\n").split("\n")
     if json.loads(last) != {"done": True}:
         raise ValueError("it did not finish")
+    home = "."
     for line in lines:
         said = json.loads(line)
-        path = paths.get(said["file"])
-        if path is None:
+        if "home" in said:
+            home = said["home"]
+            continue
+        path = join(home, said["file"]).removeprefix("./")
+        if path not in paths:
             continue
         text, number = batch.workspace.text(path), said["line"]
         if "gave_up" in said:
@@ -111,6 +110,16 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         elif said["severity"] == "error" and not _unfounded(said["code"], said["message"], batch.workspace):
             rule = said["code"] or "misc"
             yield Finding(path, Result(NAME, rule, Level.ERROR, said["message"], _place(path, text, said)))
+
+
+def _parts(batch: Batch) -> dict[str, list[str]]:
+    """The files of each package by its directory, relative to that; those of no package are the root's."""
+    homes = {package.name: package.path for package in batch.workspace.packages}
+    parts: dict[str, list[str]] = {}
+    for file in batch.files:
+        home = homes.get(file.package or "", ".")
+        parts.setdefault(home, []).append(relpath(file.path, home))
+    return parts
 
 
 def _unfounded(code: str | None, message: str, workspace: Workspace) -> bool:

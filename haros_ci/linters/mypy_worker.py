@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs mypy over the files that stdin names, again without those that stop it, so that one file costs only itself.
 
-Run as a script in isolated mode: ``mypy_worker.py DIRECTORY``, in the directory that modules are named after. Writes
-mypy's lines of JSON, a line ``{"file", "line", "gave_up"}`` for each file left out, and last ``{"done": true}``.
+Run as a script in isolated mode: ``mypy_worker.py DIRECTORY``, in the workspace's root. The files come in parts, each with
+the directory (*home*) that they are relative to and that nothing is looked for above. Writes for each part ``{"home": …}``,
+mypy's lines of JSON and a line ``{"file", "line", "gave_up"}`` for each file left out, and last ``{"done": true}``.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ ATTEMPTS = 20
 OPTIONS = (
     *("--output=json", "--show-error-end", "--no-error-summary", "--hide-error-context", "--no-pretty"),
     # A directory is a package only with an __init__.py: else the directory ``launch`` of a package would be the module.
-    *("--no-namespace-packages", "--no-explicit-package-bases", "--scripts-are-modules", "--no-incremental"),
+    *("--no-namespace-packages", "--no-explicit-package-bases", "--scripts-are-modules", "--no-sqlite-cache"),
 )
 SYNTAX = "syntax"
 
@@ -126,14 +127,35 @@ def write_settings(config: str, own: str, skipped: Collection[str]) -> None:
         stream.write(text)
 
 
+def forget_all_but_the_standard_library(cache: str) -> None:
+    """Takes modules of the workspace out of mypy's cache: the next of that name is another one."""
+    for directory, _, names in os.walk(cache):
+        for name in names:
+            path = os.path.join(directory, name)
+            if re.search(r"\.meta\.\w+$", name):
+                with open(path, "rb") as stream:
+                    ours = b"/typeshed/" not in stream.read()
+                if ours:
+                    os.unlink(path)
+
+
 def main() -> None:
     request = json.load(sys.stdin)
     if sys.argv[1] not in sys.path:
         sys.path.append(sys.argv[1])
     warnings.simplefilter("ignore")  # of the files' syntax
-    mypy: Mypy = importlib.import_module("mypy.api").run
-    for line in check(mypy, request["files"], request["options"], request["config"], request["own"]):
-        print(line)
+    run: Mypy = importlib.import_module("mypy.api").run
+
+    def mypy(arguments: list[str]) -> tuple[str, str, int]:
+        forget_all_but_the_standard_library(request["cache"])
+        return run(arguments)
+
+    root, options = os.getcwd(), [*request["options"], f"--cache-dir={request['cache']}"]
+    for part in request["parts"]:
+        os.chdir(os.path.join(root, part["home"]))
+        print(json.dumps({"home": part["home"]}))
+        for line in check(mypy, part["files"], options, request["config"], request["own"]):
+            print(line)
     print(json.dumps({"done": True}))
 
 

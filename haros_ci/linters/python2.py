@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Telling Python 2 source from broken Python 3."""
+"""Telling Python 2 source, and Python newer than this, from broken Python 3."""
 
 from __future__ import annotations
 
 import re
+import sys
 
 _SHEBANG = re.compile(r"#!.*\bpython2")
 #: Statements that no Python 3 parser accepts and every Python 2 did.
@@ -18,6 +19,8 @@ _STATEMENTS = re.compile(
     re.MULTILINE | re.VERBOSE,
 )
 _OPERATORS = re.compile(r"^[^#'\"\n]*(?:<>|`\w+`|\b0[0-7]+[lL]?\b|\bur['\"])", re.MULTILINE)
+#: Type aliases, generic functions and classes (PEP 695).
+_NEWER = re.compile(r"\s*(?:type[ \t]+\w+.*=|(?:async[ \t]+)?def[ \t]+\w+\[|class[ \t]+\w+\[)")
 
 
 def is_python2(text: str) -> bool:
@@ -25,9 +28,12 @@ def is_python2(text: str) -> bool:
     return any(pattern.search(text) for pattern in (_SHEBANG, _STATEMENTS, _OPERATORS))
 
 
+def is_newer(line: str, message: str) -> bool:
+    """Whether the syntax error *message* on *line* is of what Python 3.12 has brought and this interpreter lacks."""
+    return sys.version_info < (3, 12) and ("f-string" in message or _NEWER.match(line) is not None)
+
+
 def why_unreadable(text: str) -> str:
     """Why a tool could not parse *text*, for a notification."""
-    import sys
-
     version = ".".join(map(str, sys.version_info[:2]))
     return "it is Python 2" if is_python2(text) else f"it is not valid Python {version}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,7 @@ from haros_ci.linters.compile_db import flags_by_file
 from haros_ci.linters.linter import LintOptions, Unit
 from haros_ci.linters.process import search_path
 from haros_ci.linters.pylint_config import config_path, inert_options
-from haros_ci.linters.python2 import is_python2
+from haros_ci.linters.python2 import is_newer, is_python2
 from haros_ci.model.package import Package, SourceFile
 
 PYTHON_2 = [
@@ -60,6 +61,18 @@ def test_python_2_is_recognised(text: str) -> None:
 @pytest.mark.parametrize("text", NOT_PYTHON_2)
 def test_broken_python_3_is_not_python_2(text: str) -> None:
     assert not is_python2(text)
+
+
+@pytest.mark.parametrize("line", ["type X = int", "  def f[T](x: T): pass", "async def f[T](): pass", "class A[T]:"])
+def test_newer_python_is_recognised(line: str) -> None:
+    assert is_newer(line, "invalid syntax") == (sys.version_info < (3, 12))
+
+
+@pytest.mark.parametrize(
+    "line", ["type(x) = 3 +", "def f(x[1]):", "class A(B[T]", "typed x =", "x = type[", "type = 3 +"]
+)
+def test_what_is_broken_is_not_newer(line: str) -> None:
+    assert not is_newer(line, "invalid syntax")
 
 
 INERT = [

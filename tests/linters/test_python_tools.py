@@ -269,6 +269,19 @@ MYPY_LAYOUTS: list[tuple[dict[str, str], set[tuple[str, str]]]] = [
         {"robot/setup.py": "x: int = ''\n", "setup.py": "x: int = 1\n", "other/setup.py": "x: int = ''\n"},
         {("assignment", "robot/setup.py:1:10"), ("assignment", "other/setup.py:1:10")},
     ),
+    (  # nor are equal files with different imports the same
+        {
+            "other/go.py": "import part\nx: int = part.x\n",
+            "other/part.py": "x = 1\n",
+            "robot/go.py": "import part\nx: int = part.x\n",
+            "robot/part.py": "x = ''\n",
+        },
+        {("assignment", "robot/go.py:2:10")},
+    ),
+    (
+        {"other/go.py": "x: int = ''\n", "robot/go.py": "x: int = ''\n"},
+        {("assignment", "robot/go.py:1:10"), ("assignment", "other/go.py:1:10")},
+    ),
     (  # names that mypy refuses
         {
             "robot/my-dir/__init__.py": "",
