@@ -159,9 +159,20 @@ def write_contents(directory: Path, contents: Iterable[Content | Problem]) -> It
                     made.add(parent)
                 _create(directory / content.path, content.data)
             except OSError as err:  # names that are too long, or that only a crafted tree can hold side by side
+                if _holds(directory / content.path, content.data):  # settings of a tool that have not changed
+                    yield content
+                    continue
                 yield Problem(content.path, f"skipped in the base revision: it cannot be written ({err.strerror})")
                 continue
         yield content
+
+
+def _holds(path: Path, data: bytes) -> bool:
+    """Whether *path*, which is ours, is a file of these bytes."""
+    try:
+        return path.read_bytes() == data
+    except OSError:
+        return False
 
 
 def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate]) -> list[str]:

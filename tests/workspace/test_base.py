@@ -257,6 +257,15 @@ def test_a_submodule_without_the_commit(git: Git, new_git: Callable[[str], Git],
 # -- settings and traps -------------------------------------------------------------------------------------------
 
 
+def test_settings_that_are_analysed_and_have_not_changed(git: Git) -> None:
+    git.commit({"a.cpp": b"", ".yamllint.yaml": b"rules: {}\n", ".hadolint.yaml": b"ignored: []\n"})
+    plant(git.top, {".hadolint.yaml": b"ignored: [DL3006]\n"})
+    with base_workspace(discover(git.top, (".",)), "HEAD") as base:
+        assert [file.path for file in base.workspace.files] == [".yamllint.yaml", "a.cpp"]
+        assert base.workspace.text(".hadolint.yaml") == "ignored: [DL3006]\n"
+        assert [problem.path for problem in base.workspace.problems] == [".hadolint.yaml"]
+
+
 def test_tools_keep_todays_settings(git: Git) -> None:
     git.commit({"arm/a.cpp": b"", "CPPLINT.cfg": b"linelength=80\n", "arm/.clang-tidy": b"Checks: old\n"})
     plant(git.top, {"CPPLINT.cfg": b"linelength=120\n", "arm/CPPLINT.cfg": b"filter=-legal\n", "leg/ruff.toml": b"x"})
