@@ -21,7 +21,7 @@ from haros_ci.results.rule import Level
 
 OWN_KEYS = (
     "profile", "select", "ignore", "levels", "per-package", "per-path", "exceptions", "exclude", "linters", "fail-on", "max-file-size",
-    "compile-database", "baseline", "plugins", "apis", "known_nodes",
+    "compile-database", "baseline", "plugins", "plugin_whitelist", "apis", "known_nodes",
 )  # fmt: skip
 KNOWN_KEYS = (*OWN_KEYS, *PROJECT_KEYS, *HOME_KEYS)
 POLICY_KEYS = ("select", "ignore", "levels")
@@ -120,6 +120,14 @@ class _Own:
                 values["plugins"] = plugins
             elif plugins:
                 file.note("plugins are loaded only with --trust-config", top["plugins"].key_line)
+        if "plugin_whitelist" in top:
+            white = tuple(n.text for n in file.texts(top["plugin_whitelist"], "plugin_whitelist"))
+            if trust:
+                values["plugin_whitelist"] = white
+            elif white:
+                file.note("HAROS plug-ins run only with --trust-config", top["plugin_whitelist"].key_line)
+        if "plugin_blacklist" in top:  # HAROS's key, which turns off tools of the same names, too
+            values["plugin_blacklist"] = tuple(n.text for n in file.texts(top["plugin_blacklist"], "plugin_blacklist"))
         return values
 
     def check_numbers(self, per_path: tuple[PathPolicy, ...]) -> None:

@@ -11,6 +11,7 @@ import pytest
 from commandline import write
 from plugin_cases import run, workspace
 
+from haros_ci.config.load import load
 from haros_ci.errors import UserError
 from haros_ci.haros_plugins.chosen import chosen
 from haros_ci.haros_plugins.manifest import read
@@ -154,6 +155,16 @@ def test_lists_choose(
     monkeypatch.setattr("sys.path", [str(tmp_path / "lib"), str(tmp_path / "ws"), *sys.path])
     found = chosen(names, white, black, tmp_path / "ws")
     assert [each.name for each in found] == [f"haros_plugin_{letter}" for letter in wanted]
+
+
+def test_a_project_file_has_lists_too(tmp_path: Path) -> None:
+    write(tmp_path, {".haros-ci.yaml": "plugins: [a_b, haros_plugin_c]\nplugin_whitelist: [d]\nplugin_blacklist: [pylint]\n"})
+    settings = load(tmp_path, trust_config=True)
+    assert (settings.plugins, settings.haros_plugins) == (("a_b",), ("haros_plugin_c",))
+    assert (settings.plugin_whitelist, settings.plugin_blacklist) == (("d",), ("pylint",))
+    settings = load(tmp_path)
+    assert not (settings.plugins or settings.haros_plugins or settings.plugin_whitelist)
+    assert any("HAROS plug-ins run only with --trust-config" in note for note in settings.notes)
 
 
 @pytest.mark.parametrize(
