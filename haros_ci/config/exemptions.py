@@ -10,10 +10,9 @@ from haros_ci.config.selector import unknown_packages
 from haros_ci.config.settings import Exemption, Policy, Settings
 from haros_ci.config.shapes import File, Named, kind
 from haros_ci.config.yaml_lines import Value
-from haros_ci.errors import UserError
 from haros_ci.model import globs
 from haros_ci.model.workspace import Workspace
-from haros_ci.results.linear_regex import Budget, PatternError, TooMuchWork, compiled
+from haros_ci.results.linear_regex import PatternError, compiled
 from haros_ci.results.result import Result, Run, Suppression
 
 KEYS = ("files", "packages", "rules", "message", "reason")
@@ -116,7 +115,6 @@ class _Fits:
         self.exemptions = settings.exemptions
         self.matches = matches
         self.package = package
-        self.budget = Budget()
         self.places: dict[tuple[Exemption, str], bool] = {}
         self.rules: dict[tuple[Exemption, str, str, tuple[str, ...]], bool] = {}
         self.messages: dict[tuple[str, str], bool] = {}
@@ -155,11 +153,7 @@ class _Fits:
             return True
         key = (exemption.message, message)
         if key not in self.messages:
-            try:
-                found = compiled(exemption.message).search(message[:MAX_MESSAGE], self.budget)
-            except TooMuchWork as err:
-                raise UserError(f"{exemption.origin}: the pattern of this exception: {err}") from err
-            self.messages[key] = found is not None
+            self.messages[key] = compiled(exemption.message).search(message[:MAX_MESSAGE]) is not None
         return self.messages[key]
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from haros_ci.linters.tool_xml import elements
 from haros_ci.model.declared_tool import DeclaredTool
-from haros_ci.results.linear_regex import Budget, compiled
+from haros_ci.results.linear_regex import compiled
 
 MAX_LINE = 4_000  # characters of a line that are looked at
 MAX_FINDINGS = 100_000  # of one process
@@ -110,9 +110,9 @@ def _apart(text: str) -> tuple[str, str]:
 
 
 def _regex(tool: DeclaredTool, data: bytes) -> Iterator[Said]:
-    pattern, budget = compiled(tool.pattern), Budget()
+    pattern = compiled(tool.pattern)
     for line in _lines(data):
-        groups = pattern.search(line, budget)
+        groups = pattern.search(line)
         if groups is not None and groups["path"] and groups["message"]:
             yield _said({name.replace("_", "-"): value for name, value in groups.items()})
 

@@ -95,7 +95,7 @@ def test_other_entries_declare_nothing(text: str) -> None:
             "t: {exec: [t], files: [a], output: regex, pattern: '(?P<file>a)(?P<message>b)'}",
             "no group is called 'file'",
         ),
-        ("t: {exec: [t], files: [a], output: regex, pattern: '(a)\\1'}", "a back reference"),
+        ("t: {exec: [t], files: [a], output: regex, pattern: '(a)\\1'}", "invalid escape sequence"),
         ("t: {exec: [t], files: [a], fields: {path: x}}", "'fields' goes with output: json"),
         ("t: {exec: [t], files: [a], output: json, fields: {file: x}}", "unknown key 'file'"),
         ("t: {exec: [t], files: [a], output: json, fields: {path: [x]}}", "'path' in 'fields' must be text"),

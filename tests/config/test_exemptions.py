@@ -125,9 +125,9 @@ def test_outside_of_packages() -> None:
         ("- {files: [../a]}", 2, "stay inside it"),
         ("- {rules: [1]}", 2, "an entry of 'rules' must be text"),
         ("- {rules: []}", 2, "'rules' of an exception is empty"),
-        ("- files: [a]\n  message: '('", 3, "'message' is no pattern that can be used: a missing '\\)' at character 2"),
-        ("- {message: '(a+)\\1'}", 2, "a back reference, which cannot be matched in linear time"),
-        ("- {message: '(?=a)'}", 2, "look-ahead"),
+        ("- files: [a]\n  message: '('", 3, "'message' is no pattern that can be used: missing \\)"),
+        ("- {message: '(a+)\\1'}", 2, "invalid escape sequence"),
+        ("- {message: '(?=a)'}", 2, "invalid perl operator"),
         ("- {message: " + "a" * 501 + "}", 2, "more than 500 characters"),
         ("- {message: ['a']}", 2, "'message' must be text, not a list"),
         ("- {message: ' '}", 2, "'message' is empty"),
@@ -150,18 +150,6 @@ def test_a_bomb_is_matched_in_no_time() -> None:
     bomb = "- {message: '^(?:(?:a+)+(?:a|aa)*)+[!]$'}"
     assert suppressed(bomb, replace(FOUND, message="a" * 100_000)) == ()
     assert len(suppressed(bomb, replace(FOUND, message="a" * 1_000 + "!"))) == 1
-
-
-def test_too_much_work_is_an_error_with_its_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("haros_ci.results.linear_regex.Budget.spend", _spent)
-    with pytest.raises(UserError, match=r"^\.haros-ci\.yaml:2: the pattern of this exception: matching takes too long"):
-        suppressed("- {message: '[a-z]+[!]'}")
-
-
-def _spent(self: object, steps: int) -> None:
-    from haros_ci.results.linear_regex import TooMuchWork
-
-    raise TooMuchWork("matching takes too long")
 
 
 # -- what is for nothing -------------------------------------------------------------------------------------------

@@ -9,18 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from haros_ci.results.linear_regex import (
-    MAX_PATTERN,
-    MAX_STEPS,
-    Budget,
-    PatternError,
-    TooMuchWork,
-    compiled,
-)
+from haros_ci.results.linear_regex import MAX_PATTERN, PatternError, compiled
 
 
 def search(pattern: str, text: str) -> dict[str, str | None] | None:
-    return compiled(pattern).search(text, Budget())
+    return compiled(pattern).search(text)
 
 
 @pytest.mark.parametrize(
@@ -53,50 +46,28 @@ def test_finds_what_python_finds(pattern: str, text: str) -> None:
     assert search(pattern, text) == (None if theirs is None else theirs.groupdict())
 
 
-PIECES = st.sampled_from(
-    ["a", "b", ".", r"\d", "[ab]", "[^a]", "(?P<x>a|b.)", "(?:", "(", ")", "*", "+", "?", "|", "^", "$", r"\b"]
-)
-
-
-@given(st.lists(PIECES, max_size=9).map("".join), st.text("ab1 ", max_size=8))
-def test_agrees_with_python_whether_there_is_a_match(pattern: str, text: str) -> None:
-    try:
-        theirs = re.search(pattern, text) is not None
-    except re.error:
-        return
-    try:
-        ours = search(pattern, text) is not None
-    except PatternError as err:
-        assert "repetition" in str(err)
-        return
-    assert ours == theirs
+@given(st.text(max_size=200))
+def test_any_text_is_searched(text: str) -> None:
+    assert search("^", text) == {} and search("(?P<x>[^\\x00-\\x{10FFFF}])", text) is None
 
 
 @pytest.mark.parametrize(
     ("pattern", "why"),
     [
-        ("(", "a missing '\\)' at character 2"),
-        (")", "an unmatched '\\)' at character 1"),
-        ("[a", "a missing '\\]'"),
-        ("*a", "nothing to repeat at character 1"),
-        ("^*", "nothing to repeat"),
-        ("a**", "a repetition of a repetition at character 3"),
-        ("a{3,2}", "least is above its most"),
-        ("[z-a]", "malformed"),
-        ("\\", "a lone backslash"),
-        (r"(a)\1", "a back reference, which cannot be matched in linear time, at character 4"),
-        ("(?P<a>x)(?P=a)", "a back reference"),
-        ("a(?=b)", "look-ahead"),
-        ("(?!a)", "look-ahead"),
-        ("(?<=a)b", "look-behind"),
-        ("(?>a)", "an atomic group"),
-        ("(?x)a", "an unknown kind of group"),
-        ("(?P<a>x)(?P<a>y)", "a second group 'a'"),
-        (r"\q", "an unknown escape"),
+        ("(", "missing \\)"),
+        (")", "unexpected \\)"),
+        ("[a", "missing ]"),
+        ("*a", "no argument for repetition"),
+        ("a{3,2}", "invalid repetition size"),
+        ("[z-a]", "invalid character class range"),
+        ("\\", "trailing"),
+        (r"(a)\1", "invalid escape sequence"),
+        ("(?P<a>x)(?P=a)", "invalid"),
+        ("a(?=b)", "invalid perl operator"),
+        ("(?<=a)b", "invalid"),
+        (r"\q", "invalid escape sequence"),
         ("a" * (MAX_PATTERN + 1), "more than 500 characters"),
-        ("a{1001}", "more than 1000 steps"),
-        ("((a{50}){50}){50}", "more than 1000 steps"),
-        ("(" * 60 + ")" * 60, "groups"),
+        ("((a{50}){50}){50}", "invalid repetition size"),
         ("()" * 30, "more than 20 groups"),
     ],
 )
@@ -109,21 +80,6 @@ def test_refused(pattern: str, why: str) -> None:
     "pattern",
     ["(a*)*[b]", "(?:a|a)*[b]", "(?:a+)+[b]", "(.*)(.*)(.*)(.*)(.*)[=]", "(?:a?){30}[a]{30}[b]", "(x+x+)+y|a*[b]"],
 )
-def test_bombs_take_steps_in_proportion(pattern: str) -> None:
-    short, long = Budget(), Budget()
-    compiled(pattern).search("a" * 200, short)
-    compiled(pattern).search("a" * 2000, long)
-    assert 0 < MAX_STEPS - long.left <= 12 * (MAX_STEPS - short.left) < 12_000_000
-
-
-def test_a_budget_ends() -> None:
-    budget = Budget(1_000)
-    with pytest.raises(TooMuchWork, match="write the pattern simpler"):
-        for _ in range(100):
-            compiled("(?:a?){90}$").search("a" * 100, budget)
-
-
-def test_text_without_the_literal_costs_nothing() -> None:
-    budget = Budget()
-    assert compiled(r".*(\w+) must have .*").search("x" * 5000, budget) is None
-    assert budget.left == MAX_STEPS
+def test_bombs_end(pattern: str) -> None:
+    """With backtracking none of these would end in a lifetime."""
+    assert compiled(pattern).search("a" * 20_000) is None
