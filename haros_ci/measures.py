@@ -28,7 +28,7 @@ from haros_ci.workspace.build import builds
 
 Progress = Callable[[str], None]
 #: Part of every key: a change of how we measure gets another.
-FACTS = f"{__version__}-2"
+FACTS = f"{__version__}-3"
 #: What has these metrics.
 TOOL = "metrics"
 

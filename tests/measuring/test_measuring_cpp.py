@@ -139,6 +139,8 @@ def test_calls(body: str, calls: int, distinct: int) -> None:
         ('extern "C" { void f() {} }', ["f"]),
         ("int main() { struct L { void m() {} }; }", ["main", "main::L::m"]),
         ("class API_EXPORT A { void f() {} };", ["A::f"]),
+        ("struct A { void f() const LIB_NOEXCEPT { } bool g() LIB_NOEXCEPT { } };", ["A::f", "A::g"]),
+        ("template <class T>\nLIB_INLINE A<T>::A(int x) : x_{x} {}", ["A::A"]),
         ("#ifndef X_H\n#define X_H\nvoid f() {}\n#endif", ["f"]),
         ("int f(a, b) int a; char * b; { if (a) {} }\nint g() {}", ["f", "g"]),
         # quiet: no functions
