@@ -127,7 +127,7 @@ class _Own:
             elif white:
                 file.note("HAROS plug-ins run only with --trust-config", top["plugin_whitelist"].key_line)
         if "plugin_blacklist" in top:  # HAROS's key, which turns off tools of the same names, too
-            values["plugin_blacklist"] = tuple(n.text for n in file.texts(top["plugin_blacklist"], "plugin_blacklist"))
+            values["plugin_blacklist"] = tuple(n.text for n in file.names(top["plugin_blacklist"], "plugin_blacklist"))
         return values
 
     def check_numbers(self, per_path: tuple[PathPolicy, ...]) -> None:
