@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator
 from posixpath import dirname, isabs, join, normpath, relpath
 from typing import Any
@@ -20,7 +21,9 @@ COST = 25.0
 MARKS: settings_files.Marks = {".yamllint": (), ".yamllint.yaml": (), ".yamllint.yml": ()}
 #: The configurations that come with yamllint ("Configuration").
 SHIPPED = frozenset({"default", "relaxed", "empty"})
-DEFAULT_SETTINGS = {"extends": "default"}
+#: Where the workspace has no settings; True and False are booleans to every program that reads YAML for ROS.
+BOOLEANS = ["true", "false", "True", "False", "TRUE", "FALSE"]
+DEFAULT_SETTINGS = {"extends": "default", "rules": {"truthy": {"allowed-values": BOOLEANS, "level": "warning"}}}
 #: How long a chain of ``extends`` may be.
 LONGEST_CHAIN = 8
 
@@ -30,7 +33,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return "1"
+    return json.dumps(["1", DEFAULT_SETTINGS])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

@@ -217,7 +217,7 @@ def request(root: Path, adapter: ModuleType, files: dict[str, str], **options: b
 
 
 YAMLLINT = [
-    ({}, {"extends": "default"}),
+    ({}, yamllint.DEFAULT_SETTINGS),
     ({".yamllint": "extends: relaxed\n"}, {"extends": "relaxed", "rules": {}}),
     ({".yamllint": "rules: {truthy: disable}\nlocale: en_US.UTF-8\n"}, {"rules": {"truthy": False}}),
     (

@@ -92,7 +92,7 @@ QUIET = [
     (shellcheck, {"a.sh": "#!/bin/zsh\necho $1\n"}),
     (xmllint, {"a.launch": "<launch/>\n", "a.urdf": '<?xml version="1.0"?>\n<robot xmlns:xacro="http://x/y"><xacro:a/></robot>\n'}),
     (xmllint, {"a.launch": b'<?xml version="1.0" encoding="ISO-8859-1"?>\n<launch name="\xe9"/>\n'}),
-    (yamllint, {"a.yaml": "---\na: 1\n"}),
+    (yamllint, {"a.yaml": "---\na: 1\nb: True\nc: FALSE\n"}),
     (yamllint, {"a.yaml": "a: yes  # yamllint disable-line rule:truthy\n", ".yamllint": "rules: {truthy: enable}\n"}),
     (yamllint, {"p/q/a.yaml": "a:    yes\n", "p/.yamllint": "extends: default\nignore: q/\n"}),
 ]  # fmt: skip
