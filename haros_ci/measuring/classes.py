@@ -7,13 +7,15 @@ least that; a name that is none of its classes is not coupled to.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.code.classes import Owner, class_named, dotted_name, resolved
 from haros_ci.code.codebase import Codebase
 from haros_ci.link.index import Source
+from haros_ci.link.types import is_type
 from haros_ci.measuring.facts import ClassFacts, FileFacts, FunctionFacts
+from haros_ci.model.program import Type
 
 NOWHERE: frozenset[str] = frozenset()
 
@@ -56,6 +58,7 @@ class _Measuring:
         self.every: list[Measured] = []
         self.by_place: dict[tuple[str, str, int], Measured] = {}
         self.meant: dict[tuple[str, str, str], Measured | None] = {}
+        self.mentioned: dict[tuple[str, str, str], tuple[Measured, ...]] = {}
 
     def all(self) -> Classes:
         for source in self.code.sources:
@@ -139,7 +142,7 @@ class _Measuring:
             if source.separator == ".":
                 self.meant[key] = self._class(dotted_name(source, name), source)
             else:
-                self.meant[key] = self._class(resolved(self.code, (name, (), ""), scope, source)[0], source)
+                self.meant[key] = self._class(self._type(source, scope, name)[0], source)
         return self.meant[key]
 
     def _set_depth(self, each: Measured) -> None:
@@ -160,15 +163,38 @@ class _Measuring:
         places = [(each.source, each.facts.mentions), *((source, f.mentions) for source, f in each.functions)]
         for source, names in places:
             for name in names:
-                other = self._mentioned(source, each.facts.name, name)
-                if other is not None and other is not each:
-                    each.coupled.add(id(other))
+                found = self._mentioned(source, each.facts.name, name)
+                each.coupled.update(id(other) for other in found if other is not each)
 
-    def _mentioned(self, source: Source, scope: str, name: str) -> Measured | None:
-        """The class that a name or what it is qualified by means: ``A::B::make`` may be of ``A::B`` or of ``A``."""
-        while name:
+    def _mentioned(self, source: Source, scope: str, name: str) -> tuple[Measured, ...]:
+        """The classes that a name stands for, or what it is qualified by: ``A::B::make`` may be of ``A::B`` or of ``A``.
+
+        An alias stands for all classes of its type: ``using Graph = std::vector<Node>`` for ``Node``.
+        """
+        key = (source.path, scope, name)
+        if key not in self.mentioned:
             found = self.named(source, scope, name)
-            if found is not None:
-                return found
-            name = name.rpartition(source.separator)[0]
-        return None
+            every = [] if found is None else [found]
+            if found is None and source.separator == "::":
+                every = [
+                    e for e in map(self._seen_by(source), _parts(self._type(source, scope, name)[1])) if e is not None
+                ]
+            head = name.rpartition(source.separator)[0]
+            self.mentioned[key] = tuple(every) or (self._mentioned(source, scope, head) if head else ())
+        return self.mentioned[key]
+
+    def _type(self, source: Source, scope: str, name: str) -> Type:
+        return resolved(self.code, (name, (), ""), scope, source)
+
+    def _seen_by(self, source: Source) -> Callable[[str], Measured | None]:
+        return lambda name: self._class(name, source)
+
+
+def _parts(arguments: Iterable[Type]) -> Iterator[str]:
+    """The names of the types among template arguments, and in theirs."""
+    waiting = list(arguments)
+    while waiting:
+        each = waiting.pop()
+        if is_type(each):
+            yield each[0]
+            waiting.extend(each[1])

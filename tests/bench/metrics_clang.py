@@ -133,7 +133,12 @@ class Function:
             return
         if target is not None and target.kind == K.CONSTRUCTOR and (tokens[0] == "(" or name not in tokens[:12]):
             return
-        if target is not None and target.kind == K.CONSTRUCTOR and tokens[:1] == [name] and tokens[1:2] not in (["("], ["<"]):
+        if (
+            target is not None
+            and target.kind == K.CONSTRUCTOR
+            and tokens[:1] == [name]
+            and tokens[1:2] not in (["("], ["<"])
+        ):
             return
         if name and name not in tokens and target is not None:
             return
@@ -192,15 +197,27 @@ class Tree:
     def mention(self, usr: str, cursor: Any, is_class: bool = False) -> None:
         """The classes that are named under *cursor*: types, qualifiers, templates, what a typedef of them stands for."""
         for child in cursor.get_children():
-            if child.kind in CLASSES or (is_class and child.kind in (*FUNCTIONS, K.FRIEND_DECL) and child.is_definition()):
+            if child.kind in CLASSES or (
+                is_class and child.kind in (*FUNCTIONS, K.FRIEND_DECL) and child.is_definition()
+            ):
                 continue
             if is_class and child.kind == K.FRIEND_DECL:
                 continue
             if child.kind in (K.TYPE_REF, K.TEMPLATE_REF):
-                named = self.definition(child.referenced)
-                if named:
-                    self.named[usr].add(named)
+                self.named[usr].update(self.meant(child.referenced))
             self.mention(usr, child)
+
+    def meant(self, cursor: Any) -> set[str]:
+        """The class that a declaration stands for; for an alias also those among its template arguments."""
+        found = {self.definition(cursor)}
+        if cursor is not None and cursor.kind in (K.TYPEDEF_DECL, K.TYPE_ALIAS_DECL):
+            waiting = [cursor.underlying_typedef_type]
+            while waiting:
+                kind = waiting.pop()
+                inner = [kind.get_template_argument_type(i) for i in range(max(kind.get_num_template_arguments(), 0))]
+                waiting += inner
+                found |= {self.definition(each.get_declaration()) for each in inner}
+        return found - {""}
 
     def definition(self, cursor: Any) -> str:
         """The class that a declaration stands for, "" if it is none."""

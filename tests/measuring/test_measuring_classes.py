@@ -114,7 +114,7 @@ def test_a_class_without_methods_has_no_weight(tmp_path: Path) -> None:
     }  # fmt: skip
 
 
-USED = "class B { public: static void make(); enum E { X }; };\nnamespace m { class C {}; }\nclass D {};\n"
+USED = "class B; using Bs = std::vector<std::shared_ptr<B>>;\nclass B { public: static void make(); enum E { X }; };\nnamespace m { class C {}; }\nclass D {};\n"
 
 
 @pytest.mark.parametrize(
@@ -124,6 +124,8 @@ USED = "class B { public: static void make(); enum E { X }; };\nnamespace m { cl
         ("std::shared_ptr<B> b_; std::map<int, m::C> c_;", 2),
         ("void f(const B & b, m::C * c);", 2),
         ("D g();", 1),
+        ("using L = std::map<int, std::vector<B>>; L all_;", 1),
+        ("Bs all_;", 1),
         ("void f() { B b; auto c = new m::C; }", 2),
         ("void f() { B::make(); }", 1),
         ("void f() { x = B::X; y = m::C(); static_cast<D *>(z); }", 3),
