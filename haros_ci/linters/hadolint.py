@@ -27,7 +27,7 @@ LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 
 
 def locate(options: LintOptions) -> Program | None:
-    return installed.bounded(installed.binary("hadolint", options))
+    return installed.binary("hadolint", options)
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:

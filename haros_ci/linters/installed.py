@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from haros_ci.linters.linter import LintOptions, Program
-from haros_ci.linters.process import MEMORY_LIMIT, environment, search_path
+from haros_ci.linters.process import environment, search_path
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,18 +97,6 @@ def on_path(name: str, options: LintOptions) -> str | None:
         if os.path.isfile(path) and os.access(path, os.X_OK):
             return path
     return None
-
-
-def bounded(program: Program | None) -> Program | None:
-    """*program* with the limit on its memory in force from its first instruction.
-
-    Programs written in Haskell reserve a terabyte of addresses when they start, unless a limit forbids it; one that is set
-    a moment later would then leave them none. The shell runs a text of ours alone.
-    """
-    if program is None or os.name != "posix":
-        return program
-    limited = ("/bin/sh", "-c", 'ulimit -v "$0" 2>/dev/null; exec "$@"', str(MEMORY_LIMIT // 1024))
-    return Program((*limited, *program.argv), program.version)
 
 
 def version_of(path: str) -> str | None:

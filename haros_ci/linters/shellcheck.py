@@ -31,7 +31,7 @@ LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 
 
 def locate(options: LintOptions) -> Program | None:
-    return installed.bounded(installed.binary("shellcheck", options))
+    return installed.binary("shellcheck", options)
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
