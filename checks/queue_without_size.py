@@ -24,7 +24,7 @@ def _said(end: End) -> tuple[str, Level] | None:
         return (
             f"{end.node} publishes {end.name} without queue_size: each message is sent to one subscriber after the other, "
             "a slow one holds up the node; pass queue_size",
-            Level.WARNING,
+            Level.NOTE,
         )
     if end.raw.queue_size != 0:
         return None

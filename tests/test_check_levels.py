@@ -46,7 +46,7 @@ def test_a_launch_file_of_ros1_that_is_left_over(install: str, expected: Level, 
 @pytest.mark.parametrize(
     ("call", "expected"),
     [
-        ("Publisher('a', String)", Level.WARNING),
+        ("Publisher('a', String)", Level.NOTE),
         ("Publisher('a', String, queue_size=0)", Level.NOTE),
         ("Subscriber('a', String, print, queue_size=0)", Level.ERROR),
     ],

@@ -12,6 +12,9 @@ from haros_ci.model import globs
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level, Rule
 
+#: Profiles that show nothing of what a check itself holds for less than it usually is: a note, where its rule is more.
+WITHOUT_HINTS = ("bugs-only", "ros")
+
 Catalogue = Callable[[str], Mapping[str, Rule]]
 #: Whether a rule is on, and the level that the settings give it (None: its own).
 _Decision = tuple[bool, Level | None]
@@ -53,14 +56,16 @@ class Selection:
         self._catalogue = catalogue
         self._unlisted = unlisted
         self._zones: dict[str, tuple[int, ...]] = {}
-        self._decisions: dict[tuple[str, str | Rule, tuple[int, ...]], _Decision] = {}
+        self._decisions: dict[tuple[str, str | Rule, tuple[int, ...], bool], _Decision] = {}
 
     def decide(self, tool: str, rule: str | Rule, path: str, default: Level | None = None) -> Level | None:
         """The level of *rule* in the file *path*, or None if it is off there.
 
-        Where no setting names a level it is *default*, or else the rule's own.
+        Where no setting names a level it is *default*, or else the rule's own. A *default* of ``note`` below the rule's own
+        level is a hint of a check: profiles that show what is wrong pass over those.
         """
-        on, level = self._decision(tool, rule, path)
+        is_hint = default is Level.NOTE and self.rule(tool, rule).level is not Level.NOTE
+        on, level = self._decision(tool, rule, path, is_hint=is_hint)
         if not on:
             return None
         return level or default or self.rule(tool, rule).level
@@ -101,12 +106,12 @@ class Selection:
         name = f"{package}/{path}"
         return any(globs.compiled(pattern)(name) for pattern in self._settings.ignore_files)
 
-    def _decision(self, tool: str, rule: str | Rule, path: str) -> _Decision:
+    def _decision(self, tool: str, rule: str | Rule, path: str, *, is_hint: bool = False) -> _Decision:
         zone = self._zone(path) if self._settings.local else ()
-        key = (tool, rule, zone)
+        key = (tool, rule, zone, is_hint)
         decision = self._decisions.get(key)
         if decision is None:
-            decision = self._decisions[key] = self._decide(tool, self.rule(tool, rule), zone)
+            decision = self._decisions[key] = self._decide(tool, self.rule(tool, rule), zone, is_hint)
         return decision
 
     def _zone(self, path: str) -> tuple[int, ...]:
@@ -128,11 +133,11 @@ class Selection:
             self._zones[path] = zone
         return zone
 
-    def _decide(self, tool: str, rule: Rule, zone: tuple[int, ...]) -> _Decision:
+    def _decide(self, tool: str, rule: Rule, zone: tuple[int, ...], is_hint: bool) -> _Decision:
         settings = self._settings
         local = [settings.local[i] for i in zone]
         profile = next((entry.profile for entry in reversed(local) if entry.profile), settings.profile)
-        state = _State(profile == "all" or profile in rule.profiles)
+        state = _State((profile == "all" or profile in rule.profiles) and not (is_hint and profile in WITHOUT_HINTS))
         for policy in (settings.policy, *(entry.policy for entry in local), settings.command_line):
             state = _apply(policy, tool, rule, state)
         return state.on and not state.off, state.level

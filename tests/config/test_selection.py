@@ -353,3 +353,29 @@ def test_another_revision_has_other_packages() -> None:
     old = in_packages().over({"src/arm/a.py": "leg_driver"}.get)
     assert old.decide("pylint", "unused-import", "src/arm/a.py") is NOTE
     assert in_packages().over(lambda path: None).decide("pylint", "import-error", "src/arm/a.py") is None
+
+
+@pytest.mark.parametrize(
+    ("profile", "select", "levels", "expected"),
+    [
+        ("strict", (), {}, NOTE),
+        ("all", (), {}, NOTE),
+        ("ros", ("pylint:unused-import",), {}, NOTE),
+        ("ros", ("cleanup",), {"unused-import": ERROR}, ERROR),
+        ("ros", (), {}, None),
+        ("ros", (), {"unused-import": ERROR}, None),
+        ("bugs-only", (), {}, None),
+        ("ros", ("pylint:used-before-assignment",), {}, None),
+    ],
+)
+def test_a_hint_of_a_check(
+    profile: str, select: tuple[str, ...], levels: dict[str, Level], expected: Level | None
+) -> None:
+    made = selection(profile=profile, select=select, levels=levels)
+    assert made.decide("pylint", "unused-import", "a.py", default=NOTE) is expected
+
+
+def test_what_is_no_hint_is_shown() -> None:
+    made = selection(profile="ros")
+    assert made.decide("pylint", "unused-import", "a.py", default=ERROR) is ERROR
+    assert made.decide("pylint", Rule("x", "", level=NOTE, profiles=("ros",)), "a.py", default=NOTE) is NOTE

@@ -155,7 +155,7 @@ def test_layout_is_only_for_google() -> None:
         ("cppcheck", "variableScope", "strict"),
         ("cppcheck", "uninitMemberVar", "strict"),
         ("pylint", "undefined-variable", "bugs-only"),
-        ("pylint", "unused-import", "ros"),
+        ("pylint", "unused-import", "strict"),
         ("pylint", "missing-function-docstring", "strict"),
         ("cpplint", "build/namespaces_headers", "ros"),
         ("cpplint", "runtime/references", "google"),

@@ -25,7 +25,7 @@ GROUPS: tuple[Group, ...] = (
         " Remove it, or list it in `__all__` if it is meant for others.",
         ("redundancy", "imports"),
         (
-            ("unused-import", "RW", "An imported name is used."),
+            ("unused-import", "SW", "An imported name is used."),
             ("reimported", "SW", "A module is imported once."),
             ("wildcard-import", "SW", "Imported names are listed."),
             ("cyclic-import", "SR", "Modules do not import each other in a circle."),
