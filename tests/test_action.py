@@ -24,7 +24,18 @@ ACTION: dict[str, Any] = yaml.safe_load((ROOT / "action.yml").read_text(encoding
 WORKFLOW: dict[str, Any] = yaml.safe_load((ROOT / "docs/workflows/haros-ci.yml").read_text(encoding="utf-8"))
 
 #: Inputs that are no option of the command: arguments, where the log goes, and the action's own set-up.
-ACTION_ONLY = {"paths", "merge", "plugins", "plugin-packages", "sarif-file", "reports", "annotations", "python", "install"}
+ACTION_ONLY = {
+    "paths",
+    "merge",
+    "linters",
+    "plugins",
+    "plugin-packages",
+    "sarif-file",
+    "reports",
+    "annotations",
+    "python",
+    "install",
+}
 #: Options that no input gives: they belong to a project file, to a person at a terminal, or would weaken the action.
 TERMINAL_ONLY = {
     "exclude", "import", "isolated", "no-baseline", "no-cache", "output", "show-settings", "statistics", "timings",
@@ -441,6 +452,7 @@ def test_a_planted_repository_is_not_asked(tmp_path: Path) -> None:
         {"annotations": "yes"},
         {"require-baseline": "1"},
         {"install": ""},
+        {"install": "true", "linters": "yes"},
         {"profile": "rso"},
         {"fail-on": "always"},
         {"project": "missing.yaml"},
@@ -468,7 +480,18 @@ def test_wrong_inputs_are_said(tmp_path: Path, inputs: dict[str, str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "line", ["./rules", "../rules", "rules/x", "/rules", "-r rules.txt", "--pre", "x @ file:///rules", "x; y", "$(touch pwned)"]
+    "line",
+    [
+        "./rules",
+        "../rules",
+        "rules/x",
+        "/rules",
+        "-r rules.txt",
+        "--pre",
+        "x @ file:///rules",
+        "x; y",
+        "$(touch pwned)",
+    ],
 )
 def test_packages_of_plugins_have_no_paths(tmp_path: Path, line: str) -> None:
     workspace = tmp_path / "workspace"
@@ -479,13 +502,41 @@ def test_packages_of_plugins_have_no_paths(tmp_path: Path, line: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "line", ["rules", "rules[a,b]", "rules==1.2", "rules >=1, <2", "rules @ git+https://example.org/rules@v1", "rules~=1.0"]
+    "line",
+    ["rules", "rules[a,b]", "rules==1.2", "rules >=1, <2", "rules @ git+https://example.org/rules@v1", "rules~=1.0"],
 )
 def test_packages_of_plugins_have_names(line: str) -> None:
     script = (ROOT / "action/install.sh").read_text(encoding="utf-8")
     [pattern] = re.findall(r"^requirement='.*'$", script, re.M)
     done = subprocess.run(["bash", "-c", f'{pattern}; [[ "$1" =~ $requirement ]]', "bash", line])
     assert done.returncode == 0
+
+
+#: In the place of Python: says what it was called with, and makes an environment that does the same.
+RECORDER = """#!/bin/sh
+printf '%s\\n' "$*" >> "$RECORD"
+case "$*" in *" -m venv "*) for last; do :; done; mkdir -p "$last/bin"; cp "$0" "$last/bin/python";; esac
+"""
+
+
+@pytest.mark.parametrize(("linters", "what"), [("true", "/action[linters]"), ("false", "/action")])
+def test_linters_that_run_if_asked_for_are_an_extra(tmp_path: Path, linters: str, what: str) -> None:
+    python = tmp_path / "python"
+    python.write_text(RECORDER)
+    python.chmod(0o755)
+    environment = {
+        "PATH": os.environ["PATH"],
+        "RECORD": str(tmp_path / "record"),
+        "RUNNER_TEMP": str(tmp_path),
+        "GITHUB_ACTION_PATH": "/action",
+        "INPUT_PYTHON": str(python),
+        "INPUT_INSTALL": "true",
+        "INPUT_LINTERS": linters,
+        "INPUT_PLUGIN_PACKAGES": "",
+    }
+    subprocess.run(["bash", str(ROOT / "action" / "install.sh")], env=environment, check=True)
+    [installed] = [line for line in (tmp_path / "record").read_text().splitlines() if " pip install " in line]
+    assert installed.split()[-1] == what
 
 
 def test_an_old_log_is_not_passed_on(tmp_path: Path) -> None:
