@@ -219,7 +219,10 @@ def query(**flags: Any) -> int:
 @click.option(
     "--level", type=click.Choice(["package", "file", "class", "function"]), multiple=True, help="Only values of these."
 )
-@click.option("--metric", metavar="NAME", multiple=True, help="Only these metrics (docs/metrics.md).")
+@click.option(
+    "--metric", metavar="NAME", multiple=True, shell_complete=completion_of("metrics"),
+    help="Only these metrics (docs/metrics.md).",
+)  # fmt: skip
 @workspace_options
 @click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores.")
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")

@@ -4,20 +4,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
-Complete = Callable[[click.Context, click.Parameter, str], list[str]]
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 
-def completion_of(what: str) -> Complete:
-    """Completes with the words of that kind; they are looked up only when a shell asks."""
+def completion_of(what: str) -> Callable[[click.Context, click.Parameter, str], list[CompletionItem]]:
+    """Completes with the words of that kind, behind FORMAT= with files; they are looked up only when a shell asks."""
 
-    def complete(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
+    def complete(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        from click.shell_completion import CompletionItem
+
         from haros_ci.completion import words
 
-        return words(what, incomplete)
+        if what == "formats" and "=" in incomplete:
+            return [CompletionItem(incomplete, type="file")]
+        return [CompletionItem(word) for word in words(what, incomplete)]
 
     return complete
 
@@ -71,7 +76,9 @@ analysis_options = options(
     plugin_option,
     click.option("--plugin-whitelist", type=Words(), multiple=True, help="Of the HAROS plug-ins installed, run these."),
     click.option("--plugin-blacklist", type=Words(), multiple=True, help="HAROS plug-ins that do not run."),
-    click.option("--plugin-export", type=click.Path(file_okay=False), help="Where the files go that they export."),
+    click.option(
+        "--plugin-export", type=click.Path(file_okay=False), help="Where the files go that HAROS plug-ins export."
+    ),
     click.option("--trust-config", is_flag=True, help="Let the workspace's tool configuration run code."),
     click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores."),
     click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),

@@ -35,15 +35,15 @@ Every command has a --help of its own. The pages: https://github.com/haros-ci/ha
 
 #: The section that an option stands in, by its first name; what is named nowhere stands under Options.
 SECTIONS: Mapping[str, tuple[str, ...]] = {
-    "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env"),
-    "What is reported": ("--profile", "--select", "--ignore", "--import", "--metric", "--level", "--scope"),
+    "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--exact"),
+    "What is reported": ("--profile", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme"),
     "What is known already": ("--baseline", "--baseline-rev", "--no-baseline", "--require-baseline", "--file", "--accept-new"),
     "What comes out": (
         "--output", "--format", "--sarif-for", "--why", "--statistics", "--show-settings", "--fail-on", "--allow-tool-failure",
-        "--exit-code", "--fail-on-match", "--fix", "--diff", "--watch",
+        "--exit-code", "--fail-on-match", "--fix", "--diff", "--watch", "--json", "--checks", "--standards",
     ),
     "How it runs": (
-        "--jobs", "--plugin", "--plugin-whitelist", "--plugin-blacklist", "--trust-config", "--cache-dir", "--no-cache", "--timings",
+        "--jobs", "--plugin", "--plugin-whitelist", "--plugin-blacklist", "--plugin-export", "--trust-config", "--cache-dir", "--no-cache", "--timings",
         "--shard", "--shard-costs", "--write-costs",
     ),
 }  # fmt: skip
@@ -52,24 +52,40 @@ SECTIONS: Mapping[str, tuple[str, ...]] = {
 EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
     "check": (
         ("everything below here", "haros-ci check ."),
-        ("what a branch makes new, as GitHub annotations and a log", "haros-ci check . --baseline-rev origin/main --output github --output sarif=haros-ci.sarif"),
-        ("defects only, and two rules besides", "haros-ci check . --profile bugs-only --select pylint:unused-import,topic-type-mismatch"),
+        (
+            "what a branch makes new, as GitHub annotations and a log",
+            "haros-ci check . --baseline-rev origin/main --output github --output sarif=haros-ci.sarif",
+        ),
+        (
+            "defects only, and two rules besides",
+            "haros-ci check . --profile bugs-only --select pylint:unused-import,topic-type-mismatch",
+        ),
         ("the nodes and topics alone, without linters", "haros-ci check . --profile architecture"),
         ("what could be mended, then mend it", "haros-ci check . --diff && haros-ci check . --fix"),
         ("a linter that only runs if asked for", "haros-ci check . --select flake8"),
+        ("what each change of a file makes new", "haros-ci check . --watch"),
+        ("the second of three parts, for haros-ci merge", "haros-ci check . --shard 2/3 --output shard=2.shard.jsonl"),
     ),
-    "baseline create": (("make today's findings known", "haros-ci baseline create && git add .haros-ci-baseline.jsonl"),),
+    "baseline create": (
+        ("make today's findings known", "haros-ci baseline create && git add .haros-ci-baseline.jsonl"),
+    ),
     "baseline update": (("follow code that has moved; new findings stay new", "haros-ci baseline update"),),
     "baseline prune": (("forget what is mended", "haros-ci baseline prune"),),
     "baseline show": (("what is known", "haros-ci baseline show"),),
     "model": (
         ("the running systems, in words", "haros-ci model"),
-        ("one launch file with an argument, as a picture", "haros-ci model --launch robot/launch/robot.launch.xml --arg sim:=true --format dot | dot -Tsvg"),
+        (
+            "one launch file with an argument, as a picture",
+            "haros-ci model --launch robot/launch/robot.launch.xml --arg sim:=true --format dot | dot -Tsvg",
+        ),
         ("for other tools", "haros-ci model --format json --output model.json"),
     ),
     "query": (
         ("topics with more than one publisher", 'haros-ci query "topics[len(self.publishers) > 1]"'),
-        ("fail if a node subscribes to a global name", 'haros-ci query --fail-on-match "nodes/subscribers[self.rosname.is_global]"'),
+        (
+            "fail if a node subscribes to a global name",
+            'haros-ci query --fail-on-match "nodes/subscribers[self.rosname.is_global]"',
+        ),
     ),
     "diff": (
         ("what this branch does to the system", "haros-ci diff origin/main --merge-base"),
@@ -78,12 +94,24 @@ EXAMPLES: Mapping[str, tuple[tuple[str, str], ...]] = {
     "metrics": (
         ("packages and files at a glance", "haros-ci metrics --level package --level file"),
         ("every value for a spreadsheet", "haros-ci metrics --format csv --output metrics.csv"),
-        ("which functions have the most paths", "haros-ci metrics --metric static-path-count --level function"),
+        ("how many paths each function has", "haros-ci metrics --metric static-path-count --level function"),
     ),
-    "policy": (("allow what the nodes do, and nothing else", "haros-ci policy robot/launch/robot.launch.xml --output robot.policy.xml"),),
+    "policy": (
+        (
+            "allow what the nodes do, and nothing else",
+            "haros-ci policy robot/launch/robot.launch.xml --output robot.policy.xml",
+        ),
+    ),
     "rules": (("what is on in a profile", "haros-ci rules --profile strict"),),
     "explain": (("a rule by its id, its catalogue id or HAROS's", "haros-ci explain G06"),),
     "init": (("see first what would be written", "haros-ci init --dry-run"),),
+    "merge": (
+        (
+            "one log of three parts",
+            "haros-ci merge 1.shard.jsonl 2.shard.jsonl 3.shard.jsonl --output sarif=haros-ci.sarif",
+        ),
+    ),
+    "new-check": (("begin a check, here of names of topics", "haros-ci new-check topic-without-namespace"),),
     "cache": (("how much there is", "haros-ci cache stats"),),
     "completion": (("for this shell, now", "source <(haros-ci completion bash)"),),
 }
@@ -152,7 +180,9 @@ class Command(click.Command):
         if examples:
             with formatter.section("Examples"):
                 for what, command in examples:
-                    formatter.write(f"{'':{formatter.current_indent}}# {what}\n{'':{formatter.current_indent}}{command}\n")
+                    formatter.write(
+                        f"{'':{formatter.current_indent}}# {what}\n{'':{formatter.current_indent}}{command}\n"
+                    )
         super().format_epilog(ctx, formatter)
 
 

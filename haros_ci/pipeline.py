@@ -336,7 +336,12 @@ def coverage(workspace: Workspace) -> Coverage:
     if not workspace.packages:
         unseen.append("No package.xml was found: files are analysed one by one, nothing is known of packages.")
     if workspace.problems:
-        unseen.append(f"{len(workspace.problems)} inputs could not be read as they stand.")
+        count = len(workspace.problems)
+        unseen.append(
+            "1 input could not be read as it stands."
+            if count == 1
+            else f"{count} inputs could not be read as they stand."
+        )
     return Coverage(
         packages=len(workspace.packages),
         files=len(workspace.files),

@@ -78,6 +78,10 @@ def explain(name: str, flags: Flags) -> int:
     if not found:
         from difflib import get_close_matches
 
+        from haros_ci.limits import LIMITS
+
+        if limits := [limit.rule for limit in LIMITS if limit.metric == wanted.replace("_", "-")]:
+            raise UserError(f"'{name}' is a metric, no rule", help=f"the rules on it: {', '.join(limits)}")
         near = get_close_matches(name, [word for own, _, _ in names for word in own], 3)
         raise UserError(
             f"unknown rule '{name}'", help=f"did you mean {' or '.join(near)}?" if near else "see haros-ci rules"
@@ -89,7 +93,7 @@ def explain(name: str, flags: Flags) -> int:
             "",
             rule.summary,
             "",
-            rule.help.removeprefix(f"# {rule.id}\n").strip() or None,
+            rule.help.removeprefix(f"# {rule.id}\n").removeprefix(f"**{rule.id}**: {rule.summary}").strip() or None,
             "" if rule.help else None,
         ]
         lines.append(f"Profiles: {on}")

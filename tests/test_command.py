@@ -271,6 +271,14 @@ class TestSmallCommands:
     def test_explain_does_not_guess(self, tmp_path: Path, name: str) -> None:
         assert haros("explain", name, cwd=tmp_path).returncode == 2
 
+    def test_explain_says_a_thing_once(self, tmp_path: Path) -> None:
+        said = haros("explain", "cppcheck:uninitvar", cwd=tmp_path).stdout
+        assert said.count("A variable is written before it is read.") == 1 and "haros: ignore[uninitvar]" in said
+
+    def test_explain_of_a_metric_names_its_rules(self, tmp_path: Path) -> None:
+        done = haros("explain", "nested_control", cwd=tmp_path)
+        assert done.returncode == 2 and "max-control-nesting-4, max-control-nesting-5" in done.stderr
+
     def test_explain_suggests(self, tmp_path: Path) -> None:
         done = haros("explain", "unused-imprt", cwd=tmp_path)
         assert done.returncode == 2

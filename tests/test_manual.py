@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import shlex
 import subprocess
 import sys
@@ -46,7 +47,7 @@ def test_the_page_is_what_help_says() -> None:
 def test_the_tables_speak_of_commands_and_options_that_are_there() -> None:
     options = {name for command in COMMANDS.values() for param in command.params for name in param.opts}
     assert {name for names in SECTIONS.values() for name in names} <= options
-    assert {*EXAMPLES, *ABOUT} <= {*COMMANDS}
+    assert {*EXAMPLES} == {*COMMANDS} and {*ABOUT} <= {*COMMANDS}
 
 
 @pytest.mark.parametrize(
@@ -97,6 +98,44 @@ def test_what_a_shell_is_told(line: str, expected: set[str]) -> None:
     assert {told.partition(",")[2] for told in done.stdout.split()} == expected
 
 
+@pytest.mark.parametrize(
+    ("typed", "pieces", "expected"),
+    [
+        ("haros-ci che", ["che"], ["check"]),
+        ("haros-ci explain haros-ci:topic-type-mis", ["explain", "haros-ci", ":", "topic-type-mis"], ["topic-type-mismatch"]),
+        ("haros-ci explain shellcheck:", ["explain", "shellcheck", ":"], ["SC1008"]),
+        ("haros-ci check --output=jun", ["check", "--output", "=", "jun"], ["junit"]),
+        ("haros-ci check --output ", ["check", "--output", ""], ["checkstyle"]),
+        ("haros-ci check --select flake8:E501,yamllint:tru", ["check", "--select", "flake8", ":", "E501,yamllint", ":", "tru"], ["truthy"]),
+        ("haros-ci check --output junit=out", ["check", "--output", "junit", "=", "out"], ["FILES"]),
+        ("haros-ci explain no-such:", ["explain", "no-such", ":"], []),
+        ("haros-ci query 'a b' --fail-on-", ["query", "'a b'", "--fail-on-"], ["--fail-on-match"]),
+    ],
+)  # fmt: skip
+def test_what_bash_is_told_of_words_that_it_has_split(
+    typed: str, pieces: list[str], expected: list[str], tmp_path: Path
+) -> None:
+    """Bash hands a word over in pieces, at : and =, and replaces the last piece alone."""
+    program = tmp_path / "haros-ci"
+    program.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m haros_ci "$@"\n')
+    program.chmod(0o755)
+    told = subprocess.run(
+        [
+            *("bash", "-c"),
+            'eval "$1"; compopt() { COMPREPLY=(FILES); }; COMP_LINE=$2; shift 2; COMP_WORDS=(haros-ci "$@"); COMP_CWORD=$#; '
+            '_haros_ci_completion haros-ci; printf "%s\\n" "${COMPREPLY[@]:0:1}"',
+            *("bash", haros("completion", "bash", cwd=ROOT).stdout, typed, *pieces),
+        ],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        env={**os.environ, "PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"},
+        check=True,
+    )
+    assert told.stderr == "" and told.stdout.split() == expected
+
+
 def test_words_by_kind() -> None:
     assert words("formats", "") == sorted((*FORMATS, *FOLDERS))
+    assert words("metrics", "nest") == ["nested-control"]
     assert "pylint" in words("tools", "py") and words("profiles", "strict,bugs") == ["strict,bugs-only"]

@@ -212,10 +212,10 @@ DOORS: dict[str, set[str]] = {
     "folders": {"commands", "config", "errors", "haros_json", "inspection", "model", "output", "results"},
     "new_check": {"errors"},
     "baseline_command": {"baselines", "cli", "commands", "config", "errors", "output", "report", "results"},
-    "rules_command": {"commands", "config", "errors", "registry", "report", "results"},
+    "rules_command": {"commands", "config", "errors", "limits", "registry", "report", "results"},
     "manual": set(),
     "flags": {"completion"},
-    "completion": {"config", "output", "registry"},
+    "completion": {"config", "measuring", "output", "registry"},
     "cli": {
         "baseline_command",
         "commands",

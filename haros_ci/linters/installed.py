@@ -12,6 +12,19 @@ from pathlib import Path
 from haros_ci.linters.linter import LintOptions, Program
 from haros_ci.linters.process import environment, search_path
 
+#: How to get what does not come with haros-ci itself.
+HOW = {
+    **dict.fromkeys(
+        (
+            *("bandit", "black", "clang-format", "cmake-lint", "cmakelint", "codespell", "flake8", "flawfinder"),
+            *("hadolint", "isort", "mypy", "shellcheck", "vulture", "yamllint"),
+        ),
+        "pip install 'haros-ci[linters]'",
+    ),
+    **{name: f"pip install {name}" for name in ("catkin_lint", "clang-tidy", "ruff")},
+    "xmllint": "Debian's package libxml2-utils",
+}
+
 
 @dataclass(frozen=True, slots=True)
 class Distribution:

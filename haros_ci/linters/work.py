@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from haros_ci.linters import installed
 from haros_ci.linters.linter import Linter, LintOptions, Program, Unit, When
 from haros_ci.linters.rows import Answer
 from haros_ci.model.workspace import Store, Workspace
@@ -160,8 +161,11 @@ def _is_asked_for(unit: Unit, workspace: Workspace) -> bool:
 
 
 def _missing(linter: Linter) -> Run:
-    why = "is not installed, so nothing was checked with it; install it or switch it off"
-    return _broken(linter, f"{linter.NAME} {why}")
+    how = installed.HOW.get(linter.NAME)
+    install = f"install it ({how})" if how else "install it"
+    return _broken(
+        linter, f"{linter.NAME} is not installed, so nothing was checked with it; {install} or switch it off"
+    )
 
 
 def _broken(linter: Linter, message: str) -> Run:

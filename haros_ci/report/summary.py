@@ -106,7 +106,9 @@ def no_baseline(report: Report) -> str:
 def covered(report: Report) -> str:
     """What was looked at, and with which tools."""
     coverage = report.coverage
-    seen = [plural(coverage.packages, "package"), plural(coverage.files, "file"), plural(coverage.lines, "line")]
+    seen = [plural(coverage.packages, "package"), plural(coverage.files, "file")]
+    if coverage.lines:  # those of C++ and Python
+        seen.append(plural(coverage.lines, "line"))
     if coverage.targets is not None:
         seen.append(f"reporting on {plural(coverage.targets, 'file')}")
     tools = sorted({f"{run.tool.name} {run.tool.version}".strip() for run in report.runs if run.successful})

@@ -38,7 +38,7 @@ def project(seen: Seen) -> str:
     if seen.tools:
         lines += [
             "",
-            "# Their settings are here, so you may want them on; they come with: pip install haros-ci[linters]",
+            "# Their settings are here, so you may want them on; they come with: pip install 'haros-ci[linters]'",
             "# linters:",
             *(f"#   {tool}: true  # {name}" for tool, name in seen.tools),
         ]

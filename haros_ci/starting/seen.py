@@ -57,10 +57,12 @@ class Seen:
     tools: tuple[tuple[str, str], ...] = ()
 
     def in_words(self) -> str:
-        """``3 packages (2 of ROS 2, 1 of ROS 1), 400 lines of C++, 200 of Python``."""
+        """``3 packages (2 of ROS 2, 1 of ROS 1), 400 lines of C++, 200 lines of Python``; ``2 packages of ROS 1``."""
         total = sum(count for _, count in self.packages)
         kinds = [f"{count} of ROS {ros}" for ros, count in self.packages if ros is not None]
         packages = f"{total} package{'s' * (total != 1)}" + (f" ({', '.join(kinds)})" if kinds else "")
+        if len(self.packages) == 1 and kinds:
+            packages = f"{total} package{'s' * (total != 1)} of ROS {self.packages[0][0]}"
         names = {"cpp": "C++", "python": "Python"}
         code = [f"{count} lines of {names[language]}" for language, count in self.lines if count]
         return ", ".join((packages if total else "no package.xml", *code))

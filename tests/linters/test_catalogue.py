@@ -11,9 +11,16 @@ from haros_ci.config.settings import PROFILES
 from haros_ci.linters import metrics
 from haros_ci.linters.catalogue import SAME_DEFECT, TOOLS, rule, rules_of
 from haros_ci.linters.catalogue.standards import STANDARDS
-from haros_ci.registry import check_rules
+from haros_ci.linters.installed import HOW
+from haros_ci.linters.linter import When
+from haros_ci.registry import LINTERS, check_rules
 from haros_ci.results import own
 from haros_ci.results.rule import Level
+
+
+def test_how_to_get_every_tool_that_does_not_come_with_haros_ci() -> None:
+    assert {*HOW} == {linter.NAME for linter in LINTERS if linter.WHEN is not When.ALWAYS}
+
 
 INVENTED = [
     ("cpplint", "whitespace/brand_new"),

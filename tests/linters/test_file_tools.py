@@ -19,6 +19,7 @@ from haros_ci.linters import (
     xmllint,
     yamllint,
 )
+from haros_ci.linters.installed import HOW
 from haros_ci.linters.linter import Linter, LintOptions
 from haros_ci.linters.run import lint
 from haros_ci.results.result import Run
@@ -259,6 +260,7 @@ def test_a_tool_that_is_asked_for_and_missing_is_trouble(
     options = LintOptions(enabled=frozenset({linter.NAME}))
     (done,) = lint(workspace(tmp_path, {"a.cpp": ""}), [linter], options, MemoryStore(), everything)
     assert not done.successful and "is not installed" in done.notifications[0].message
+    assert f"install it ({HOW[linter.NAME]})" in done.notifications[0].message
 
 
 def test_a_file_that_cmake_lint_cannot_parse_costs_only_itself(tmp_path: Path) -> None:

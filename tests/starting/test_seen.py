@@ -89,6 +89,8 @@ def test_every_tool_that_is_named_can_be_asked_for() -> None:
 def test_a_summary_in_words() -> None:
     assert NOTHING.in_words() == "no package.xml"
     both = Seen(packages=((2, 3), (1, 1), (None, 1)), lines=(("cpp", 40), ("python", 0)))
+    assert Seen(((2, 3),), ()).in_words() == "3 packages of ROS 2"
+    assert Seen(((None, 1),), ()).in_words() == "1 package"
     assert both.in_words() == "5 packages (3 of ROS 2, 1 of ROS 1), 40 lines of C++"
 
 
