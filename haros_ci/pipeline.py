@@ -335,13 +335,10 @@ def coverage(workspace: Workspace) -> Coverage:
     unseen = []
     if not workspace.packages:
         unseen.append("No package.xml was found: files are analysed one by one, nothing is known of packages.")
-    if workspace.problems:
-        count = len(workspace.problems)
-        unseen.append(
-            "1 input could not be read as it stands."
-            if count == 1
-            else f"{count} inputs could not be read as they stand."
-        )
+    if (count := len(workspace.problems)) == 1:
+        unseen.append("1 input could not be read as it stands.")
+    elif count:
+        unseen.append(f"{count} inputs could not be read as they stand.")
     return Coverage(
         packages=len(workspace.packages),
         files=len(workspace.files),

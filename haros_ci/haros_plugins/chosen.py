@@ -36,6 +36,8 @@ def chosen(
             raise UserError(
                 f"plug-in {lost[0]}: on the whitelist, and not installed", help="install it where haros-ci is installed"
             )
+        if EVERY in names and not found:
+            raise UserError(f"plug-in {EVERY}: none is installed", help="install them where haros-ci is installed")
         wanted |= found & set(white) if white else found - set(black)
     if not white:
         wanted -= set(black)

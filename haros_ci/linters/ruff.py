@@ -6,9 +6,8 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Iterator
-from posixpath import dirname, join
 
-from haros_ci.linters import installed, python2
+from haros_ci.linters import installed, python2, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -21,7 +20,7 @@ LANGUAGES = frozenset({"python"})
 WHEN = When.INSTALLED
 COST = 0.1
 
-NAMES = (".ruff.toml", "ruff.toml", "pyproject.toml")
+MARKS = {".ruff.toml": (), "ruff.toml": (), "pyproject.toml": ("[tool.ruff",)}
 SYNTAX = "invalid-syntax"
 
 
@@ -34,16 +33,12 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
-    config = _config(workspace, dirname(file.path))
-    return (config,) if config else ()
+    return ()
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
     """One group per settings file, which is named to ruff so that it looks for no other."""
-    for file in workspace.files:
-        if file.language in LANGUAGES:
-            needs = tuple(dependencies(workspace, file))
-            yield Unit(file, group="".join(needs), dependencies=needs)
+    return settings_files.units(workspace, LANGUAGES, MARKS)
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -69,11 +64,3 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         place = Location(path, start["row"], start["column"], end["row"], end["column"])
         level = Level.ERROR if rule == SYNTAX else Level.WARNING
         yield Finding(path, Result(NAME, rule, level, said["message"], place))
-
-
-def _config(workspace: Workspace, directory: str) -> str | None:
-    for name in NAMES:
-        text = workspace.text(join(directory, name))
-        if "[tool.ruff" in text if name == "pyproject.toml" else text.strip():
-            return join(directory, name)
-    return _config(workspace, dirname(directory)) if directory else None

@@ -158,7 +158,10 @@ def test_lists_choose(
 
 
 def test_a_project_file_has_lists_too(tmp_path: Path) -> None:
-    write(tmp_path, {".haros-ci.yaml": "plugins: [a_b, haros_plugin_c]\nplugin_whitelist: [d]\nplugin_blacklist: [pylint]\n"})
+    write(
+        tmp_path,
+        {".haros-ci.yaml": "plugins: [a_b, haros_plugin_c]\nplugin_whitelist: [d]\nplugin_blacklist: [pylint]\n"},
+    )
     settings = load(tmp_path, trust_config=True)
     assert (settings.plugins, settings.haros_plugins) == (("a_b",), ("haros_plugin_c",))
     assert (settings.plugin_whitelist, settings.plugin_blacklist) == (("d",), ("pylint",))
@@ -168,7 +171,14 @@ def test_a_project_file_has_lists_too(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("names", "white"), [(("haros_plugin_zz",), ()), ((), ("zz",)), (("haros_plugin_evil",), ()), ((), ("evil",))]
+    ("names", "white"),
+    [
+        (("haros_plugin_zz",), ()),
+        (("haros_plugin_*",), ()),
+        ((), ("zz",)),
+        (("haros_plugin_evil",), ()),
+        ((), ("evil",)),
+    ],
 )
 def test_one_that_is_not_there_is_refused(
     names: tuple[str, ...], white: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
