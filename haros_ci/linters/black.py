@@ -6,9 +6,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Iterator
-from posixpath import normpath
+from posixpath import dirname, normpath, relpath
 
-from haros_ci.linters import diffs, installed, python2, settings_files
+from haros_ci.linters import copies, diffs, installed, python2, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -23,7 +23,8 @@ COST = 25.0
 
 RULE = "would-reformat"
 MESSAGE = "Black would reformat this file, from here on: run `black` on it."
-MARKS = {"pyproject.toml": ("[tool.black",)}
+OWN = "pyproject.toml"
+MARKS = {OWN: ("[tool.black",)}
 #: Left out are what runs, reads and writes (workers, cache-dir, code, line-ranges), required-version, which would stop
 #: every other version, and verbose and quiet.
 INERT = frozenset(
@@ -55,24 +56,29 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def command(program: Program, batch: Batch) -> Command:
+    """Copies below a settings file of ours: on its way to the root Black reads every pyproject.toml, whatever it is told."""
     settings = settings_files.inert(settings_files.read(batch.workspace, batch.group).get(NAME, {}), INERT)
     excludes = [str(settings.pop(key)) for key in EXCLUDES if settings.get(key)]
     if excludes:
         settings["force-exclude"] = excludes[0] if len(excludes) == 1 else "|".join(f"(?:{e})" for e in excludes)
-    own = batch.scratch / "black.toml"
-    own.write_text(settings_files.toml_text(NAME, settings), encoding="utf-8")
+    copied = _copied(batch)
+    copies.lay(batch, copied)
+    copies.put(batch, OWN, settings_files.toml_text(NAME, settings))
     more = batch.options.arguments.get(NAME, ()) if batch.options.trust_config else ()
-    options = (f"--config={own}", "--diff", "--fast", "--no-color", "--quiet", "--workers=1", *more)
-    return Command((*program.argv, *options, "--", *("./" + file.path for file in batch.files)))
+    options = (f"--config={OWN}", "--diff", "--fast", "--no-color", "--quiet", "--workers=1", *more)
+    return Command((*program.argv, *options, "--", *copied), cwd=copies.tree(batch))
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """A diff of each file on stdout, on stderr what it cannot parse; then the exit code is 123."""
     if output.code not in (0, 123):
         raise ValueError(f"exit code {output.code}")
-    names = {name: file.path for file in batch.files for name in ("./" + file.path, file.path, normpath(file.path))}
+    copied = _copied(batch)
+    names = {name: path for copy, path in copied.items() for name in (copy, normpath(copy))}
     failed = False
-    for line in output.stderr.decode("utf-8", "replace").splitlines():
+    for too_long in sorted({file.path for file in batch.files}.difference(copied.values())):
+        yield GaveUp(too_long, "its name is too long")
+    for line in output.stderr.decode("utf-8", "replace").split("\n"):
         match = _ERROR.match(line)
         if match and (path := names.get(match[1] or match[3])):
             failed = True
@@ -83,3 +89,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         raise ValueError("it failed")
     for path, line_number in diffs.first_changes(output.stdout.decode("utf-8", "replace"), names):
         yield Finding(path, Result(NAME, RULE, Level.NOTE, MESSAGE, Location(path, line_number)))
+
+
+def _copied(batch: Batch) -> dict[str, str]:
+    """The path for each name below the tree, where the settings' directory is the root."""
+    home = dirname(batch.group) or "."
+    return {f"./{relpath(f.path, home)}": f.path for f in batch.files if len(f.path.encode()) <= copies.LONGEST}

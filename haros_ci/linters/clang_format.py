@@ -26,6 +26,8 @@ IGNORED = ".clang-format-ignore"
 RULE = "formatting"
 #: Places told of one file; a file that was never formatted has hundreds.
 MOST = 25
+#: Asks for the style of a directory anywhere (clang-format 21), or may do so in disguise.
+_ELSEWHERE = re.compile(r"InheritParentConfig\s*=|\\(?:[xuU]|\r?\n)")
 _NAME = re.compile(r"^Formatting \[\d+/\d+\] (.+)$", re.MULTILINE)
 _DOCUMENT = b"<?xml version='1.0'?>"
 
@@ -55,12 +57,22 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def command(program: Program, batch: Batch) -> Command:
-    """Copies with their style files beside and above them; the search for these ends where the copies begin."""
+    """Copies with their style files beside and above them; the search for these ends where the copies begin.
+
+    ValueError for a style that is taken from elsewhere.
+    """
     copied = _copied(batch)
     copies.lay(batch, copied)
     for file in batch.files:
         for path in dependencies(batch.workspace, file):
-            copies.put(batch, path, batch.workspace.text(path))
+            text = batch.workspace.text(path)
+            if path.endswith(STYLES) and _ELSEWHERE.search(text):
+                if path == batch.group:
+                    raise ValueError(
+                        f"{path}: takes its style from a directory that it names, or has escapes (\\x, \\u)"
+                    )
+                text = "{\n"  # an error for what inherits from it
+            copies.put(batch, path, text)
     (batch.scratch / STYLES[0]).write_text("BasedOnStyle: LLVM\n", encoding="ascii")  # what inherits from nothing
     (batch.scratch / IGNORED).write_text("", encoding="ascii")
     options = ("--output-replacements-xml", "--verbose", "--style=file", "--fallback-style=none", "-Wno-error=unknown")

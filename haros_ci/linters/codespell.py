@@ -31,6 +31,8 @@ INERT = frozenset("ignore-words-list uri-ignore-words-list ignore-regex ignore-m
 FILES = ("ignore-words", "exclude-file", "dictionary")
 #: As much of such a list is passed on.
 LIST_SIZE = 1_000_000
+#: As many of them count for each option.
+MOST_LISTS = 8
 
 _LINE = re.compile(r"(.+):(\d+): (\S+) ==> (.+)$")
 
@@ -111,4 +113,4 @@ def _paths(key: str, settings: dict[str, object], config: str) -> list[str]:
     """The files that the option *key* names, if they are in the workspace."""
     value = settings.get(key, settings.get(key.replace("-", "_"), ""))
     named = [normpath(join(dirname(config), word)) for word in settings_files.words(value) if word != "-"]
-    return [path for path in named if not path.startswith(("..", "/"))]
+    return [path for path in dict.fromkeys(named) if not path.startswith(("..", "/"))][:MOST_LISTS]

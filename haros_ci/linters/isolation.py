@@ -69,6 +69,29 @@ def refuse_pipes() -> None:
     sys.addaudithook(hook)
 
 
+def refuse_ways_out() -> None:
+    """Opening what lies by its name below the current directory, and by the symbolic links on the way elsewhere, fails.
+
+    What lies where today's imports come from does not count.
+    """
+    root, ours = os.getcwd(), (*sys.path, sys.prefix)
+
+    def hook(event: str, arguments: tuple[Any, ...]) -> None:
+        if event == "open" and isinstance(arguments[0], (str, bytes)):
+            name = os.path.abspath(os.fsdecode(arguments[0]))
+            if not is_below(name, root) or any(is_below(name, place) for place in ours):
+                return
+            if not is_below(os.path.realpath(name), root):
+                raise OSError(errno.EACCES, "a link that leads out of the workspace", arguments[0])
+
+    sys.addaudithook(hook)
+
+
+def is_below(path: str, directory: str) -> bool:
+    """Whether an absolute *path* is *directory* or lies below it."""
+    return path == directory or path.startswith(directory.rstrip(os.sep) + os.sep)
+
+
 def main() -> None:
     _, directory, module, *arguments = sys.argv
     if directory not in sys.path:
@@ -77,6 +100,7 @@ def main() -> None:
         module, *arguments = arguments
     else:
         trust_only_the_present_path()
+        refuse_ways_out()
     refuse_pipes()
     sys.argv = [module, *arguments]
     runpy.run_module(module, run_name="__main__", alter_sys=True)

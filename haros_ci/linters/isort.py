@@ -102,7 +102,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     names = {os.path.join(root, file.path): file.path for root in roots for file in batch.files}
     names |= {"./" + file.path: file.path for file in batch.files} | {file.path: file.path for file in batch.files}
     unread = set()
-    for line in stderr.splitlines():
+    for line in stderr.split("\n"):
         match = _UNREAD.search(line)
         if match and (path := names.get(match[1] or match[2])):
             unread.add(path)

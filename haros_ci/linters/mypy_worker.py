@@ -9,6 +9,7 @@ mypy's lines of JSON and a line ``{"file", "line", "gave_up"}`` for each file le
 from __future__ import annotations
 
 import ast
+import configparser
 import importlib
 import json
 import os
@@ -16,6 +17,12 @@ import re
 import sys
 import warnings
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from pathlib import Path
+
+if not __package__:  # run as a script: haros_ci itself, also where it is not installed
+    sys.path.append(str(Path(__file__).resolve().parents[2]))
+
+from haros_ci.linters.isolation import is_below, refuse_ways_out  # noqa: E402
 
 #: Times that mypy is started again, because of a file that Python can read and mypy cannot.
 ATTEMPTS = 20
@@ -29,9 +36,11 @@ SYNTAX = "syntax"
 Mypy = Callable[[list[str]], tuple[str, str, int]]
 
 
-def check(mypy: Mypy, files: Sequence[str], options: Sequence[str], config: str, own: str) -> Iterator[str]:
+def check(
+    mypy: Mypy, files: Sequence[str], options: Sequence[str], config: str, own: str, strange: Collection[str] = ()
+) -> Iterator[str]:
     """Lines to write for *files*; *config* is the file of the settings, *own* where ours may stand that also leaves
-    out what stops mypy ("": nowhere, for settings whose place matters).
+    out what stops mypy ("": nowhere, for settings whose place matters), and modules with a *strange* name.
 
     Files that share a module name are checked one after another. Raises RuntimeError if mypy fails for another reason
     than a file.
@@ -50,7 +59,7 @@ def check(mypy: Mypy, files: Sequence[str], options: Sequence[str], config: str,
             raise RuntimeError("mypy was stopped too often")
         attempts -= 1
         if own:
-            write_settings(config, own, left_out)
+            write_settings(config, own, left_out, strange)
         stdout, stderr, code = mypy([*OPTIONS, *options, f"--config-file={own or config}", "--", *waiting])
         if code in (0, 1):
             yield from stdout.splitlines()
@@ -116,15 +125,46 @@ def module_name(path: str) -> str:
     return ".".join(parts)
 
 
-def write_settings(config: str, own: str, skipped: Collection[str]) -> None:
-    """Writes to *own* what *config* says, and that imports of the files *skipped* are not followed."""
-    with open(config, encoding="utf-8") as stream:
-        text = stream.read()
-    for module in sorted(set(map(module_name, skipped))):
-        if all(map(str.isidentifier, module.split("."))) and f"[mypy-{module}]" not in text:
-            text += f"\n[mypy-{module}]\nfollow_imports = skip\n"
+def write_settings(config: str, own: str, skipped: Collection[str], strange: Collection[str] = ()) -> None:
+    """Writes to *own* what *config* says, and that imports of the files *skipped* are not followed.
+
+    Nor are those of modules with *strange* in their name, whatever *config* says of them.
+    """
+    parser = configparser.RawConfigParser(strict=False)
+    parser.read(config, encoding="utf-8")
+    for section in parser.sections() if strange else ():
+        if section.startswith("mypy-"):
+            parser.remove_option(section, "follow_imports")
+            parser.remove_option(section, "follow_imports_for_stubs")
+    modules = {name for name in map(module_name, skipped) if all(map(str.isidentifier, name.split(".")))}
+    patterns = {pattern for name in strange for pattern in (name, f"{name}.*", f"*.{name}", f"*.{name}.*")}
+    for section in (f"mypy-{name}" for name in sorted(modules | patterns)):
+        if not parser.has_section(section):
+            parser.add_section(section)
+        parser.set(section, "follow_imports", "skip")
+        parser.set(section, "follow_imports_for_stubs", "True")
     with open(own, "w", encoding="utf-8") as stream:
-        stream.write(text)
+        parser.write(stream)
+
+
+def leading_out(root: str) -> set[str]:
+    """The names of modules and packages below the current directory that are links to what does not lie in *root*."""
+    found: set[str] = set()
+    waiting = ["."]
+    while waiting:  # os.walk is recursive up to Python 3.11
+        directory = waiting.pop()
+        try:
+            entries = list(os.scandir(directory))
+        except OSError:
+            continue
+        for entry in entries:
+            if not entry.is_symlink():
+                waiting += [entry.path] if entry.is_dir() and not entry.name.startswith(".") else []
+            elif not is_below(os.path.realpath(entry.path), root):
+                stem = os.path.splitext(entry.name)[0]
+                module = os.path.basename(os.path.abspath(directory)) if stem == "__init__" else stem
+                found |= {module} if module.isidentifier() else set()
+    return found
 
 
 def forget_all_but_the_standard_library(cache: str) -> None:
@@ -150,11 +190,14 @@ def main() -> None:
         forget_all_but_the_standard_library(request["cache"])
         return run(arguments)
 
+    if request["own"]:
+        refuse_ways_out()
     root, options = os.getcwd(), [*request["options"], f"--cache-dir={request['cache']}"]
     for part in request["parts"]:
         os.chdir(os.path.join(root, part["home"]))
         print(json.dumps({"home": part["home"]}))
-        for line in check(mypy, part["files"], options, request["config"], request["own"]):
+        strange = leading_out(root) if request["own"] else ()
+        for line in check(mypy, part["files"], options, request["config"], request["own"], strange):
             print(line)
     print(json.dumps({"done": True}))
 

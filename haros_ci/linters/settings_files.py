@@ -8,6 +8,7 @@ file of its own and names that one to the tool.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fnmatch import fnmatch
 from posixpath import dirname, join, relpath
@@ -18,14 +19,23 @@ from haros_ci.model.workspace import Workspace
 #: File names in the order in which they win, each with the texts one of which a file with settings holds; none: any content.
 Marks = Mapping[str, tuple[str, ...]]
 
+#: Options that the sections of an INI file may get from its ``[DEFAULT]``, all together.
+MAX_INHERITED = 100_000
+#: The standard library's parsers take quadratic time for these: a run of spaces in INI, a key of many parts in TOML.
+_LONG_SPACE = re.compile(r"[^\S\r\n]{50,}")
+_LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){40}""")
+
 
 def nearest(workspace: Workspace, directory: str, marks: Marks) -> str | None:
     """The first file of *marks* with settings, from *directory* up to the workspace's root."""
-    for name, texts in marks.items():
-        text = workspace.text(join(directory, name))
-        if any(mark in text for mark in texts) if texts else text.strip():
-            return join(directory, name)
-    return nearest(workspace, dirname(directory), marks) if directory else None
+    while True:
+        for name, texts in marks.items():
+            text = workspace.text(join(directory, name))
+            if any(mark in text for mark in texts) if texts else text.strip():
+                return join(directory, name)
+        if not directory:
+            return None
+        directory = dirname(directory)
 
 
 def units(
@@ -85,7 +95,9 @@ def ini(text: str) -> dict[str, dict[str, object]]:
 
     parser = configparser.RawConfigParser(strict=False)
     try:
-        parser.read_string(text)
+        parser.read_string(_LONG_SPACE.sub(" ", text))
+        if len(parser.defaults()) * len(parser.sections()) > MAX_INHERITED:
+            raise ValueError("too many defaults")
         return {section: dict(parser.items(section)) for section in parser.sections()}
     except configparser.Error as err:
         raise ValueError(str(err).splitlines()[0]) from err
@@ -97,6 +109,8 @@ def toml(text: str) -> dict[str, dict[str, object]]:
         import tomllib
     except ModuleNotFoundError:  # Python 3.10, where the tools themselves bring tomli
         import tomli as tomllib  # type: ignore[no-redef,import-not-found,unused-ignore]
+    if _LONG_KEY.search(text):
+        raise ValueError("a key of too many parts")
     tool = tomllib.loads(text).get("tool", {})  # TOMLDecodeError is a ValueError
     return {k: v for k, v in tool.items() if isinstance(v, dict)} if isinstance(tool, dict) else {}
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Iterator
+from posixpath import basename, dirname
 
 from haros_ci.linters import copies, installed, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
@@ -50,7 +51,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 def command(program: Program, batch: Batch) -> Command:
     """Copies far from each other: a script is not to be read with those that happen to share its batch."""
-    copied = copies.names(batch)
+    copied = _names(batch)
     copies.lay(batch, copied)
     lines = batch.workspace.text(batch.group).splitlines() if batch.group else []
     copies.put(batch, ".shellcheckrc", "".join(line + "\n" for line in lines if INERT.fullmatch(line)))
@@ -61,9 +62,15 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """The json1 report: columns count code points from 1, ends are exclusive."""
     if output.code not in (0, 1):
         raise ValueError(f"exit code {output.code}")
-    paths = copies.names(batch)
+    paths = _names(batch)
     for said in json.loads(output.stdout)["comments"]:
         path, start, end = paths[said["file"]], (said["line"], said["column"]), (said["endLine"], said["endColumn"])
         place = Location(path, *start, *(end if end > start else (None, None)))
         level = LEVELS.get(said["level"], Level.NOTE)
         yield Finding(path, Result(NAME, f"SC{said['code']}", level, said["message"], place))
+
+
+def _names(batch: Batch) -> dict[str, str]:
+    """As other copies, but no script lies where it would be taken for its own settings."""
+    named = copies.names(batch).items()
+    return {name if basename(name) not in MARKS else f"{dirname(name)}/script": path for name, path in named}

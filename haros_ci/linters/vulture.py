@@ -94,12 +94,12 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         raise ValueError(f"exit code {output.code}")
     paths = {name: file.path for file in batch.files for name in (file.path, "./" + file.path)}
     known = paths.keys() | {f.path for f in batch.workspace.files}
-    for line in output.stderr.decode("utf-8", "replace").splitlines():
+    for line in output.stderr.decode("utf-8", "replace").split("\n"):
         for path in {paths[name] for name in _prefixes(line) if name in paths}:
             number = re.search(r":(\d+): ", line)
             text = batch.workspace.text(path)
             yield GaveUp(path, python2.why_unreadable(text), int(number[1]) if number else None)
-    for line in output.stdout.decode("utf-8", "replace").splitlines():
+    for line in output.stdout.decode("utf-8", "replace").removesuffix("\n").split("\n") if output.stdout else ():
         match = _LINE.match(line)
         if match is None or match[1].removeprefix("./") not in known:
             raise ValueError("not a line of vulture")

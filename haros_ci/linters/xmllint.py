@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Iterator
 
@@ -19,8 +20,9 @@ LANGUAGES = frozenset({"launch", "package", "xml"})
 WHEN = When.ASKED
 COST = 1.0
 
-_SAID = re.compile(r"\./(.+?):(\d+): (\w+) (error|warning) : (.*)")
-_UNREAD = re.compile(r'(?:warning: |I/O warning : )failed to load external entity "\./(.+)"')
+_LINK = "workspace"
+_SAID = re.compile(r"(/.+?):(\d+): (\w+) (error|warning) : (.*)")
+_UNREAD = re.compile(r'(?:warning: |I/O warning : )failed to load external entity "(/.+)"')
 
 
 def locate(options: LintOptions) -> Program | None:
@@ -43,27 +45,38 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 
 def command(program: Program, batch: Batch) -> Command:
-    """No document type definition is loaded, no entity replaced, nothing included, no address asked."""
-    options = ("--noout", "--nonet", "--nocatalogs")
-    return Command((*program.argv, *options, *("./" + file.path for file in batch.files)))
+    """No document type definition is loaded, no entity replaced, nothing included, no address asked.
+
+    The files go by a link in a directory whose name nobody can know beforehand: xmllint quotes what it reads, and a quoted
+    line must not pass for a finding in another file.
+    """
+    batch.scratch.mkdir(parents=True, exist_ok=True)
+    (batch.scratch / _LINK).symlink_to(os.path.abspath(batch.workspace.root), target_is_directory=True)
+    return Command((*program.argv, "--noout", "--nonet", "--nocatalogs", *_names(batch)))
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
-    """``./path:line: parser error : message``; what the parser says after its first error follows from that."""
+    """``path:line: parser error : message``; what the parser says after its first error follows from that."""
     if output.code not in (0, 1):
         raise ValueError(f"exit code {output.code}")
-    paths = {file.path for file in batch.files}
+    paths = _names(batch)
     told: set[tuple[str, str, str]] = set()
     for text in output.stderr.decode("utf-8", "replace").split("\n"):
         if (unread := _UNREAD.match(text)) and unread[1] in paths:
-            yield GaveUp(unread[1], "it cannot be read")
+            yield GaveUp(paths[unread[1]], "it cannot be read")
         match = _SAID.fullmatch(text)
         if match is None or match[1] not in paths:
             continue
-        path, line, kind, severity, message = match.groups()
+        name, line, kind, severity, message = match.groups()
+        path = paths[name]
         rule = f"{kind}-{severity}"
         once = (path, rule, "" if rule == "parser-error" else message)
         if once not in told:
             told.add(once)
             level = Level.ERROR if severity == "error" else Level.WARNING
             yield Finding(path, Result(NAME, rule, level, message.strip(), Location(path, int(line))))
+
+
+def _names(batch: Batch) -> dict[str, str]:
+    """The path for each name that xmllint gets."""
+    return {f"{os.path.abspath(batch.scratch)}/{_LINK}/{file.path}": file.path for file in batch.files}

@@ -26,6 +26,8 @@ BOOLEANS = ["true", "false", "True", "False", "TRUE", "FALSE"]
 DEFAULT_SETTINGS = {"extends": "default", "rules": {"truthy": {"allowed-values": BOOLEANS, "level": "warning"}}}
 #: How long a chain of ``extends`` may be.
 LONGEST_CHAIN = 8
+#: Files of patterns that one ``ignore-from-file`` may name, and lines of all of them.
+MOST_FILES, MOST_LINES = 8, 10_000
 
 
 def locate(options: LintOptions) -> Program | None:
@@ -107,9 +109,14 @@ def _take_patterns(workspace: Workspace, where: dict[str, Any], directory: str, 
     if names is None:
         return
     lines: list[str] = []
-    for name in [names] if isinstance(names, str) else names if isinstance(names, list) else []:
+    given = [names] if isinstance(names, str) else names if isinstance(names, list) else []
+    if len(given) > MOST_FILES:
+        raise ValueError(f"ignore-from-file names more than {MOST_FILES} files")
+    for name in given:
         read.append(_inside(directory, str(name)))
         lines += workspace.text(read[-1]).splitlines()
+    if len(lines) > MOST_LINES:
+        raise ValueError(f"more than {MOST_LINES} patterns to ignore")
     where["ignore"] = lines
 
 
