@@ -187,15 +187,31 @@ def write(text: str, path: Path | None) -> None:
         sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
         return
     try:
+        keep_inside(path)
         if path.is_symlink() or (path.exists() and not path.is_file()):
             path.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
             return
         path.parent.mkdir(parents=True, exist_ok=True)
         draft = path.with_name(f".{path.name}.{os.getpid()}")
-        draft.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
+        draft.unlink(missing_ok=True)
+        with draft.open("x", encoding="utf-8", errors="backslashreplace", newline="") as file:
+            file.write(text)
         draft.replace(path)
     except OSError as err:
         raise UserError(f"{path}: cannot be written: {err.strerror}", help="name another --output path") from err
+
+
+def keep_inside(path: Path) -> None:
+    """UserError if *path* lies below the current directory by its name, and elsewhere by the symbolic links on the way.
+
+    Whoever wrote the analysed code may have put them there.
+    """
+    here = Path.cwd()
+    if Path(os.path.abspath(path)).is_relative_to(here) and not Path(os.path.realpath(path)).is_relative_to(here):
+        raise UserError(
+            f"{path}: a symbolic link leads out of the current directory",
+            help="remove it, or name the place where it leads",
+        )
 
 
 def write_folder(documents: Mapping[str, str], folder: Path) -> None:
@@ -205,6 +221,7 @@ def write_folder(documents: Mapping[str, str], folder: Path) -> None:
     """
     at = folder
     try:
+        keep_inside(folder)
         folder.mkdir(parents=True, exist_ok=True)
         for name, text in documents.items():
             *directories, own = name.split("/")

@@ -146,3 +146,25 @@ def test_entries_that_are_no_files_of_ours(trap: Trap) -> None:
     odd += [(b"100644", b"\x1b[31m.launch"), (b"100666", b"m.cpp"), (b"0", b"n.cpp"), (b"100644", b"x" * 5_000)]
     assert compared(trap, tree(trap, *((*each, blob) for each in odd), (b"160000", b"sub", head))) == (0, "")
     assert not os.listdir(trap.sentinels)
+
+
+@pytest.mark.parametrize("output", ["sarif=out.sarif", "json=dir/x.json", "csv=new.csv", "haros-json=dir"])
+def test_no_link_of_the_workspace_leads_an_output_out_of_it(trap: Trap, output: str) -> None:
+    (trap.root / "out.sarif").symlink_to(trap.outside / "victim.json")
+    (trap.root / "new.csv").symlink_to(trap.outside / "new.csv")
+    (trap.root / "dir").symlink_to(trap.outside)
+    trap.use_cheap_control()
+    before = {path.name: path.read_bytes() for path in trap.outside.iterdir()}
+    done = trap.start("check", f"--output={output}")
+    assert done.returncode == 2
+    assert b"a symbolic link leads out of the current directory" in done.stderr
+    assert {path.name: path.read_bytes() for path in trap.outside.iterdir()} == before
+
+
+def test_links_inside_and_devices_take_an_output(trap: Trap) -> None:
+    trap.write("real/.keep", "")
+    (trap.root / "dir").symlink_to("real")
+    trap.use_cheap_control()
+    done = trap.start("check", "--output=json=dir/x.json", "--output=csv=/dev/null")
+    assert done.returncode == 1, done.stderr
+    assert (trap.root / "real" / "x.json").is_file()
