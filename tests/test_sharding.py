@@ -75,7 +75,7 @@ def example(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     sources = sorted(p for p in place.root.rglob("*") if p.suffix in (".py", ".cpp", ".launch"))
     for path in sources[::2]:
         path.write_bytes(b"\n".join(path.read_bytes().split(b"\n")) + b"\n")
-    moved = next(path for path in sources if path.suffix == ".cpp")
+    moved = [path for path in sources if path.suffix == ".cpp"][0]
     moved.write_text(moved.read_text() + "\nstatic int added_one(int a) { int unused; return a; }\n")
     commit(place.root)
     yield place
