@@ -6,8 +6,9 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator
 from posixpath import dirname
+from typing import Any
 
-from haros_ci.linters import imports, installed, python2
+from haros_ci.linters import columns, imports, installed, python2
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.pylint_config import config_path, inert_options
 from haros_ci.linters.settings_files import continued
@@ -44,7 +45,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     import sys
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
-    return json.dumps(["1", sys.version_info[:2], options.trust_config, own])
+    return json.dumps(["2", sys.version_info[:2], options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -95,13 +96,19 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         file, rule = files.get(said["path"]), said["symbol"]
         if file is None or rule in ABOUT_OPTIONS or file.path in silenced:
             continue
-        if rule == "syntax-error" and python2.is_python2(batch.workspace.text(file.path)):
+        if rule == "syntax-error" and said["message"].startswith("Cannot import "):
+            continue  # it is told of the file that is imported
+        if rule == "syntax-error" and _is_of_another_python(batch.workspace.text(file.path), said):
             silenced.add(file.path)
-            yield GaveUp(file.path, "it is Python 2", said["line"] or None)
+            yield GaveUp(file.path, python2.why_unreadable(batch.workspace.text(file.path)), said["line"] or None)
         elif rule in TROUBLE:
             yield GaveUp(file.path, f"{rule}, a fault of pylint")  # the message holds paths of this machine
         else:
             yield Finding(file.path, _result(file.path, said))
+
+
+def _is_of_another_python(text: str, said: dict[str, Any]) -> bool:
+    return python2.is_python2(text) or python2.is_newer(columns.line_of(text, said["line"]), said["message"])
 
 
 def _result(path: str, said: dict[str, object]) -> Result:

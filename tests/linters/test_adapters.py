@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 from types import ModuleType
 
@@ -98,6 +99,8 @@ PYLINT = [
         [("a.py", "astroid-error, a fault of pylint", None)],
     ),
     ([message(symbol="syntax-error")], [("a.py", "syntax-error", "a.py:2:5")]),
+    # said once, in the file that is imported
+    ([message(symbol="syntax-error", message="Cannot import 'b' due to 'invalid syntax (b, line 47)'")], []),
     ([message(symbol="unknown-option-value")], []),
     ([message(path="elsewhere.py")], []),
     ([message(path="./a.py", line=0, column=0, endLine=None)], [("a.py", "unused-import", "a.py:1:1")]),
@@ -114,6 +117,15 @@ def test_pylint_on_python_2(tmp_path: Path) -> None:
     text = report(message(symbol="syntax-error"), message(), message(path="b.py"))
     said = parse(pylint, tmp_path, {"a.py": "print 'x'\n", "b.py": ""}, text)
     assert brief(said) == [("a.py", "it is Python 2", 2), ("b.py", "unused-import", "b.py:2:5")]
+
+
+def test_pylint_on_python_that_is_newer_than_its_own(tmp_path: Path) -> None:
+    said = parse(pylint, tmp_path, {"a.py": "x = 1\ntype A = int\n"}, report(message(symbol="syntax-error")))
+    if sys.version_info < (3, 12):
+        version = ".".join(map(str, sys.version_info[:2]))
+        assert brief(said) == [("a.py", f"it is not valid Python {version}", 2)]
+    else:
+        assert brief(said) == [("a.py", "syntax-error", "a.py:2:5")]
 
 
 @pytest.mark.parametrize(
