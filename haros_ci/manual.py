@@ -153,8 +153,27 @@ Put the line of the example into ~/.bashrc or ~/.zshrc; for fish, write the outp
 }
 
 
+#: What stands beside a command in the list of all, where its first sentence is too long for a narrow terminal.
+SHORT: Mapping[str, str] = {
+    "check": "Analyse a workspace and report what is new.",
+    "completion": "Print what makes a shell complete haros-ci's words.",
+    "diff": "Say what a change does to the system.",
+    "init": "Write a workflow, a pre-commit entry and a project file.",
+    "merge": "Report what all shards have found, as one check.",
+    "metrics": "Measure functions, classes, files and packages.",
+    "model": "Reconstruct the running system from source.",
+    "new-check": "Begin a new check in a clone of haros-ci.",
+    "policy": "Write a security policy (SROS2) of what the nodes do.",
+    "query": "Ask a query of the running systems, as HAROS does.",
+    "rules": "List every documented rule, by profile.",
+}
+
+
 class Command(click.Command):
     """A command whose options are shown by section, and whose examples follow them."""
+
+    def get_short_help_str(self, limit: int = 45) -> str:
+        return SHORT.get(self.name or "") or super().get_short_help_str(limit)
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         super().format_help_text(ctx, formatter)

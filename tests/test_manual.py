@@ -15,7 +15,7 @@ from commandline import haros
 
 from haros_ci.cli import haros_ci
 from haros_ci.completion import words
-from haros_ci.manual import ABOUT, EXAMPLES, SECTIONS
+from haros_ci.manual import ABOUT, EXAMPLES, SECTIONS, SHORT
 from haros_ci.output import FOLDERS, FORMATS
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -62,6 +62,13 @@ def test_examples_are_spelt_right(name: str, command: str) -> None:
         length = len(name.split())
         assert " ".join(given[1 : length + 1]) == name
         COMMANDS[name].make_context(name, given[length + 1 :])
+
+
+def test_the_list_of_commands_fits_a_narrow_terminal() -> None:
+    assert {*SHORT} <= {*COMMANDS}
+    assert (
+        "..." not in haros("--help", cwd=ROOT, COLUMNS="80").stdout.partition("Commands:")[2].partition("Exit codes")[0]
+    )
 
 
 @pytest.mark.parametrize("name", COMMANDS)

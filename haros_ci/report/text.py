@@ -187,7 +187,8 @@ def _trouble(report: Report, paint: Paint, told: Collection[Notification] = ()) 
 
 
 def _place(note: Notification) -> str:
-    tool = f"{terminal(note.tool)}: " if note.tool else ""
+    named = not note.tool or note.message.startswith(f"{note.tool} ")  # by the message itself
+    tool = "" if named else f"{terminal(note.tool)}: "
     if not note.path:
         return tool
     return f"{tool}{terminal(note.path)}{f':{note.line}' if note.line else ''}: "

@@ -123,6 +123,8 @@ def test_trouble_is_loud_and_last() -> None:
     assert "error: cppcheck: timed out after 600 s\n" in said
     assert "warning: pylint: base/scripts/teleop.py:3: syntax error\n" in said
     assert "  Gave up: pylint on 1 file.\n" in said
+    missing = Notification(Level.ERROR, "mypy is not installed", "mypy")
+    assert "error: mypy is not installed\n" in shown(replace(PLAIN, notifications=(missing,)))
     assert "note: .haros-ci.yaml:3: 'cpplint' has no effect.\n" in said
 
 
