@@ -7,7 +7,7 @@ from haros_ci.linters.catalogue.group import Rule, help_text, level_of, profiles
 from haros_ci.results.rule import Level
 
 DOCUMENTATION = "https://bandit.readthedocs.io/en/latest/plugins/index.html"
-SUPPRESS = "`# nosec ID` on the line"
+SUPPRESS = "`# nosec CODE` on the line"
 
 LEVELS = {"H": Level.ERROR, "M": Level.WARNING, "L": Level.NOTE}
 #: GitHub's scale: high from 7.0, medium from 4.0.
@@ -109,7 +109,7 @@ def _rule(identifier: str, letters: str, cwe: int, summary: str, precision: str 
         id=identifier,
         summary=summary,
         level=level_of(letters, LEVELS[letters[1]]),
-        help=help_text(identifier, summary, advice, SUPPRESS.replace("ID", identifier)),
+        help=help_text(identifier, summary, advice, SUPPRESS),
         help_uri=DOCUMENTATION,
         precision="medium" if letters[0] == "-" else precision,
         profiles=profiles(letters),

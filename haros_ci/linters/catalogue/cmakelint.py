@@ -7,7 +7,7 @@ from haros_ci.linters.catalogue.table import Group, Rule, Table
 
 TABLE = Table(
     "cmakelint",
-    "`# lint_cmake: -CATEGORY` in the file, which holds for all of it",
+    "`# lint_cmake: -CODE` in the file, which holds for all of it",
     lambda rule: "https://github.com/cmake-lint/cmake-lint",
     (
         Group(

@@ -10,7 +10,7 @@ from haros_ci.linters.catalogue.group import Group, Rule, help_text, level_of, p
 from haros_ci.results.rule import Level
 
 CHECKS = "https://sourceforge.net/p/cppcheck/wiki/ListOfChecks/"
-SUPPRESS = "`// cppcheck-suppress id` on the line or before it"
+SUPPRESS = "`// cppcheck-suppress CODE` on the line or before it"
 CATCH_ALL = "haros_plugin_cppcheck:cppcheckRule"
 
 LEVELS = {"e": Level.ERROR, "w": Level.WARNING, "s": Level.NOTE}

@@ -8,7 +8,7 @@ from haros_ci.linters.catalogue.group import Group, Rule, help_text, level_of, p
 from haros_ci.results.rule import Level
 
 GUIDE = "https://google.github.io/styleguide/cppguide.html"
-SUPPRESS = "`// NOLINT(category)` on the line or `// NOLINTNEXTLINE(category)` before it"
+SUPPRESS = "`// NOLINT(CODE)` on the line or `// NOLINTNEXTLINE(CODE)` before it"
 
 #: The ROS guides (ROS 1 C++ style guide, ROS 2 code style) leave braces, columns and blanks to the formatter, so that
 #: whitespace and layout are only in ``google``.

@@ -44,11 +44,13 @@ def level_of(letters: str, usual: Level) -> Level:
 
 
 def help_text(rule: str, summary: str, advice: str, suppress: str) -> str:
-    """The help of a rule as Markdown: what, why and how to fix, how to suppress."""
+    """The help of a rule as Markdown: what, why and how to fix, how to suppress, where CODE stands for the rule."""
     parts = [f"**{rule}**: {summary}"]
     if advice:
         parts.append(advice)
-    parts.append(f"*Suppress* one finding with {suppress}, or `haros: ignore[{rule}] reason` in a comment.")
+    parts.append(
+        f"*Suppress* one finding with {suppress.replace('CODE', rule)}, or `haros: ignore[{rule}] reason` in a comment."
+    )
     return "\n\n".join(parts)
 
 

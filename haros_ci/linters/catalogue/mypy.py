@@ -8,7 +8,7 @@ from haros_ci.results.rule import Level
 
 CODES = "https://mypy.readthedocs.io/en/stable/error_code_list.html"
 MORE_CODES = "https://mypy.readthedocs.io/en/stable/error_code_list2.html"
-SUPPRESS = "`# type: ignore[code]` on the line"
+SUPPRESS = "`# type: ignore[CODE]` on the line"
 
 GROUPS: tuple[Group, ...] = (
     Group(
@@ -156,7 +156,7 @@ def _rule(code: str, letters: str, summary: str, group: Group) -> Rule:
         id=code,
         summary=summary,
         level=Level.ERROR if letters == "B" else Level.WARNING if letters in "RS" else Level.NOTE,
-        help=help_text(code, summary, group.advice, SUPPRESS.replace("code", code)),
+        help=help_text(code, summary, group.advice, SUPPRESS),
         help_uri=MORE_CODES if "strictness" in group.tags else f"{CODES}#code-{code}",
         precision=group.precision,
         profiles=profiles(letters),

@@ -9,7 +9,7 @@ from haros_ci.linters.catalogue.pylint_table import GROUPS as TABLE
 from haros_ci.results.rule import Level
 
 MESSAGES = "https://pylint.readthedocs.io/en/stable/user_guide/messages"
-SUPPRESS = "`# pylint: disable=symbol` on the line"
+SUPPRESS = "`# pylint: disable=CODE` on the line"
 
 #: By category letter: its name, in the documentation's addresses and in HAROS, and its level.
 CATEGORIES: dict[str, tuple[str, Level]] = {
