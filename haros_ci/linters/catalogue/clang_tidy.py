@@ -10,7 +10,7 @@ from haros_ci.results.rule import Level
 CHECKS = "https://clang.llvm.org/extra/clang-tidy/checks"
 ANALYZER = "https://clang.llvm.org/docs/analyzer/checkers.html"
 DIAGNOSTICS = "https://clang.llvm.org/docs/DiagnosticsReference.html"
-SUPPRESS = "`// NOLINT(check)` on the line or `// NOLINTNEXTLINE(check)` before it"
+SUPPRESS = "`// NOLINT(CODE)` on the line or `// NOLINTNEXTLINE(CODE)` before it"
 
 #: (beginning of check names, profile letters, tags, what they are about); the first that fits holds.
 MODULES: tuple[tuple[str, str, str, str], ...] = (

@@ -7,7 +7,7 @@ from haros_ci.linters.catalogue.table import Group, Rule, Table
 
 TABLE = Table(
     "yamllint",
-    "`# yamllint disable-line rule:NAME` on the line",
+    "`# yamllint disable-line rule:CODE` on the line",
     lambda rule: f"https://yamllint.readthedocs.io/en/stable/rules.html#module-yamllint.rules.{rule.replace('-', '_')}",
     (
         Group(
