@@ -10,7 +10,7 @@ from pathlib import Path
 
 from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit, Unread
 from haros_ci.linters.process import Processes, TimedOut, Unstartable
-from haros_ci.linters.rows import Answer
+from haros_ci.linters.rows import MOST, Answer
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Result
 
@@ -107,6 +107,8 @@ def _ask(
         for said in task.linter.parse(output, batch):
             results, gave_up = collected[said.unit]
             if isinstance(said, Finding):
+                if len(results) == MOST:
+                    raise Unread(f"told more than {MOST:,} findings of one file")
                 results.append(_anywhere(said.result, here))
             else:
                 gave_up.append(replace(said, message=_stripped(said.message, here)))

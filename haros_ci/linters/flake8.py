@@ -53,7 +53,8 @@ def locate(options: LintOptions) -> Program | None:
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     """What checks: the plug-ins, and the two libraries that flake8 brings."""
-    libraries = [str(installed.distribution(name)) for name in ("pycodestyle", "pyflakes")]
+    found = [installed.distribution(name) for name in ("pycodestyle", "pyflakes")]
+    libraries = [each.version if each else None for each in found]
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     plugins = installed.providers("flake8.extension")
     return json.dumps(["1", sys.version_info[:2], libraries, plugins, options.trust_config, own])

@@ -8,9 +8,10 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryFile
 
 from haros_ci.linters.linter import LintOptions, Program
-from haros_ci.linters.process import environment, search_path
+from haros_ci.linters.process import environment, kill_group, search_path, small_files
 
 #: How to get what does not come with haros-ci itself.
 HOW = {
@@ -117,19 +118,32 @@ def version_of(path: str) -> str | None:
 
     None if the program does not run.
     """
-    try:
-        done = subprocess.run(
-            [path, "--version"],
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            timeout=20,
-            cwd="/",
-            env=environment(os.environ, Path("/nonexistent"), Path("/nonexistent")),
-            check=True,
-        )
-    except (OSError, subprocess.SubprocessError):
-        return None
-    words = (done.stdout[:4000] + b"\n" + done.stderr[:4000]).decode("utf-8", "replace").split()
+    with TemporaryFile() as stdout, TemporaryFile() as stderr:
+        try:
+            with small_files():  # it may take no notice of --version, and write for ever
+                process = subprocess.Popen(
+                    [path, "--version"],
+                    stdin=subprocess.DEVNULL,
+                    stdout=stdout,
+                    stderr=stderr,
+                    cwd="/",
+                    env=environment(os.environ, Path("/nonexistent"), Path("/nonexistent")),
+                    start_new_session=True,
+                )
+        except OSError:
+            return None
+        try:
+            code = process.wait(timeout=20)
+        except subprocess.TimeoutExpired:
+            return None
+        finally:
+            kill_group(process)
+            process.wait()
+        if code != 0:
+            return None
+        stdout.seek(0)
+        stderr.seek(0)
+        words = (stdout.read(4000) + b"\n" + stderr.read(4000)).decode("utf-8", "replace").split()
     for word in words:
         if word[:1].isdigit() and "." in word:
             return word.rstrip(",;")

@@ -8,7 +8,7 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Iterator
-from posixpath import join, relpath
+from posixpath import join, normpath, relpath
 
 from haros_ci.linters import columns, imports, installed, python2, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
@@ -100,7 +100,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if "home" in said:
             home = said["home"]
             continue
-        path = join(home, said["file"]).removeprefix("./")
+        path = normpath(join(home, said["file"]))
         if path not in paths:
             continue
         text, number = batch.workspace.text(path), said["line"]

@@ -60,7 +60,9 @@ def check(
         attempts -= 1
         if own:
             write_settings(config, own, left_out, strange)
-        stdout, stderr, code = mypy([*OPTIONS, *options, f"--config-file={own or config}", "--", *waiting])
+        stdout, stderr, code = mypy(
+            [*OPTIONS, *options, f"--config-file={own or config}", "--", *map(_argument, waiting)]
+        )
         if code in (0, 1):
             yield from stdout.splitlines()
             continue
@@ -74,6 +76,11 @@ def check(
         rounds.insert(0, [name for name in waiting if name not in left_out])
     for name, (line, why) in left_out.items():
         yield json.dumps({"file": name, "line": line, "gave_up": why})
+
+
+def _argument(name: str) -> str:
+    """*name* as it can be given to mypy, which would read its arguments from a file after an ``@``."""
+    return f"./{name}" if name.startswith("@") else name
 
 
 def unparsable(path: str) -> int | None:
@@ -93,10 +100,14 @@ def blamed(stdout: str, stderr: str, files: Collection[str]) -> Iterator[tuple[s
     for line in stdout.splitlines():
         said = json.loads(line)
         if said["severity"] == "error" and (said["code"] in (SYNTAX, None) or said["line"] < 1):
-            yield said["file"], max(said["line"], 0), SYNTAX if said["code"] == SYNTAX else said["message"]
+            yield (
+                os.path.normpath(said["file"]),
+                max(said["line"], 0),
+                SYNTAX if said["code"] == SYNTAX else said["message"],
+            )
     for line in stderr.splitlines():
         if match := re.match(r"(.+?): error: (Cannot (?:decode|read) file)", line):
-            yield match[1], 0, match[2]
+            yield os.path.normpath(match[1]), 0, match[2]
         elif match := re.match(r"(.+?) (?:contains __init__\.py but )?is not a valid Python package name", line):
             inside = (name for name in files if match[1] in name.split("/")[:-1])
             yield from ((name, 0, f"{match[1]} is not a valid name of a package") for name in inside)

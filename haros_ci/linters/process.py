@@ -19,6 +19,8 @@ OUTPUT_LIMIT = 64_000_000
 #: space would not do: programs in Haskell, Java or JavaScript reserve terabytes of it and use little.
 MEMORY_LIMIT = 8_000_000_000
 
+_LIMITING = threading.Lock()
+
 
 class TimedOut(Exception):
     """The process was killed when its time was up."""
@@ -146,19 +148,20 @@ def small_files() -> Iterator[None]:
 
     ``limit`` comes too late for a child that it forks at once. Nothing of ours writes as much meanwhile.
     """
-    try:
-        import resource
+    with _LIMITING:
+        try:
+            import resource
 
-        soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-        cap = OUTPUT_LIMIT if hard == resource.RLIM_INFINITY else min(OUTPUT_LIMIT, hard)
-        resource.setrlimit(resource.RLIMIT_FSIZE, (cap, hard))
-    except (ImportError, OSError, ValueError):
-        yield
-        return
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+            soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+            cap = OUTPUT_LIMIT if hard == resource.RLIM_INFINITY else min(OUTPUT_LIMIT, hard)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (cap, hard))
+        except (ImportError, OSError, ValueError):
+            yield
+            return
+        try:
+            yield
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
 
 
 def limit(pid: int, timeout: float) -> None:

@@ -18,6 +18,11 @@ Wanted = Callable[[str, str, str], bool]
 #: What a row leaves out at its end: scope, value, limit, subject, related.
 _DEFAULTS: tuple[Any, ...] = ("", None, None, (), ())
 
+#: Results of one unit; the largest file that is read has fewer lines.
+MOST = 100_000
+#: The last line or column that a place can have.
+_LAST = 2**53
+
 LEVELS = {level.value: level for level in Level}
 
 
@@ -47,6 +52,8 @@ def decode(value: object, unit: str, wanted: Wanted, known: Collection[str]) -> 
     """
     try:
         rules, gave_up = value["rules"], value["gave_up"]  # type: ignore[index]
+        if sum(len(rows) for _, _, rows in rules) > MOST:
+            return None
         results = [result for tool, rule, rows in rules for result in _results(tool, rule, rows, wanted, known)]
         return Answer(tuple(results), tuple(GaveUp(unit, _text(message), _number(line)) for message, line in gave_up))
     except (TypeError, ValueError, KeyError, IndexError):
@@ -106,7 +113,7 @@ def _text(value: object) -> str:
 
 
 def _number(value: object) -> int | None:
-    if value is not None and (type(value) is not int or value < 1):
+    if value is not None and (type(value) is not int or not 1 <= value <= _LAST):
         raise ValueError("not a line or column")
     return value
 

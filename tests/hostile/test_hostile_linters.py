@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 from hostile_kit import Outcome, Trap, assert_harmless
 
-from haros_ci.linters import settings_files
+from haros_ci.linters import flake8, installed, rows, settings_files
+from haros_ci.linters.linter import LintOptions
 
 OFF = ("cppcheck", "cpplint", "pylint", "lizard", "radon", "ruff", "clang-tidy", "catkin_lint")
 SECRET_MODULE = f"from typing import Final\nKEY: Final = {Trap.SECRET!r}\nclass A:\n    the_secret_outside = 1\n"
@@ -168,3 +169,46 @@ def test_a_style_is_of_the_workspace(trap: Trap) -> None:
         "c/x.cpp",
         "d/x.cpp",
     }
+
+
+def test_a_program_may_take_no_notice_of_what_it_is_asked(tmp_path: Path) -> None:
+    """What it writes is bounded, also by what it starts; a short answer is an answer."""
+    for name, script in {"endless": "yes 1.2.3", "sound": "echo sound 1.2.3", "failing": "echo 1.2.3; exit 1"}.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\n{script}\n")
+        (tmp_path / name).chmod(0o755)
+    names = ("endless", "sound", "failing", "none")
+    assert [installed.version_of(str(tmp_path / name)) for name in names] == [None, "1.2.3", None, None]
+
+
+def test_what_an_answer_may_hold() -> None:
+    def known(count: int, line: object = 1) -> object:
+        row = ["warning", "x", "a.py", line, None, None, None]
+        return rows.decode({"rules": [["t", "r", [row] * count]], "gave_up": []}, "a.py", lambda *_: True, ["a.py"])
+
+    assert known(rows.MOST) is not None and known(1, 2**31 - 1) is not None
+    assert known(rows.MOST + 1) is None
+    assert known(1, 10**300) is None
+
+
+def test_no_place_of_this_machine_is_in_a_fingerprint(trap: Trap) -> None:
+    """Shards compare them between machines."""
+    from haros_ci.model.workspace import Workspace
+
+    assert "/" not in flake8.fingerprint(Workspace(trap.root, (), (), None), LintOptions())  # type: ignore[arg-type]
+
+
+def test_a_name_is_no_list_of_arguments(trap: Trap) -> None:
+    """mypy reads arguments from the file whose name follows an ``@``."""
+    (trap.outside / "more.py").write_text(f"x: int = {Trap.SECRET!r}\n")
+    trap.write("@more.py", "x: int = ''\n")
+    trap.write("more.py", f"--config-file=evil.ini\n{trap.outside / 'more.py'}\n")
+    trap.write("@gone.py", "x: int = (\n")
+    trap.write("evil.ini", "[mypy]\nplugins = evil.py\n")
+    trap.write("evil.py", trap.python("plug-in"))
+    trap.write("good.py", "x: int = ''\n")
+    outcome = asking(trap, "mypy")
+    assert outcome.code == 1
+    assert found(outcome, "@more.py") == found(outcome, "good.py") == {"mypy:assignment"}
+    assert ("@gone.py", "mypy could not analyse this file: it is not valid Python") in [
+        (path, message.rpartition(" ")[0]) for path, message in outcome.notes()
+    ]
