@@ -108,11 +108,11 @@ def accepted_here(settings: Settings, selection: Selection, result: Result) -> b
 
 
 FINDINGS = [
-    ("pylint", "unused-import", "src/arm/a.py", "Unused import os"),
-    ("pylint", "unused-import", "src/leg/a.py", "Unused import os"),
-    ("pylint", "unused-import", "src/worlds/a.py", "Unused import os"),
-    ("pylint", "unused-import", "src/old/a.py", "Unused import os"),
-    ("pylint", "unused-import", "src/leg/third_party/a.py", "Unused import os"),
+    ("pylint", "unreachable", "src/arm/a.py", "Unreachable code"),
+    ("pylint", "unreachable", "src/leg/a.py", "Unreachable code"),
+    ("pylint", "unreachable", "src/worlds/a.py", "Unreachable code"),
+    ("pylint", "unreachable", "src/old/a.py", "Unreachable code"),
+    ("pylint", "unreachable", "src/leg/third_party/a.py", "Unreachable code"),
     ("pylint", "no-member", "src/leg/a.py", "Module 'cv2' has no 'imread' member"),
     ("pylint", "no-member", "src/leg/a.py", "Module 'numpy' has no 'float' member"),
     ("cpplint", "build/storage_class", "src/leg/test/a.hpp", "Storage-class specifier should be at the beginning"),

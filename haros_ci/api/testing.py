@@ -62,7 +62,9 @@ def faults(check: Check, example: Example, directory: Path, plugins: tuple[str, 
     wrong = [f"{r.location}: reported, not expected: {r.message}" for r in results if _at(r) not in example.expected]
     wrong += [f"{path}:{line}: expected, not reported" for path, line in example.expected if (path, line) not in found]
     wrong += [
-        f"{r.location}: reported twice" for r in results if found.count(_at(r)) != 1 and _at(r) in example.expected
+        f"{path}:{line}: reported {found.count((path, line))} times, expected {example.expected.count((path, line))} times"
+        for path, line in sorted({*found} & {*example.expected})
+        if found.count((path, line)) != example.expected.count((path, line))
     ]
     wrong += [f"{r.location}: it is about nothing: fill in 'about'" for r in results if not r.subject]
     if any(result.fixes for result in results):

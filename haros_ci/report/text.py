@@ -187,8 +187,8 @@ def _trouble(report: Report, paint: Paint, told: Collection[Notification] = ()) 
 
 
 def _place(note: Notification) -> str:
-    named = not note.tool or note.message.startswith(f"{note.tool} ")  # by the message itself
-    tool = "" if named else f"{terminal(note.tool)}: "
+    is_named = note.message.startswith(f"{note.tool} ")  # by the message itself
+    tool = f"{terminal(note.tool)}: " if note.tool and not is_named else ""
     if not note.path:
         return tool
     return f"{tool}{terminal(note.path)}{f':{note.line}' if note.line else ''}: "

@@ -33,9 +33,16 @@ def workspace(tmp_path: Path) -> Workspace:
     return discover(tmp_path, (".",))
 
 
-@pytest.mark.parametrize("level", list(Level))
-def test_a_finding_keeps_its_level(workspace: Workspace, level: Level) -> None:
-    assert level_of(workspace, "haros-ci", OURS, level) is level
+@pytest.mark.parametrize(
+    ("level", "expected"), [(Level.ERROR, Level.ERROR), (Level.WARNING, Level.WARNING), (Level.NOTE, None)]
+)
+def test_a_finding_keeps_its_level(workspace: Workspace, level: Level, expected: Level | None) -> None:
+    """A note is a hint, which the profile does not show."""
+    assert level_of(workspace, "haros-ci", OURS, level) is expected
+
+
+def test_a_hint_is_there_for_who_asks(workspace: Workspace) -> None:
+    assert level_of(workspace, "haros-ci", OURS, Level.NOTE, Policy(select=(OURS,))) is Level.NOTE
 
 
 def test_the_settings_beat_it(workspace: Workspace) -> None:
