@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
+from datetime import datetime, timezone
 
 from haros_ci.config.selection import Selection
 from haros_ci.haros_json.documents import Input, documents
@@ -76,10 +76,10 @@ def _inside(directory: str, name: str) -> str:
 
 
 def _written(seconds: int | None) -> str | None:
-    """A time as HAROS writes it, in UTC; None for one before 1970, or beyond what a calendar holds."""
+    """A time as HAROS writes it, in timezone.utc; None for one before 1970, or beyond what a calendar holds."""
     if seconds is None or seconds < 0:
         return None
     try:
-        return datetime.fromtimestamp(seconds, UTC).strftime(TIME)
+        return datetime.fromtimestamp(seconds, timezone.utc).strftime(TIME)
     except (OverflowError, OSError, ValueError):
         return None
