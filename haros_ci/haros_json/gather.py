@@ -76,7 +76,7 @@ def _inside(directory: str, name: str) -> str:
 
 
 def _written(seconds: int | None) -> str | None:
-    """A time as HAROS writes it, in timezone.utc; None for one before 1970, or beyond what a calendar holds."""
+    """A time as HAROS writes it, in UTC; None for one before 1970, or beyond what a calendar holds."""
     if seconds is None or seconds < 0:
         return None
     try:
