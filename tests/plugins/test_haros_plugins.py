@@ -328,7 +328,7 @@ def model() -> tuple[Model, Scenes]:
         SourceFile("demo/setup.py", "setup", 10, "0" * 64, "demo"),
     ]
     found = Architecture(configurations=(system,), packages=(Package("demo", "demo"),))
-    return Model("/work/place"), Scenes(found, files, {})
+    return Model("/place/ws"), Scenes(found, files, {})
 
 
 def everything(models: Model, scenes: Scenes) -> dict[str, object]:
@@ -361,11 +361,11 @@ def test_views_are_what_haros_has() -> None:
     (node,) = system.nodes
     file = next(each for each in package.source_files if each.name == "a.cpp")
     assert (file.path, file.dir_path, file.full_name) == (
-        "/work/place/demo/src/a.cpp",
-        "/work/place/demo/src",
+        "/place/ws/demo/src/a.cpp",
+        "/place/ws/demo/src",
         "src/a.cpp",
     )
-    assert package.path == "/work/place/demo"
+    assert package.path == "/place/ws/demo"
     assert {each.language for each in package.source_files} == {"cpp", "python"}
     assert isinstance(node, CLASSES["Resource"]) and isinstance(file, CLASSES["SourceObject"])
     assert isinstance(node.publishers[0], CLASSES["RosPrimitive"]) and not isinstance(node, CLASSES["RosPrimitive"])
