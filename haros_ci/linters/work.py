@@ -137,7 +137,7 @@ def _begun(
     for unit in units:
         work.keys[unit.file.path] = digests.key(linter.NAME, program.version, fingerprint, unit)
     if not units and asked:
-        note = f"{linter.NAME} found nothing to analyse here"
+        note = f"{linter.NAME} found nothing to analyse here: no file of its kind, or no settings that it needs"
         work.notifications.append(Notification(Level.NOTE, note, linter.NAME))
     return work
 
