@@ -3,34 +3,20 @@
 
 from __future__ import annotations
 
-from haros_ci.linters.catalogue.group import Rule, help_text, profiles, tags_of, words
+from haros_ci.linters.catalogue.single import Single
 from haros_ci.results.rule import Level
 
-DOCUMENTATION = "https://github.com/codespell-project/codespell"
-RULE = "misspelling"
-SUMMARY = "Words are spelled as in the dictionary."
-ADVICE = "Correct the word, or put it into `ignore-words-list` of `.codespellrc`."
-SUPPRESS = "`codespell:ignore word` in a comment on the line"
+RULE = Single(
+    tool="codespell",
+    name="misspelling",
+    summary="Words are spelled as in the dictionary.",
+    advice="Correct the word, or put it into `ignore-words-list` of `.codespellrc`.",
+    suppress="`codespell:ignore word` in a comment on the line",
+    address="https://github.com/codespell-project/codespell",
+    subject="spelling",
+    level=Level.WARNING,
+    precision="medium",
+)
 
-
-def rules() -> dict[str, Rule]:
-    """The one rule by its id."""
-    return {RULE: _rule(RULE, SUMMARY)}
-
-
-def invented(name: str) -> Rule:
-    """There is no other; a log of ours may name one all the same."""
-    return _rule(name, f"Codespell says '{words(name)}' of nothing.")
-
-
-def _rule(name: str, summary: str) -> Rule:
-    return Rule(
-        id=name,
-        summary=summary,
-        level=Level.WARNING,
-        help=help_text(name, summary, ADVICE, SUPPRESS),
-        help_uri=DOCUMENTATION,
-        precision="medium",
-        profiles=profiles("R"),
-        tags=tags_of("code-standards", "codespell", "spelling"),
-    )
+rules = RULE.rules
+invented = RULE.invented
