@@ -198,7 +198,7 @@ def queried(run: Run, found: Architecture, workspace: Workspace, settings: Setti
 
 def is_on(rule: Rule, workspace: Workspace, selection: Selection) -> bool:
     """Whether *rule* is on in any file."""
-    return any(selection.wants(own.TOOL, rule, file.path) for file in workspace.files)
+    return selection.wants_any(own.TOOL, (rule,), (file.path for file in workspace.files))
 
 
 def only_files(workspace: Workspace, settings: Settings) -> bool:

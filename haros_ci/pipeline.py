@@ -174,8 +174,8 @@ def structured(workspace: Workspace, architectures: Architectures, progress: Pro
 
 def has_structure(workspace: Workspace, selection: Selection) -> bool:
     """Whether any threshold is on that only syntax trees and the index of the workspace can tell of."""
-    paths = [file.path for file in workspace.files if file.language in ("cpp", "python")]
-    return any(selection.wants(METRICS, rule, path) for rule in STRUCTURE_RULES for path in paths)
+    paths = (file.path for file in workspace.files if file.language in ("cpp", "python"))
+    return selection.wants_any(METRICS, STRUCTURE_RULES, paths)
 
 
 def imported(settings: Settings, workspace: Workspace, selection: Selection) -> tuple[Run, ...]:

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from itertools import islice
 
 from haros_ci.config.selector import NO_MATCH, Rank, rank
 from haros_ci.config.settings import Policy, Settings
@@ -77,6 +78,11 @@ class Selection:
     def wants(self, tool: str, rule: str | Rule, path: str) -> bool:
         """Whether *rule* is on in the file *path*."""
         return self._decision(tool, rule, path)[0]
+
+    def wants_any(self, tool: str, rules: Iterable[str | Rule], paths: Iterable[str]) -> bool:
+        """Whether one of *rules* is on in one of the files; where no entry is for some files only, one tells of all."""
+        asked = tuple(paths) if self._settings.local else tuple(islice(paths, 1))
+        return any(self.wants(tool, rule, path) for rule in rules for path in asked)
 
     def rule(self, tool: str, rule: str | Rule) -> Rule:
         """*rule* itself, or the catalogue's rule of that id, or one made for it."""
