@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.code.body import Call, last_part
@@ -19,13 +18,6 @@ CLEANING = frozenset(
 )
 #: Operators whose result is no text.
 TESTS = frozenset("== != < > <= >= && || ! and or not in is".split())
-
-
-@dataclass(frozen=True, slots=True)
-class Tainted:
-    """What a value carries of a message: *paths* are the members of the message that are in it."""
-
-    paths: frozenset[tuple[str, ...]]
 
 
 Marks = Mapping[str, frozenset[tuple[str, ...]]]

@@ -19,7 +19,6 @@ from haros_ci.link.launch_python.values import (
     Unknown,
     Value,
     phrase,
-    text_of,
     uncertain,
     why,
 )
@@ -215,8 +214,3 @@ METHODS: dict[str, Callable[[Run, PathValue, Call], Any]] = {
     "with_name": lambda run, path, call: PathValue(joined_path([parent_path(path), first(call, "name")])),
     "is_absolute": lambda run, path, call: is_absolute(path.text),
 }
-
-
-def text_file(value: Value) -> Value:
-    """*value* as a str value, where it is a path."""
-    return text_of(phrase(value)) if isinstance(value, PathValue) else value
