@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from haros_ci.model.digits import whole_number
+
 #: Steps that a search may take at worst: length to the power of the repetitions that can overlap.
 MAX_WORK = 5_000_000
 MAX_PATTERN = 500
@@ -153,8 +155,9 @@ def _filled(replacement: str, match: re.Match[str]) -> str:
 
     def group(reference: re.Match[str]) -> str:
         character = reference[1]
-        if character.isdigit():
-            return (match[int(character)] or "") if int(character) <= match.re.groups else ""
+        index = whole_number(character)
+        if index is not None:
+            return (match[index] or "") if index <= match.re.groups else ""
         return "\n" if character == "n" else character
 
     return re.sub(r"\\(.)", group, replacement)
