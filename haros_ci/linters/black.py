@@ -44,7 +44,10 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["1", options.arguments.get(NAME, ()) if options.trust_config else ()])
+    import sys
+
+    own = options.arguments.get(NAME, ()) if options.trust_config else ()
+    return json.dumps(["2", sys.version_info[:2], own])  # why a file is unreadable is said in terms of this Python
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -66,7 +69,8 @@ def command(program: Program, batch: Batch) -> Command:
     copies.put(batch, OWN, settings_files.toml_text(NAME, settings))
     more = batch.options.arguments.get(NAME, ()) if batch.options.trust_config else ()
     options = (f"--config={OWN}", "--diff", "--fast", "--no-color", "--quiet", "--workers=1", *more)
-    return Command((*program.argv, *options, "--", *copied), cwd=copies.tree(batch))
+    # For a lock on its output, Black starts a process of its own and talks to it.
+    return Command((*program.argv, *options, "--", *copied), cwd=copies.tree(batch), talks=True)
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:

@@ -12,6 +12,7 @@ from posixpath import join, normpath
 from haros_ci.linters import installed
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
+from haros_ci.model.package import LANGUAGES as EVERY_LANGUAGE
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Result
@@ -27,6 +28,9 @@ KNOWN = (
     "<package><name>{name}</name><version>0.0.0</version><description>.</description>"
     '<maintainer email="a@example.org">.</maintainer><license>.</license>{build}</package>'
 )
+#: It reads the launch files and plug-in descriptions of a package, and first lines, and asks which other files there are.
+SEES = frozenset(EVERY_LANGUAGE) - {"cpp"}
+SEES_NAMES = True
 LEVELS = {"errors": Level.ERROR, "warnings": Level.WARNING, "notices": Level.NOTE}
 
 
@@ -38,12 +42,12 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    """Which packages there are, for it looks dependencies up among them."""
-    return json.dumps(["1", sorted(package.name for package in workspace.packages)])
+    """Which packages there are, for it looks dependencies up among them, and which of them are of ROS 1."""
+    return json.dumps(["2", sorted((package.name, package.ros or 0) for package in workspace.packages)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
-    """The package's CMake files; the names of its other files come in as salt."""
+    """The package's CMake files; its other files come in as salt."""
     return (f.path for f in workspace.files if f.package == file.package and f.language == "cmake")
 
 
@@ -51,8 +55,9 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     manifests = {join(p.path, "package.xml").removeprefix("./"): p for p in workspace.packages if p.ros == 1}
     for file in workspace.files:
         if file.path in manifests and (needs := tuple(dependencies(workspace, file))):
-            names = "\n".join(f.path for f in workspace.files if f.package == file.package)
-            yield Unit(file, dependencies=needs, covers=needs, salt=hashlib.sha256(names.encode()).hexdigest())
+            others = (_trace(workspace, f) for f in workspace.files if f.package == file.package)
+            salt = hashlib.sha256("\n".join(others).encode("utf-8", "surrogatepass")).hexdigest()
+            yield Unit(file, dependencies=needs, covers=needs, salt=salt)
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -87,6 +92,12 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             line = place.get("line")
             location = Location(path, line if isinstance(line, int) and line > 0 else None)
             yield Finding(manifests[package.name], Result(NAME, said["id"], level, said["text"], location))
+
+
+def _trace(workspace: Workspace, file: SourceFile) -> str:
+    """What it can see of a file: its name, its mode, and what stands in it, but for C++."""
+    mode = workspace.executables is not None and file.path in workspace.executables
+    return f"{file.path} {mode} {'' if file.language == 'cpp' else file.digest}"
 
 
 def _packages(batch: Batch) -> list[Package]:

@@ -41,8 +41,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
-    """Every style file from the file's directory up to the root, for one may inherit from the next."""
-    return _settings(workspace, file.path)
+    return ()  # its settings are all
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
@@ -50,10 +49,10 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     for file in workspace.files:
         if file.language not in LANGUAGES:
             continue
-        needs = tuple(dependencies(workspace, file))
-        styles = [path for path in needs if path.endswith(STYLES)]
+        own = tuple(_settings(workspace, file.path))
+        styles = [path for path in own if path.endswith(STYLES)]
         if styles:
-            yield Unit(file, group=styles[0], dependencies=needs)
+            yield Unit(file, group=styles[0], settings=own)
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -64,8 +63,8 @@ def command(program: Program, batch: Batch) -> Command:
     copied = _copied(batch)
     copies.lay(batch, copied)
     for file in batch.files:
-        for path in dependencies(batch.workspace, file):
-            text = batch.workspace.text(path)
+        for path in _settings(batch.workspace, file.path):
+            text = batch.workspace.setting(path)
             if path.endswith(STYLES) and _ELSEWHERE.search(text):
                 if path == batch.group:
                     raise ValueError(
@@ -107,9 +106,10 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
 
 
 def _settings(workspace: Workspace, path: str) -> Iterator[str]:
+    """Every style file from the file's directory up to the root, for one may inherit from the next."""
     while path:
         path = dirname(path)
-        yield from (found for name in (*STYLES, IGNORED) if workspace.text(found := join(path, name)))
+        yield from (found for name in (*STYLES, IGNORED) if workspace.setting(found := join(path, name)))
 
 
 def _copied(batch: Batch) -> dict[str, str]:

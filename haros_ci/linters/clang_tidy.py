@@ -7,10 +7,10 @@ import json
 import os
 import re
 from collections.abc import Iterable, Iterator
-from posixpath import relpath
+from posixpath import dirname, join, relpath
 
-from haros_ci.linters import includes, installed
-from haros_ci.linters.compile_db import flags_by_file
+from haros_ci.linters import footing, includes, installed
+from haros_ci.linters.compile_db import directories, flags_by_file
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -22,9 +22,11 @@ NAME = "clang-tidy"
 LANGUAGES = frozenset({"cpp"})
 WHEN = When.INSTALLED
 COST = 300.0
+FOLLOWS_INCLUDES = True
 #: One file in a process: it would name a header's finding for the first file only.
 BATCH_SECONDS = 1e-6
 
+SETTINGS = ".clang-tidy"
 #: In place of a .clang-tidy, whose ExtraArgs can load code into the compiler, unless the user trusts the workspace.
 CHECKS = "bugprone-*,-bugprone-easily-swappable-parameters,clang-analyzer-*,clang-diagnostic-*,performance-*"
 LEVELS = {"error": Level.ERROR, "fatal error": Level.ERROR, "warning": Level.WARNING}
@@ -54,10 +56,12 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     everywhere = tuple(dict.fromkeys(directory for path in sorted(search) for directory in search[path]))
     directives = includes.written(workspace, files.values(), store)
     direct = includes.resolve(directives, {path: search.get(path, everywhere) for path in files})
+    needs = includes.needs(directives, dict.fromkeys(files, everywhere))
     for path in sorted(flags):
         headers = tuple(sorted(includes.closure(path, direct)))
         salt = "\n".join(flag.replace(root, "") for flag in flags[path])
-        yield Unit(files[path], dependencies=headers, covers=headers, salt=salt)
+        own = tuple(_settings(workspace, path)) if options.trust_config else ()
+        yield Unit(files[path], dependencies=needs(path), covers=headers, salt=salt, settings=own)
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -75,7 +79,9 @@ def command(program: Program, batch: Batch) -> Command:
     (batch.scratch / "compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
     config = () if batch.options.trust_config else (f"--config={{Checks: '{CHECKS}', InheritParentConfig: false}}",)
     options = ("-p", str(batch.scratch), "--quiet", "--header-filter=.*", *config)
-    return Command((*program.argv, *options, *(os.path.join(root, file.path) for file in batch.files)))
+    searched = (directory for file in batch.files for directory in directories(flags.get(file.path, ())))
+    reads = (*footing.HEADERS, *dict.fromkeys(searched))
+    return Command((*program.argv, *options, *(os.path.join(root, file.path) for file in batch.files)), reads=reads)
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
@@ -103,10 +109,17 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         raise ValueError(f"exit code {output.code}")
 
 
+def _settings(workspace: Workspace, path: str) -> Iterator[str]:
+    """Every .clang-tidy from the file's directory up to the root, for one may inherit from the next."""
+    while path:
+        path = dirname(path)
+        if workspace.setting(found := join(path, SETTINGS)):
+            yield found
+
+
 def _inside(flags: Iterable[str], root: str) -> tuple[str, ...]:
     """The include directories among *flags* that lie in the workspace, relative to its root."""
-    paths = (flag.removeprefix("-I") for flag in flags if flag.startswith(("/", "-I/")))
-    return tuple(relpath(path, root) for path in paths if path == root or path.startswith(root + "/"))
+    return tuple(relpath(path, root) for path in directories(flags) if path == root or path.startswith(root + "/"))
 
 
 def _with(result: Result, related: Related) -> Result:

@@ -57,7 +57,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
 def _settings(batch: Batch) -> dict[str, Any]:
     if batch.group and batch.options.trust_config:
         return {"file": str(batch.workspace.root / batch.group)}
-    text = batch.workspace.text(batch.group) if batch.group else ""
+    text = batch.workspace.setting(batch.group) if batch.group else ""
     try:
         given = yaml_settings.read(text)
     except ValueError:

@@ -38,7 +38,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 def command(program: Program, batch: Batch) -> Command:
     """A .cmakelintrc has lines ``filter=``, ``spaces=`` and ``linelength=``: none of them leads to another file."""
-    lines = batch.workspace.text(batch.group).splitlines() if batch.group else []
+    lines = batch.workspace.setting(batch.group).splitlines() if batch.group else []
     return texts.command(program, batch, {"lines": lines, "length": LINE_LENGTH})
 
 

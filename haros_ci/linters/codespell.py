@@ -50,15 +50,15 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    """Files but those that the settings skip; the lists that the settings name are dependencies."""
+    """Files but those that the settings skip; the lists that the settings name are settings, too."""
     settings: dict[str, dict[str, object]] = {}
     for unit in settings_files.units(workspace, LANGUAGES, MARKS):
         config = unit.group
         if config not in settings:
             settings[config] = settings_files.read(workspace, config).get(NAME, {}) if config else {}
         if not settings_files.excludes(settings[config].get("skip", ""), config, unit.file.path):
-            lists = tuple(path for key in FILES for path in _paths(key, settings[config], config))
-            yield Unit(unit.file, group=config, dependencies=(*unit.dependencies, *lists))
+            named = (path for key in FILES for path in lists(key, settings[config], config))
+            yield Unit(unit.file, group=config, settings=(*unit.settings, *named))
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -67,9 +67,9 @@ def command(program: Program, batch: Batch) -> Command:
     chosen = {key: settings_files.as_text(value) for key, value in settings_files.inert(settings, INERT).items()}
     options = [f"--{key}={value}" for key, value in sorted(chosen.items()) if value]
     for key in FILES:
-        for number, path in enumerate(_paths(key, settings, batch.group)):
+        for number, path in enumerate(lists(key, settings, batch.group)):
             copy = batch.scratch / f"{key}-{number}"
-            copy.write_text(batch.workspace.text(path)[:LIST_SIZE], encoding="utf-8")
+            copy.write_text(batch.workspace.setting(path)[:LIST_SIZE], encoding="utf-8")
             options.append(f"--{key}={copy}")
         if key == "dictionary" and "-" in settings_files.words(settings.get(key, "")):
             options.append("--dictionary=-")
@@ -109,7 +109,7 @@ def _message(word: str, corrections: str) -> str:
     return f"{said} ({reason.strip()})." if reason.strip() else f"{said}."
 
 
-def _paths(key: str, settings: dict[str, object], config: str) -> list[str]:
+def lists(key: str, settings: dict[str, object], config: str) -> list[str]:
     """The files that the option *key* names, if they are in the workspace."""
     value = settings.get(key, settings.get(key.replace("-", "_"), ""))
     named = [normpath(join(dirname(config), word)) for word in settings_files.words(value) if word != "-"]

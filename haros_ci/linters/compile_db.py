@@ -8,16 +8,20 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
+from haros_ci.linters import sandbox
 from haros_ci.linters.linter import LintOptions
+from haros_ci.linters.paths import is_viewed
 from haros_ci.model.workspace import Workspace
 
 #: A database beyond this many bytes is not read.
 SIZE_LIMIT = 100_000_000
 SYSTEM_PREFIXES = ("/usr", "/opt", "/lib", "/Library", "/Applications")
 DIRECTORY_FLAGS = ("-isystem", "-iquote", "-I")
+#: Directories of the checkout in which a build leaves headers; no revision has them.
+_MADE_BY_BUILDS = frozenset(("build", "install", "devel"))
 #: Flags whose value cannot name a file, with the value attached or following.
 PLAIN_FLAGS = ("-std=", "-D", "-U", "-x", "-W")
 
@@ -27,7 +31,8 @@ def flags_by_file(workspace: Workspace, options: LintOptions) -> dict[str, tuple
 
     The database lies where the options say, relative to the user's checkout, or in its ``build``. Its paths into the
     checkout stand for the same places in *workspace*, which may be a base revision. Anything unexpected in it is left
-    out, never an error.
+    out, never an error. Where tools are kept from what lies elsewhere, or the workspace is trusted, directories of headers that
+    a build has made in the checkout stand for themselves.
     """
     checkout, root = os.path.realpath(options.root or workspace.root), os.path.realpath(workspace.root)
     try:
@@ -35,14 +40,20 @@ def flags_by_file(workspace: Workspace, options: LintOptions) -> dict[str, tuple
     except (ValueError, RecursionError):
         return {}
     known = {file.path for file in workspace.files}
+    built = options.trust_config or sandbox.protection().files
     found: dict[str, tuple[str, ...]] = {}
     for entry in entries if isinstance(entries, list) else ():
         if isinstance(entry, dict) and isinstance(entry.get("file"), str):
             directory = os.path.join(checkout, str(entry.get("directory", "")))
             name = os.path.relpath(os.path.realpath(os.path.join(directory, entry["file"])), checkout)
             if name in known and name not in found:
-                found[name] = tuple(_harmless(_arguments(entry), directory, checkout, root))
+                found[name] = tuple(_harmless(_arguments(entry), directory, checkout, root, built))
     return found
+
+
+def directories(flags: Iterable[str]) -> tuple[str, ...]:
+    """The include directories among *flags*."""
+    return tuple(flag.removeprefix("-I") for flag in flags if flag.startswith(("/", "-I/")))
 
 
 def _read(root: Path, given: str | None) -> str:
@@ -71,7 +82,7 @@ def _arguments(entry: dict[str, object]) -> list[str]:
     return []
 
 
-def _harmless(arguments: Sequence[str], directory: str, checkout: str, root: str) -> Iterator[str]:
+def _harmless(arguments: Sequence[str], directory: str, checkout: str, root: str, built: bool) -> Iterator[str]:
     """The flags on the lists above; -W only with a warning's name (``-Wl,`` and ``-Wa,`` speak to other programs)."""
     following = iter(arguments[1:])
     for argument in following:
@@ -84,8 +95,12 @@ def _harmless(arguments: Sequence[str], directory: str, checkout: str, root: str
         if flag in DIRECTORY_FLAGS:
             path = os.path.realpath(os.path.join(directory, value))
             if path == checkout or path.startswith(checkout + "/"):
-                path = root + path[len(checkout) :]
-            if value and _is_allowed(path, root) and os.path.isdir(path):
+                inside = path[len(checkout) :]
+                if not is_viewed(inside):  # .git holds tokens
+                    continue
+                is_made = built and not _MADE_BY_BUILDS.isdisjoint(inside.split("/"))
+                path = path if is_made and not os.path.isdir(root + inside) else root + inside
+            if value and _is_allowed(path, root, checkout) and os.path.isdir(path):
                 yield from (flag, path) if flag != "-I" else (flag + path,)
         elif flag == "-x":
             if value in ("c", "c++"):
@@ -94,5 +109,5 @@ def _harmless(arguments: Sequence[str], directory: str, checkout: str, root: str
             yield flag + value
 
 
-def _is_allowed(path: str, root: str) -> bool:
-    return any(path == prefix or path.startswith(prefix + "/") for prefix in (root, *SYSTEM_PREFIXES))
+def _is_allowed(path: str, *roots: str) -> bool:
+    return any(path == prefix or path.startswith(prefix + "/") for prefix in (*roots, *SYSTEM_PREFIXES))

@@ -13,7 +13,16 @@ from types import TracebackType
 from typing import Any
 
 from haros_ci.linters.linter import Command
-from haros_ci.linters.process import OUTPUT_LIMIT, TimedOut, Unstartable, environment, kill_group, limit, small_files
+from haros_ci.linters.process import (
+    OUTPUT_LIMIT,
+    Lifeline,
+    TimedOut,
+    Unstartable,
+    environment,
+    kill_group,
+    limit,
+    small_files,
+)
 
 #: Bytes of one line that the process says.
 LONGEST_LINE = 8_000_000
@@ -31,6 +40,7 @@ class Conversation:
         scratch.mkdir(parents=True, exist_ok=True)
         self.seconds = seconds
         self._said = scratch / ".stderr"
+        self._lifeline = Lifeline()
         with open(self._said, "wb") as stderr, small_files():
             try:
                 self._process = subprocess.Popen(
@@ -41,9 +51,12 @@ class Conversation:
                     cwd=command.cwd or scratch,
                     env={**environment(os.environ, root, scratch), **command.environment},
                     start_new_session=True,
+                    pass_fds=self._lifeline.inherited,
                 )
             except (OSError, ValueError) as err:
+                self._lifeline.close()
                 raise Unstartable(str(err)) from err
+        self._lifeline.tie(self._process)
         limit(self._process.pid, 3 * seconds)
 
     def __enter__(self) -> Conversation:
@@ -54,6 +67,7 @@ class Conversation:
     ) -> None:
         kill_group(self._process)
         self._process.wait()
+        self._lifeline.close()
         for stream in (self._process.stdin, self._process.stdout):
             assert stream is not None
             try:

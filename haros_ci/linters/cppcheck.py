@@ -9,7 +9,8 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache, partial
 from posixpath import join, relpath
 
-from haros_ci.linters import compile_db, includes, installed, ros_macros
+from haros_ci.linters import compile_db, cppcheck_libraries, includes, installed, ros_macros
+from haros_ci.linters.cppcheck_doubts import is_refuted
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.tool_xml import Element, elements
 from haros_ci.model.location import Location
@@ -22,6 +23,7 @@ NAME = "cppcheck"
 LANGUAGES = frozenset({"cpp"})
 WHEN = When.ALWAYS
 COST = 15.0
+FOLLOWS_INCLUDES = True
 
 #: Preprocessor configurations per file: on navigation2 a second one cost half as much again and found 3 more of 822.
 MAX_CONFIGS = 1
@@ -43,7 +45,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"2 {ros_macros.library(())}"
+    return f"3 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -61,7 +63,16 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     homes = {package.name: "" if package.path == "." else package.path for package in workspace.packages}
     setup = lru_cache(maxsize=None)(partial(_setup, os.path.realpath(workspace.root)))
     setups = {path: setup(homes.get(file.package or "", ""), flags.get(path, ())) for path, file in files.items()}
-    direct = includes.resolve(includes.written(workspace, files.values(), store), {p: s[0] for p, s in setups.items()})
+    directives = includes.written(workspace, files.values(), store)
+    search = {path: places for path, (places, _) in setups.items()}
+    direct = includes.resolve(directives, search)
+    around: dict[str | None, set[str]] = {}  # a header is searched for as the source that includes it says
+    for path, file in files.items():
+        around.setdefault(file.package, set()).update(search[path])
+    needs = includes.needs(directives, {path: sorted(around[file.package]) for path, file in files.items()})
+    macros = ros_macros.names(ros_macros.told(workspace, files.values(), store))
+    asked = cppcheck_libraries.by_file(workspace, files.values(), directives, store)
+    without = cppcheck_libraries.switched_off(workspace)
     included = {header for path in direct for header in direct[path]}
     seen: set[str] = set()
     # Sources first, then headers that nobody includes; what is left includes itself in a circle.
@@ -70,8 +81,13 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
             continue
         headers = tuple(sorted(includes.closure(path, direct)))
         seen.update(headers)
-        group = json.dumps(["c" if path.endswith(".c") else "c++", *setups[path]])
-        yield Unit(files[path], group, dependencies=headers, covers=tuple(h for h in headers if not _is_source(h)))
+        libraries = cppcheck_libraries.together(
+            (asked[each] for each in (path, *headers)),
+            no_keywords=files[path].package in without or "-DQT_NO_KEYWORDS" in setups[path][1],
+        )
+        group = json.dumps(["c" if path.endswith(".c") else "c++", *setups[path], libraries, macros])
+        covers = tuple(header for header in headers if not _is_source(header))
+        yield Unit(files[path], group, dependencies=needs(path), covers=covers)
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -79,11 +95,13 @@ def command(program: Program, batch: Batch) -> Command:
 
     It runs outside the workspace, for it takes a ``std.cfg`` of its working directory for its own.
     """
-    language, directories, defines = json.loads(batch.group)
+    language, directories, defines, libraries, macros = json.loads(batch.group)
     root = os.path.realpath(batch.workspace.root)
-    texts = (batch.workspace.text(f.path) for f in batch.workspace.files if f.language in LANGUAGES)
-    library, names = batch.scratch / "ros.cfg", batch.scratch / "files"
-    library.write_text(ros_macros.library(ros_macros.visibility_macros(texts)), encoding="utf-8")
+    header, names = batch.scratch / "ros_macros.h", batch.scratch / "files"
+    frameworks = [library for library in libraries if library in ros_macros.FRAMEWORKS]
+    undefined = ros_macros.QT_WORDS if cppcheck_libraries.NO_KEYWORDS in libraries else ()
+    libraries = [name for name in libraries if name not in (*frameworks, cppcheck_libraries.NO_KEYWORDS)]
+    header.write_text(ros_macros.header(macros, frameworks, undefined), encoding="utf-8")
     names.write_text("".join(f"{root}/{file.path}\n" for file in batch.files), encoding="utf-8")
     return Command(
         (
@@ -91,8 +109,8 @@ def command(program: Program, batch: Batch) -> Command:
             *("--quiet", "--xml", "--enable=warning,style,performance,portability", "--inline-suppr"),
             *("--emit-duplicates", "--check-level=normal", f"--max-configs={MAX_CONFIGS}", f"--language={language}"),
             *(
-                f"--library={library}",
-                "--library=boost,googletest,qt",
+                f"--include={header}",
+                *([f"--library={','.join(libraries)}"] if libraries else ()),
                 *defines,
                 *(f"-I{join(root, d)}" for d in directories),
             ),
@@ -119,6 +137,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             if len(batch.files) > 1:
                 raise ValueError("an included file cannot be read")
             units = [batch.files[0].path]
+        at, line = error.children[0]["file"], int(error.children[0]["line"])
+        if rule not in GAVE_UP and is_refuted(rule, error.attributes["msg"], line, batch.workspace.text(at)):
+            continue
         for unit in units:
             if rule not in GAVE_UP:
                 yield Finding(unit, _result(error, batch.workspace))
@@ -166,7 +187,9 @@ def _result(error: Element, workspace: Workspace) -> Result:
     return Result(
         NAME,
         error.attributes["id"],
-        LEVELS.get(error.attributes["severity"], Level.NOTE),
+        Level.NOTE
+        if error.attributes.get("inconclusive") == "true"
+        else LEVELS.get(error.attributes["severity"], Level.NOTE),
         error.attributes["msg"],
         first,
         related=tuple(Related(place, text) for place, text in zip(others, told, strict=True)),

@@ -10,6 +10,7 @@ from posixpath import dirname, join
 
 from haros_ci.linters import installed
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.model.digits import whole_number
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -35,34 +36,40 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return "1"
+    return "2"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
-    """The CPPLINT.cfg of every directory from the file's up to the root."""
-    return (path for path in _configs(dirname(file.path)) if workspace.text(path))
+    return ()  # its settings are all
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
     """Groups by configuration, for a CPPLINT.cfg would act on the files after it, and by root of header guards."""
     packages = {package.name: package for package in workspace.packages}
     configs: dict[str, tuple[str, ...]] = {}
+    stems: dict[str, list[str]] = {}
+    for file in workspace.files:
+        if file.language in LANGUAGES:
+            stems.setdefault(file.path.rpartition(".")[0], []).append(file.path)
     for file in workspace.files:
         if file.language not in LANGUAGES:
             continue
         directory = dirname(file.path)
         if directory not in configs:
-            configs[directory] = tuple(dependencies(workspace, file))
+            configs[directory] = tuple(_settings(workspace, directory))
         package = packages.get(file.package or "")
         root = _guard_root(package.path, file.path) if package is not None else ""
         length = LINE_LENGTH.get(package.ros if package is not None else None, 100)
         group = json.dumps([root, length, *configs[directory]])
-        yield Unit(file, group=group, dependencies=configs[directory])
+        beside = "\0".join(
+            stems[file.path.rpartition(".")[0]]
+        )  # the header of a source is looked for, by its name alone
+        yield Unit(file, group=group, salt=beside, settings=configs[directory])
 
 
 def command(program: Program, batch: Batch) -> Command:
-    """Names go in through stdin and begin with ``./``, so that none can be taken for an option."""
-    root, length, *_ = json.loads(batch.group)
+    """Names go in through stdin and begin with ``./``, so that none can be taken for an option; so do the settings."""
+    root, length, *configs = json.loads(batch.group)
     suffixes = {file.path.rpartition(".")[2] for file in batch.files}
     options = [
         "--verbose=0",
@@ -73,8 +80,9 @@ def command(program: Program, batch: Batch) -> Command:
         f"--extensions={','.join(sorted(SUFFIXES | suffixes))}",
         *([f"--root={root}"] if root else []),
     ]
-    names = json.dumps(["./" + file.path for file in batch.files])
-    return Command((*program.argv, *options), stdin=names.encode())
+    settings = {path: batch.workspace.setting(path) for path in configs}
+    request = {"files": ["./" + file.path for file in batch.files], "settings": settings}
+    return Command((*program.argv, *options), stdin=json.dumps(request).encode())
 
 
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
@@ -90,10 +98,23 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if match is None or match[1] not in paths:
             continue
         said = _LINE.fullmatch(line, match.end())
-        if said is not None:
-            number = int(said[1]) if said[1].isdigit() else 0
-            place = Location(match[1], number or None)
+        if said is not None and not _is_cuda(match[1], said[3], said[2]):
+            place = Location(match[1], whole_number(said[1]) or None)
             yield Finding(match[1], Result(NAME, said[3], Level.WARNING, said[2], place))
+
+
+def _is_cuda(path: str, category: str, message: str) -> bool:
+    """Whether cpplint takes a CUDA file that is included for a source that is not to be."""
+    return (
+        category == "build/include"
+        and "Do not include" in message
+        and (".cu" in message or path.endswith((".cu", ".cuh")))
+    )
+
+
+def _settings(workspace: Workspace, directory: str) -> Iterator[str]:
+    """The CPPLINT.cfg of every directory from *directory* up to the root."""
+    return (path for path in _configs(directory) if workspace.setting(path))
 
 
 def _configs(directory: str) -> Iterator[str]:

@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs cpplint over the files that stdin names: the same words in less time, and blind to settings outside.
+"""Runs cpplint over the files that stdin names, with the settings that stdin brings: the same words in less time.
 
-Run as a script in isolated mode: ``cpplint_worker.py DIRECTORY OPTIONS``, in the workspace's root.
+Run as a script in isolated mode: ``cpplint_worker.py DIRECTORY OPTIONS``, in the workspace's root. The request is
+``{"files": [NAME, …], "settings": {PATH: TEXT, …}}``, where the paths are those of CPPLINT.cfg files relative to the root.
 """
 
 from __future__ import annotations
 
+import codecs
 import importlib
+import io
 import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 
@@ -35,15 +38,20 @@ def hasten(cpplint: Any) -> None:
         cpplint.GetLineWidth = lambda line: len(line) if line.isascii() else width(line)
 
 
-def hide_outer_settings(root: str, name: str) -> None:
-    """Files called *name* outside *root* cease to exist: cpplint would read them in all parent directories."""
+def give_settings(root: str, name: str, settings: Mapping[str, str]) -> None:
+    """Files called *name* are those of *settings* (by paths below *root*) and no others, wherever cpplint looks for them."""
     isfile: Callable[[Any], bool] = os.path.isfile
-    inside = root.rstrip(os.sep) + os.sep
+    opened: Callable[..., Any] = codecs.open
+    texts = {os.path.join(root, path): text for path, text in settings.items()}
 
     def is_visible_file(path: Any) -> bool:
-        return (os.path.basename(path) != name or path.startswith(inside)) and isfile(path)
+        return path in texts if os.path.basename(path) == name else isfile(path)
+
+    def open_given(path: Any, *arguments: Any, **options: Any) -> Any:
+        return io.StringIO(texts[path]) if path in texts else opened(path, *arguments, **options)
 
     os.path.isfile = is_visible_file
+    codecs.open = open_given  # type: ignore[assignment]
 
 
 def _guarded(pattern: Any, item: Any, header: str) -> tuple[Any, Any, str]:
@@ -59,8 +67,9 @@ def main() -> None:
         sys.path.append(directory)
     cpplint = importlib.import_module("cpplint")
     hasten(cpplint)
-    hide_outer_settings(os.getcwd(), "CPPLINT.cfg")
-    sys.argv = ["cpplint", *options, *json.load(sys.stdin.buffer)]
+    request = json.load(sys.stdin.buffer)
+    give_settings(os.getcwd(), "CPPLINT.cfg", request["settings"])
+    sys.argv = ["cpplint", *options, *request["files"]]
     cpplint.main()
 
 

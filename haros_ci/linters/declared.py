@@ -40,7 +40,9 @@ def declared(tools: Iterable[DeclaredTool]) -> tuple[DeclaredLinter, ...]:
 
 
 class DeclaredLinter:
-    """An adapter as linter.py describes it."""
+    """An adapter as linter.py describes it. The user trusts the tool, so it gets the workspace itself and no sandbox."""
+
+    TRUSTED = True
 
     def __init__(self, tool: DeclaredTool) -> None:
         self.tool = tool

@@ -8,30 +8,40 @@ import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from haros_ci.linters import footing
+from haros_ci.linters.gate import Gate
 from haros_ci.linters.linter import Batch, Finding, GaveUp, Linter, LintOptions, Program, Unit, Unread
 from haros_ci.linters.process import Processes, TimedOut, Unstartable
 from haros_ci.linters.rows import MOST, Answer
+from haros_ci.linters.sandbox import Confinement
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Result
 
 #: Processes that may follow one failed batch in the search for the file that spoils it.
 RETRIES = 16
+#: Seconds that each of them has at least, if the first one had as many.
+SHORTEST = 10.0
 
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """One batch to run; *units* are of one group."""
+    """One batch to run; *units* are of one group. *workspace* is what the tool gets to see.
+
+    If it is *confined*, the tool can open nothing else.
+    """
 
     linter: Linter
     program: Program
     options: LintOptions
     workspace: Workspace
     units: tuple[Unit, ...]
+    confined: bool = False
+    gate: Gate | None = None
 
-    @property
-    def timeout(self) -> float:
-        """Seconds that one process may take."""
-        return self.options.timeouts.get(self.linter.NAME, self.options.timeout)
+    def timeout(self, units: int) -> float:
+        """Seconds that one process may take for so many of the units: what a search for a file takes is bounded by that for all."""
+        whole = self.options.timeouts.get(self.linter.NAME, self.options.timeout)
+        return whole if units == len(self.units) else max(whole * units / len(self.units), min(whole, SHORTEST))
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +56,7 @@ class Outcome:
 def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
     """One batch; after a failure its halves, so that one file that a tool chokes on costs only itself.
 
-    A process that runs out of time is not tried again. *scratch* is a directory of our own.
+    *scratch* is a directory of our own.
     """
     answers: list[tuple[str, Answer]] = []
     seconds: list[tuple[str, float]] = []
@@ -61,9 +71,9 @@ def execute(task: Task, processes: Processes, scratch: Path) -> Outcome:
             said, spent = _ask(task, part, processes, scratch / str(attempt))
             answers += said
             seconds += _shared(spent, part)
-        except (TimedOut, Unstartable) as err:
+        except Unstartable as err:
             failures.append((_sentence(task, err, paths), paths))
-        except _Failed as err:
+        except (TimedOut, _Failed) as err:
             if len(part) == 1 or attempt + len(waiting) + 2 > RETRIES:
                 failures.append((_sentence(task, err, paths), paths))
             else:
@@ -96,26 +106,32 @@ def _ask(
         command = task.linter.command(task.program, batch)
     except ValueError as err:  # of a plug-in's adapter
         raise _Failed(str(err)) from err
-    output = processes.run(command, root=workspace.root, scratch=working, timeout=task.timeout)
+    confinement = None
+    if task.confined:
+        reads = (str(workspace.root), str(own), *footing.of_program(command.argv), *command.reads)
+        confinement = Confinement(reads, (str(own), str(working), *footing.WRITTEN), command.talks)
+    timeout = task.timeout(len(units))
+    output = processes.run(command, root=workspace.root, scratch=working, timeout=timeout, confinement=confinement)
     if output.truncated:
         raise _Failed("wrote more than it may")
     if output.code < 0:
         raise _Failed(f"was ended by signal {-output.code}")
-    here = _here(own, working, workspace.root)
-    collected: dict[str, tuple[list[Result], list[GaveUp]]] = {unit.file.path: ([], []) for unit in units}
+    clean = _Cleaner(_here(own, working, workspace.root), task.gate)
+    by_path = {unit.file.path: unit for unit in units}
+    collected: dict[str, tuple[list[Result], list[GaveUp]]] = {path: ([], []) for path in by_path}
     try:
         for said in task.linter.parse(output, batch):
             results, gave_up = collected[said.unit]
             if isinstance(said, Finding):
                 if len(results) == MOST:
                     raise Unread(f"told more than {MOST:,} findings of one file")
-                results.append(_anywhere(said.result, here))
+                results.append(clean.result(said.result, by_path[said.unit]))
             else:
-                gave_up.append(replace(said, message=_stripped(said.message, here)))
+                gave_up.append(replace(said, message=clean.text(said.message, by_path[said.unit])))
     except Unread as err:
-        raise _Failed(_stripped(str(err), here)) from err
+        raise _Failed(clean.text(str(err), units[0])) from err
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
-        words = _stripped(_last_words(output.stderr), here)
+        words = clean.text(_last_words(output.stderr), units[0])
         raise _Failed(words or f"wrote what cannot be understood ({err})") from err
     answers = [(path, Answer(tuple(found), tuple(given))) for path, (found, given) in sorted(collected.items())]
     return answers, output.seconds
@@ -127,22 +143,29 @@ def _here(*directories: Path) -> re.Pattern[str]:
     return re.compile(rf"(?<![\w/.-])(?:{'|'.join(map(re.escape, sorted(names, reverse=True)))})(?:(/)|(?![\w.-]))")
 
 
-def _anywhere(result: Result, here: re.Pattern[str]) -> Result:
-    message = _stripped(result.message, here)
-    related = tuple(replace(r, message=_stripped(r.message, here)) for r in result.related)
-    same = message == result.message and related == result.related
-    return result if same else replace(result, message=message, related=related)
+class _Cleaner:
+    """Texts of a tool without this machine's directories, and through the gate."""
 
+    def __init__(self, here: re.Pattern[str], gate: Gate | None) -> None:
+        self._here = here
+        self._gate = gate
 
-def _stripped(text: str, here: re.Pattern[str]) -> str:
-    return here.sub(lambda match: "" if match[1] else ".", text) if "/" in text else text
+    def text(self, text: str, unit: Unit) -> str:
+        text = self._here.sub(lambda match: "" if match[1] else ".", text) if "/" in text else text
+        return text if self._gate is None else self._gate.cut(text, unit)
+
+    def result(self, result: Result, unit: Unit) -> Result:
+        message = self.text(result.message, unit)
+        related = tuple(replace(r, message=self.text(r.message, unit)) for r in result.related)
+        same = message == result.message and related == result.related
+        return result if same else replace(result, message=message, related=related)
 
 
 def _sentence(task: Task, error: Exception, paths: tuple[str, ...]) -> str:
     name = task.linter.NAME
     files = ", ".join(paths[:3]) + (f" and {len(paths) - 3} more" if len(paths) > 3 else "")
     if isinstance(error, TimedOut):
-        return f"{name} was stopped after {task.timeout:g} s; without a result: {files}"
+        return f"{name} was stopped after {task.timeout(len(paths)):g} s; without a result: {files}"
     if isinstance(error, Unstartable):
         return f"{name} could not be started ({error}); without a result: {files}"
     return f"{name} failed: {error}; without a result: {files}"

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterable, Iterator
-from posixpath import dirname, relpath
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import replace
+from posixpath import dirname, join, relpath
 
 from haros_ci.linters import columns, installed, python2, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
@@ -66,12 +67,13 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
     settings: dict[str, dict[str, object]] = {"": {}}
+    paths = {file.path for file in workspace.files}
     for unit in settings_files.units(workspace, LANGUAGES, MARKS):
         if unit.group not in settings:
             settings[unit.group] = settings_files.read(workspace, unit.group).get(NAME, {})
         globs = [word for key in EXCLUDES for word in settings_files.words(settings[unit.group].get(key, ""))]
         if not settings_files.excludes(globs, unit.group, unit.file.path):
-            yield unit
+            yield replace(unit, salt=_around(workspace, paths, unit.file.path))
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -94,6 +96,13 @@ def command(program: Program, batch: Batch) -> Command:
     ours = ("--jobs=1", "--exit-zero", "--color=never", "--no-show-source", layout)
     names = ("./" + relpath(file.path, home or ".") for file in batch.files)
     return Command((*program.argv, *options, *ours, "--", *names), cwd=root / home)
+
+
+def _around(workspace: Workspace, paths: Collection[str], path: str) -> str:
+    """What plug-ins ask of a file besides: whether it is in a package and whether it is executable."""
+    package = join(dirname(path), "__init__.py") in paths
+    mode = workspace.executables is not None and path in workspace.executables
+    return f"{package} {mode}"
 
 
 def _is_unreadable(row: list[str], text: str) -> bool:

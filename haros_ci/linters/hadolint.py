@@ -44,7 +44,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 
 def command(program: Program, batch: Batch) -> Command:
     """ValueError for settings that are no map, which hadolint would go on without."""
-    settings = batch.workspace.text(batch.group) if batch.group else "ignored: []\n"
+    settings = batch.workspace.setting(batch.group) if batch.group else "ignored: []\n"
     try:
         yaml_settings.read(settings)
     except ValueError as err:

@@ -1,23 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which C++ files of the workspace include which, by the text of their #include lines."""
+"""Which C++ files of the workspace include which, by the text of their #include lines, and what their analysis depends on."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from posixpath import dirname, normpath
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 
 #: Counts changes in what is stored.
-SCHEMA = "includes-1"
+SCHEMA = "includes-2"
 
-_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include(?:_next)?[ \t]*["<]([^">\n]+)', re.MULTILINE)
+#: Stands in a list of names for one that only the preprocessor can tell (``#include MACRO``).
+COMPUTED = "*"
+#: Stands before a name that is only asked for (``__has_include``).
+PROBED = "?"
+
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include(?:_next)?|import)[ \t]*["<]([^">\n]+)', re.MULTILINE)
+_ANY_INCLUDE = re.compile(
+    r"^(?:[ \t\f\v]|/\*.*?\*/)*(?:#|%:|\?\?=)(?:[ \t\f\v]|/\*.*?\*/)*(?:include|import|embed)", re.MULTILINE
+)
+_PROBE = re.compile(r'__has_(?:include(?:_next)?|embed)[ \t]*\(?[ \t]*(?:["<]([^">\n]+))?')
 
 
 def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> dict[str, tuple[str, ...]]:
-    """For every file what its #include lines name, as written.
+    """For every file what its #include lines name, as written, with COMPUTED and PROBED names last.
 
     One entry of the store, from content digests to lists, holds them for all files and so says what it is valid for.
     """
@@ -29,7 +38,7 @@ def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> 
     for file in files:
         names = known.get(file.digest)
         if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
-            names = fresh[file.digest] = list(dict.fromkeys(_INCLUDE.findall(workspace.text(file.path))))
+            names = fresh[file.digest] = list(dict.fromkeys(_names(workspace.text(file.path))))
         found[file.path] = tuple(names)
     if fresh:
         store.put("includes", "", SCHEMA, {file.digest: list(found[file.path]) for file in files})
@@ -42,9 +51,7 @@ def direct(workspace: Workspace, search: Sequence[str]) -> dict[str, tuple[str, 
     return resolve({path: _INCLUDE.findall(workspace.text(path)) for path in paths}, dict.fromkeys(paths, search))
 
 
-def resolve(
-    directives: Mapping[str, Sequence[str]], search: Mapping[str, Sequence[str]]
-) -> dict[str, tuple[str, ...]]:
+def resolve(directives: Mapping[str, Sequence[str]], search: Mapping[str, Sequence[str]]) -> dict[str, tuple[str, ...]]:
     """For every file the files that it includes directly: beside itself, else in its *search* directories."""
     resolved = {}
     basenames = {path.rpartition("/")[2] for path in directives}
@@ -63,6 +70,45 @@ def resolve(
 def _at(directory: str, name: str) -> str:
     path = f"{directory}/{name}" if directory not in ("", ".") else name
     return normpath(path) if "./" in path or "//" in path else path
+
+
+def needs(
+    directives: Mapping[str, Sequence[str]], search: Mapping[str, Sequence[str]]
+) -> Callable[[str], tuple[str, ...]]:
+    """What tells the files that the analysis of a file can depend on, sorted, without itself.
+
+    These are more than it includes: every file that one of its names could mean, if another one were not there; those that it only
+    asks for; and all files, where a name is computed.
+    """
+    meant: dict[str, tuple[str, ...]] = {}
+    basenames = {path.rpartition("/")[2] for path in directives}
+    for path, names in directives.items():
+        hits: dict[str, None] = {}
+        for name in (name.removeprefix(PROBED) for name in names):
+            if name.rpartition("/")[2] in basenames:
+                hits |= dict.fromkeys(_at(place, name) for place in (dirname(path), *search.get(path, ())))
+        meant[path] = tuple(hit for hit in hits if hit in directives and hit != path)
+    everything = tuple(sorted(directives))
+    computed = {path for path, names in directives.items() if COMPUTED in names}
+
+    def of(path: str) -> tuple[str, ...]:
+        found = closure(path, meant)
+        if computed and (path in computed or not computed.isdisjoint(found)):
+            return tuple(other for other in everything if other != path)
+        return tuple(sorted(found))
+
+    return of
+
+
+def _names(text: str) -> Iterator[str]:
+    """What *text* includes, lines that a backslash continues joined."""
+    text = text.replace("\\\r\n", "").replace("\\\n", "") if "\\" in text else text
+    plain = _INCLUDE.findall(text)
+    yield from plain
+    probed = _PROBE.findall(text) if "__has_" in text else []
+    if "" in probed or len(_ANY_INCLUDE.findall(text)) > len(plain):
+        yield COMPUTED
+    yield from (PROBED + name for name in probed if name)
 
 
 def closure(start: str, direct: Mapping[str, Sequence[str]]) -> frozenset[str]:

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from posixpath import dirname
 
 from haros_ci.linters import diffs, installed, settings_files
@@ -62,12 +64,11 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    """isort knows the standard library of the Python that runs it, and first-party modules by the directories here."""
+    """isort knows the standard library of the Python that runs it, and first-party modules by the files that there are."""
     import sys
 
-    tops = sorted({p.path for p in workspace.packages})
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
-    return json.dumps(["1", sys.version_info[:2], tops, own])
+    return json.dumps(["2", sys.version_info[:2], own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -75,7 +76,15 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    return settings_files.units(workspace, LANGUAGES, MARKS)
+    """Whose an import is depends on which modules there are; that a package is a namespace stands in its __init__.py."""
+    modules = (
+        f"{f.path} {f.digest if f.path.endswith('__init__.py') else ''}"
+        for f in workspace.files
+        if f.language in LANGUAGES
+    )
+    salt = hashlib.sha256("\0".join(modules).encode("utf-8", "surrogatepass")).hexdigest()
+    for unit in settings_files.units(workspace, LANGUAGES, MARKS):
+        yield replace(unit, salt=salt)
 
 
 def command(program: Program, batch: Batch) -> Command:

@@ -48,8 +48,8 @@ class Unit:
     """What a tool analyses at a time: one file, and everything that its results depend on.
 
     Only units of one *group* share a process. *dependencies* are paths of other workspace files whose contents can
-    change the results, *salt* is anything else that can. *covers* are further files (headers) whose findings come
-    from this unit's analysis.
+    change the results, *salt* is anything else that can. *settings* are the tool's settings files that hold for the file, as
+    ``Workspace.setting`` reads them. *covers* are further files (headers) whose findings come from this unit's analysis.
     """
 
     file: SourceFile
@@ -57,6 +57,7 @@ class Unit:
     dependencies: tuple[str, ...] = ()
     covers: tuple[str, ...] = ()
     salt: str = ""
+    settings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,12 +73,18 @@ class Batch:
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """One process: it runs in *cwd* (default: the workspace root), without a shell, in its own process group."""
+    """One process: it runs in *cwd* (default: the workspace root), without a shell, in its own process group.
+
+    *reads* are absolute places that it has to open besides the analysed files and what lies beside its program. With *talks*
+    its processes talk to each other by local sockets.
+    """
 
     argv: tuple[str, ...]
     stdin: bytes = b""
     environment: dict[str, str] = field(default_factory=dict)
     cwd: Path | None = None
+    reads: tuple[str, ...] = ()
+    talks: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,8 +136,14 @@ class Unread(ValueError):
 class Linter(Protocol):
     """An adapter module. ``COST`` is seconds per megabyte of source on one core, for scheduling only.
 
-    An adapter may also have ``BATCH_SECONDS``, the estimated length of one process, and
-    ``plan(workspace, options, store) -> Iterable[Unit]``, which then takes the place of LANGUAGES and dependencies().
+    An adapter may also have ``BATCH_SECONDS``, the estimated length of one process,
+    ``plan(workspace, options, store) -> Iterable[Unit]``, which then takes the place of LANGUAGES and dependencies(), and
+    ``remarks(workspace, groups) -> Iterable[Problem]``, which tells what of the settings files that units have as their group
+    does not count, and why.
+
+    A tool sees copies of the files of its LANGUAGES and of its units' dependencies, and nothing else (view.py). ``SEES``, languages, says that
+    it reads other files than it analyses; ``SEES_NAMES`` that it asks which further files there are, which are then empty;
+    ``FOLLOWS_INCLUDES`` that it opens what C++ includes. An adapter that is ``TRUSTED`` gets the workspace itself, without a sandbox.
     """
 
     NAME: str

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import re
 import sys
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from posixpath import join, normpath, relpath
 
 from haros_ci.linters import columns, imports, installed, python2, settings_files
@@ -64,9 +66,16 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    """One group per settings file; a file depends on the modules of its package that it imports."""
+    """One group per settings file; a file depends on the modules of its package that it imports.
+
+    How modules are called depends on where the package is, and what is told of them on which packages there are.
+    """
     closures = imports.closures(workspace)
-    return settings_files.units(workspace, LANGUAGES, MARKS, lambda path, config: closures[path])
+    homes = {package.name: package.path for package in workspace.packages}
+    inits = "\0".join(file.path for file in workspace.files if file.path.endswith("/__init__.py"))
+    packages = hashlib.sha256(inits.encode("utf-8", "surrogatepass")).hexdigest()
+    for unit in settings_files.units(workspace, LANGUAGES, MARKS, lambda path, config: closures[path]):
+        yield replace(unit, salt=f"{homes.get(unit.file.package or '', '.')} {packages}")
 
 
 def command(program: Program, batch: Batch) -> Command:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Running one process: no shell, its own process group, a time limit, a cap on what it writes."""
+"""Running one process: no shell, a sandbox, its own process group, a time limit, a cap on what it writes.
+
+It does not outlive us, however we end.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from haros_ci.interruption import held
+from haros_ci.linters import sandbox
 from haros_ci.linters.linter import Command, Output
+from haros_ci.linters.sandbox import Confinement
 
 #: Bytes read of stdout and of stderr each; also the largest file that a tool may write.
 OUTPUT_LIMIT = 64_000_000
@@ -38,16 +44,19 @@ class Processes:
         self._alive: set[subprocess.Popen[bytes]] = set()
         self._stopped = False
 
-    def run(self, command: Command, *, root: Path, scratch: Path, timeout: float) -> Output:
+    def run(
+        self, command: Command, *, root: Path, scratch: Path, timeout: float, confinement: Confinement | None = None
+    ) -> Output:
         """What *command* left behind. Raises TimedOut, Unstartable.
 
-        Both streams go to files in *scratch*: neither a full pipe nor an orphan that holds one open can then hang us.
+        With *confinement* it can open nothing else, as far as this machine can see to that. Both streams go to files in *scratch*: neither a full pipe nor an orphan that holds one open can then hang us.
         """
         scratch.mkdir(parents=True, exist_ok=True)
         streams = [scratch / name for name in (".stdin", ".stdout", ".stderr")]
         streams[0].write_bytes(command.stdin)
         with open(streams[0], "rb") as stdin, open(streams[1], "wb") as stdout, open(streams[2], "wb") as stderr:
-            process = self._start(command, root, scratch, stdin.fileno(), stdout.fileno(), stderr.fileno())
+            files = (stdin.fileno(), stdout.fileno(), stderr.fileno())
+            process, lifeline = self._start(command, root, scratch, files, confinement)
         limit(process.pid, timeout)
         expired = threading.Event()
 
@@ -67,6 +76,7 @@ class Processes:
             timer.cancel()
             with self._lock:
                 self._alive.discard(process)
+            lifeline.close()
         kill_group(process)  # what it may have left running
         if expired.is_set():
             raise TimedOut
@@ -81,12 +91,21 @@ class Processes:
                 kill_group(process)
 
     def _start(
-        self, command: Command, root: Path, scratch: Path, stdin: int, stdout: int, stderr: int
-    ) -> subprocess.Popen[bytes]:
-        with self._lock:
-            if self._stopped:
-                raise Unstartable("the run was abandoned")
-            try:
+        self,
+        command: Command,
+        root: Path,
+        scratch: Path,
+        files: tuple[int, int, int],
+        confinement: Confinement | None,
+    ) -> tuple[subprocess.Popen[bytes], Lifeline]:
+        """The process, with *files* as its standard streams."""
+        stdin, stdout, stderr = files
+        lifeline = Lifeline()
+
+        def start() -> subprocess.Popen[bytes]:
+            with self._lock:
+                if self._stopped:
+                    raise Unstartable("the run was abandoned")
                 with small_files():
                     process = subprocess.Popen(
                         command.argv,
@@ -96,11 +115,66 @@ class Processes:
                         cwd=command.cwd or root,
                         env={**environment(os.environ, root, scratch), **command.environment},
                         start_new_session=True,
+                        pass_fds=lifeline.inherited,
                     )
-            except (OSError, ValueError) as err:
-                raise Unstartable(str(err)) from err
-            self._alive.add(process)
-        return process
+                lifeline.tie(process)
+                self._alive.add(process)
+                return process
+
+        try:
+            with held():  # a signal that came meanwhile would leave a process that nobody knows
+                return sandbox.confined(start, confinement), lifeline
+        except (OSError, ValueError) as err:
+            lifeline.close()
+            raise Unstartable(str(err)) from err
+        except BaseException:
+            lifeline.close()
+            raise
+
+
+class Lifeline:
+    """A pipe by which the kernel ends a process group when we are gone, even if we were killed (Linux; else it does nothing).
+
+    The process inherits the reading end, which is set to send SIGKILL to its group when something happens (fcntl(2),
+    F_SETOWN, F_SETSIG, O_ASYNC). The only thing that can happen is that the writing end is closed, which we hold.
+    A signal on the parent's death (prctl) would have to be asked for by the process itself, between fork and exec.
+    """
+
+    def __init__(self) -> None:
+        self._ends: list[int] = []
+        try:
+            import fcntl
+
+            if hasattr(fcntl, "F_SETSIG"):
+                self._ends = list(os.pipe())
+        except (ImportError, OSError):
+            pass
+
+    @property
+    def inherited(self) -> tuple[int, ...]:
+        """What a process has to inherit."""
+        return tuple(self._ends[:1])
+
+    def tie(self, process: subprocess.Popen[bytes]) -> None:
+        """From now on the *process*, which leads its group, ends with us."""
+        if not self._ends:
+            return
+        import fcntl
+
+        reading = self._ends.pop(0)
+        try:
+            fcntl.fcntl(reading, fcntl.F_SETOWN, -process.pid)
+            fcntl.fcntl(reading, fcntl.F_SETSIG, signal.SIGKILL)
+            fcntl.fcntl(reading, fcntl.F_SETFL, os.O_ASYNC)
+        except OSError:
+            pass
+        finally:
+            os.close(reading)
+
+    def close(self) -> None:
+        """Call it when the process has ended: what is left of its group ends, too."""
+        while self._ends:
+            os.close(self._ends.pop())
 
 
 def environment(inherited: Mapping[str, str], root: Path, scratch: Path) -> dict[str, str]:

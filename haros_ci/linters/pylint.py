@@ -9,8 +9,10 @@ from posixpath import dirname
 from typing import Any
 
 from haros_ci.linters import columns, imports, installed, python2
+from haros_ci.linters.catalogue.pylint import UNCERTAIN
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.pylint_config import config_path, inert_options
+from haros_ci.linters.pylint_doubts import is_refuted
 from haros_ci.linters.settings_files import continued
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -45,16 +47,19 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     import sys
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
-    return json.dumps(["2", sys.version_info[:2], options.trust_config, own])
+    astroid = installed.distribution("astroid")
+    return json.dumps(["4", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
-    return imports.closures(workspace).get(file.path, ())
+    return imports.closures(workspace, across=True).get(file.path, ())
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    """One group per configuration file; a file depends on the modules of its package that it imports."""
-    closures = imports.closures(workspace)
+    """One group per configuration file; a file depends on the modules that it imports, of its package or, as those of one
+    process see each other, at the top of another one.
+    """
+    closures = imports.closures(workspace, across=True)
     configs: dict[str, str | None] = {}
     for file in workspace.files:
         if file.language in LANGUAGES:
@@ -62,8 +67,8 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
             if directory not in configs:
                 configs[directory] = config_path(workspace, directory)
             config = configs[directory]
-            needs = closures[file.path] + ((config,) if config else ())
-            yield Unit(file, group=config or "", dependencies=needs)
+            own = (config,) if config else ()
+            yield Unit(file, group=config or "", dependencies=closures[file.path], settings=own)
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -103,7 +108,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             yield GaveUp(file.path, python2.why_unreadable(batch.workspace.text(file.path)), said["line"] or None)
         elif rule in TROUBLE:
             yield GaveUp(file.path, f"{rule}, a fault of pylint")  # the message holds paths of this machine
-        else:
+        elif not is_refuted(rule, said["line"], said["column"], batch.workspace.text(file.path)):
             yield Finding(file.path, _result(file.path, said))
 
 
@@ -115,6 +120,8 @@ def _result(path: str, said: dict[str, object]) -> Result:
     line, column, end_line, end_column = (said[key] for key in ("line", "column", "endLine", "endColumn"))
     place = Location(path, _count(line) or 1, _count(column, 1), _count(end_line), _count(end_column, 1))
     level = LEVELS.get(str(said["type"]), Level.NOTE)
+    if said["symbol"] in UNCERTAIN:
+        level = Level.WARNING
     return Result(NAME, str(said["symbol"]), level, str(said["message"]), place, scope=str(said["obj"]))
 
 
@@ -128,7 +135,7 @@ def _rc(batch: Batch) -> str:
     options = {"max-line-length": "100"}
     if batch.group:
         try:
-            options |= inert_options(batch.group.rpartition("/")[2], batch.workspace.text(batch.group))
+            options |= inert_options(batch.group.rpartition("/")[2], batch.workspace.setting(batch.group))
         except ValueError:
             pass  # an unreadable configuration: as if there were none
     options["disable"] = ",".join(filter(None, (options.get("disable", "").strip().strip(","), DISABLED)))

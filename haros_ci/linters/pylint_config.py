@@ -50,7 +50,7 @@ def config_path(workspace: Workspace, directory: str) -> str | None:
     """The nearest file with pylint settings, from *directory* up to the workspace's root."""
     for name in NAMES:
         path = join(directory, name)
-        if _has_settings(name, workspace.text(path)):
+        if _has_settings(name, workspace.setting(path)):
             return path
     return config_path(workspace, dirname(directory)) if directory else None
 

@@ -21,8 +21,10 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    """The results depend on the bytes of each file alone; the number counts changes of how we measure."""
-    return "metrics-1"
+    """The results depend on the bytes of each file and on this Python's grammar; the number counts changes of how we measure."""
+    import sys
+
+    return f"metrics-2 {sys.version_info[:2]}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

@@ -65,10 +65,14 @@ class Recorded:
 
 @dataclass(frozen=True, slots=True)
 class Testimony:
-    """What other machines have found out of one revision: what the tools say, and runs on the whole of it by name."""
+    """What other machines have found out of one revision: what the tools say, and runs on the whole of it by name.
+
+    *confined* is how linters were confined there (results/confined.py).
+    """
 
     lint: Recorded
     wholes: Mapping[str, Run]
+    confined: frozenset[str]
 
     def whole(self, name: str) -> Run:
         """Raises Unanswered if nobody has made it."""

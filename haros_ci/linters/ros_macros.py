@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Macros of ROS and its neighbours whose headers cppcheck does not see, as a cppcheck library file.
+"""Macros of ROS and its neighbours whose headers cppcheck does not see, as a header for it.
 
-Only those that stop a parser without headers: declarations and statements without a semicolon, decorations, and
+Only those that stop a parser without headers, or mislead it: declarations and statements without a semicolon,
+decorations, returns, and
 tests in ``#if``. What looks like a call (RCLCPP_INFO) needs no definition; without its arguments they look unused.
 """
 
@@ -9,6 +10,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+
+from haros_ci.linters import macro_scan
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+
+#: Counts changes in what is stored.
+SCHEMA = "macros-2"
 
 #: Function-like macros that stand where a declaration or a statement does.
 DECLARATIONS = """
@@ -20,14 +28,15 @@ BT_REGISTER_NODES BT_REGISTER_ROS_NODES BT_REGISTER_ROS_ACTION_NODE CreateRosNod
 ROS_DECLARE_MESSAGE ROS_DECLARE_MESSAGE_WITH_ALLOCATOR ROS_DEPRECATED_MSG
 IMPLEMENT_TRANSPORT_TYPE MESSAGE_FILTERS_DECLARE_MESSAGE
 POINT_CLOUD_REGISTER_POINT_STRUCT POINT_CLOUD_REGISTER_POINT_WRAPPER PCL_EXPORT_INST PCL_INSTANTIATE
-TRACEPOINT_EVENT TRACEPOINT_EVENT_CLASS TRACEPOINT_EVENT_INSTANCE TP_ARGS TP_FIELDS
+DECLARE_TRACEPOINT TRACEPOINT_EVENT TRACEPOINT_EVENT_CLASS TRACEPOINT_EVENT_INSTANCE TP_ARGS TP_FIELDS
 DYNAMIC_RECONFIGURE_DECLARE GZ_ADD_PLUGIN GZ_ADD_PLUGIN_ALIAS IGNITION_ADD_PLUGIN IGNITION_ADD_PLUGIN_ALIAS
 GZ_REGISTER_MODEL_PLUGIN GZ_REGISTER_SENSOR_PLUGIN GZ_REGISTER_WORLD_PLUGIN GZ_REGISTER_SYSTEM_PLUGIN
 GZ_REGISTER_VISUAL_PLUGIN CERES_GTEST_DISABLE BENCHMARK BENCHMARK_MAIN BENCHMARK_REGISTER_F
 BOOST_CLASS_EXPORT BOOST_CLASS_EXPORT_KEY BOOST_CLASS_EXPORT_IMPLEMENT BOOST_SERIALIZATION_ASSUME_ABSTRACT
 BOOST_GEOMETRY_REGISTER_POINT_2D BOOST_GEOMETRY_REGISTER_POINT_3D BOOST_PYTHON_MODULE_INIT
 OMPL_CLASS_FORWARD MOVEIT_CLASS_FORWARD MOVEIT_STRUCT_FORWARD MOVEIT_DECLARE_PTR MOVEIT_DECLARE_PTR_MEMBER
-DISALLOW_COPY_AND_ASSIGN EIGEN_MAKE_ALIGNED_OPERATOR_NEW_IF ROSIDL_TYPESUPPORT_INTERFACE__LIBRARY_NAME
+DISALLOW_COPY_AND_ASSIGN EIGEN_EMPTY_STRUCT_CTOR EIGEN_MAKE_ALIGNED_OPERATOR_NEW_IF
+ROSIDL_TYPESUPPORT_INTERFACE__LIBRARY_NAME
 """.split()
 
 #: Decorations without arguments.
@@ -54,6 +63,104 @@ FUNCTIONS = {
     "BENCHMARK_TEMPLATE_F(fixture, name, ...)": "void fixture##_##name",
 }
 
+#: Macros of Python's C API that return from the function (docs.python.org, "C API").
+RETURNS = {
+    "Py_RETURN_NONE": "return Py_None",
+    "Py_RETURN_TRUE": "return Py_True",
+    "Py_RETURN_FALSE": "return Py_False",
+    "Py_RETURN_NOTIMPLEMENTED": "return Py_NotImplemented",
+    "Py_RETURN_INF(sign)": "return PyFloat_FromDouble(sign)",
+    "Py_RETURN_NAN": "return PyFloat_FromDouble(0)",
+    "Py_RETURN_RICHCOMPARE(a, b, op)": "return PyBool_FromLong((a) == (b) || (op))",
+}
+
+#: Macros of pybind11 that return what Python's method does; a comma may stand before the closing bracket
+#: (pybind11.readthedocs.io, "Classes").
+OVERRIDES = {
+    f"PYBIND11_{name}(type, ...)": "return pybind11::cast<type >(overridden())"
+    for name in (
+        *("OVERRIDE", "OVERRIDE_NAME", "OVERRIDE_PURE", "OVERRIDE_PURE_NAME"),
+        *("OVERLOAD", "OVERLOAD_NAME", "OVERLOAD_PURE", "OVERLOAD_PURE_NAME"),
+    )
+}
+
+#: Macros of Qt that mean nothing else (doc.qt.io, "The Property System", "Signals & Slots"); plain names such as
+#: ``slots`` are left to
+#: cppcheck's own library, as only files that include Qt give them a meaning.
+QT_WORDS = ("slots", "signals", "emit", "foreach", "forever")
+QT = {
+    **dict.fromkeys(
+        "Q_OBJECT Q_SLOTS Q_EMIT Q_GADGET Q_INVOKABLE Q_SCRIPTABLE Q_DECL_EXPORT Q_DECL_IMPORT Q_DECL_DEPRECATED".split(),
+        "",
+    ),
+    **dict.fromkeys("Q_DECL_OVERRIDE Q_DECL_FINAL Q_DECL_NOEXCEPT QT_BEGIN_NAMESPACE QT_END_NAMESPACE".split(), ""),
+    **{
+        f"{name}(...)": ""
+        for name in "Q_PROPERTY Q_ENUM Q_ENUMS Q_FLAG Q_FLAGS Q_INTERFACES Q_PLUGIN_METADATA Q_CLASSINFO Q_DECLARE_METATYPE"
+        " Q_DECLARE_FLAGS Q_DECLARE_OPERATORS_FOR_FLAGS Q_DECLARE_INTERFACE Q_PRIVATE_SLOT Q_REVISION Q_IMPORT_PLUGIN"
+        " Q_DISABLE_COPY Q_DISABLE_COPY_MOVE Q_DISABLE_MOVE Q_DECLARE_TYPEINFO Q_EXPORT_PLUGIN2".split()
+    },
+    "Q_SIGNALS": "public",
+    "Q_SIGNAL": "",
+    "Q_SLOT": "",
+    "Q_FOREACH(variable, container)": "for (variable : container)",
+    "Q_FOREVER": "for (;;)",
+}
+
+#: GoogleTest's macros, after each of which a message can be streamed (google.github.io/googletest, "Assertions
+#: Reference"); cppcheck's own
+#: library has blocks for them, which nothing can follow. What is not here is read as a call.
+GOOGLETEST = {
+    "MOCK_METHOD(...)": "",
+    **{f"MOCK_{const}METHOD{number}(...)": "" for const in ("", "CONST_") for number in range(11)},
+    **{
+        f"{name}(name, ...)": "template<typename T> bool name##_matcher(const T& arg, std::ostream* result_listener)"
+        for name in ("MATCHER", "MATCHER_P", *(f"MATCHER_P{number}" for number in range(2, 11)))
+    },
+    **{
+        f"{name}(suite, name)": "void suite##_##name##_test()"
+        for name in ("TEST", "TEST_F", "TEST_P", "TYPED_TEST", "TYPED_TEST_P")
+    },
+    **dict.fromkeys(
+        ("INSTANTIATE_TEST_CASE_P(...)", "INSTANTIATE_TYPED_TEST_CASE_P(...)", "INSTANTIATE_TEST_SUITE_P(...)"), ""
+    ),
+    "ASSERT_TRUE(condition)": "if (condition) {} else throw ::testing::Message()",
+    "ASSERT_FALSE(condition)": "if (!(condition)) {} else throw ::testing::Message()",
+    **{
+        f"ASSERT_{name}(a, b)": f"if ((a) {operator} (b)) {{}} else throw ::testing::Message()"
+        for name, operator in {"EQ": "==", "NE": "!=", "LT": "<", "LE": "<=", "GT": ">", "GE": ">="}.items()
+    },
+    **{
+        f"{kind}_{name}": f"if (::testing::Test::HasFailure()) {{ {code} }} else ::testing::Message()"
+        for kind in ("ASSERT", "EXPECT")
+        for name, code in {
+            "THROW(statement, type)": "try { statement; } catch (const type&) {}",
+            "ANY_THROW(statement)": "try { statement; } catch (...) {}",
+            "NO_THROW(statement)": "statement;",
+            "NO_FATAL_FAILURE(statement)": "statement;",
+            "DEATH(statement, matcher)": "statement;",
+            "EXIT(statement, predicate, matcher)": "statement;",
+        }.items()
+    },
+}
+
+#: Catch2's macros before a block (github.com/catchorg/Catch2, docs/test-cases-and-sections.md).
+CATCH2 = {
+    "HAROS_CI_JOINED(a, b)": "a##b",
+    "HAROS_CI_NAMED(line)": "void HAROS_CI_JOINED(test_case_, line)()",
+    **{
+        f"{name}(...)": "HAROS_CI_NAMED(__LINE__)"
+        for name in ("SCENARIO", "TEST_CASE", "SCENARIO_METHOD", "TEST_CASE_METHOD")
+    },
+    **{
+        f"{name}(...)": "if (Catch::getCurrentContext())"
+        for name in ("GIVEN", "AND_GIVEN", "WHEN", "AND_WHEN", "THEN", "AND_THEN", "SECTION", "DYNAMIC_SECTION")
+    },
+}
+#: The tables of test frameworks, by the names that cppcheck_libraries.py gives them: others have macros of the same
+#: names with other arguments.
+FRAMEWORKS = {"catch2": CATCH2, "googletest": GOOGLETEST}
+
 #: What <cstdint> says on the platforms of ROS; headers test it to tell 32 from 64 bits.
 LIMITS = {"SIZE_MAX": "18446744073709551615UL", "UINTPTR_MAX": "18446744073709551615UL"}
 
@@ -66,22 +173,61 @@ RMW_VERSION_GTE CLASS_LOADER_VERSION_GTE URDF_VERSION_GTE LASER_GEOMETRY_VERSION
 HARDWARE_INTERFACE_VERSION_GTE CONTROLLER_INTERFACE_VERSION_GTE EIGEN_VERSION_AT_LEAST PCL_VERSION_COMPARE
 """.split()
 
-#: Visibility macros, by the endings that ROS and its build tools give them.
-_VISIBILITY = re.compile(
-    r"\b[A-Z][A-Z0-9]*_(?:[A-Z0-9_]*_)?(?:PUBLIC|LOCAL|EXPORT|IMPORT|DECL|HIDDEN|PUBLIC_TYPE|VISIBLE|VISIBILITY|EXPORTS)\b"
-)
+
+_MARK = re.compile(r"!?[dr]:[A-Z][A-Z0-9_]*")
 
 
-def visibility_macros(texts: Iterable[str]) -> set[str]:
-    """Names in *texts* that look like visibility macros."""
-    return {name for text in texts for name in _VISIBILITY.findall(text)}
+def told(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> tuple[str, ...]:
+    """The marks of :mod:`macro_scan` of all *files*, sorted; those of each file come from the store, by its digest."""
+    files = tuple(files)
+    stored = store.get("macros", "", SCHEMA)
+    known = stored if isinstance(stored, dict) else {}
+    found: dict[str, list[str]] = {}
+    for file in files:
+        marks = known.get(file.digest)
+        if not isinstance(marks, list) or not all(isinstance(mark, str) for mark in marks):
+            marks = macro_scan.marks(workspace.text(file.path))
+        found[file.digest] = marks
+    if found.keys() - known.keys():
+        store.put("macros", "", SCHEMA, found)
+    return tuple(sorted({mark for marks in found.values() for mark in marks}))
 
 
-def library(visibility: Iterable[str]) -> str:
-    """The library file: everything above and *visibility* macros, all defined as nothing but the tests."""
-    empty = [f"{name}(...)" for name in (*DECLARATIONS, *ATTRIBUTES)] + [*DECORATIONS, *visibility]
-    defines = [(name, "") for name in sorted(set(empty))] + [(f"{name}(...)", "1") for name in TRUE_TESTS]
-    defines += (*FUNCTIONS.items(), *LIMITS.items())
-    escaped = ((name, value.replace("&", "&amp;")) for name, value in defines)
-    lines = (f'  <define name="{name}" value="{value}"/>\n' for name, value in escaped)
-    return f'<?xml version="1.0"?>\n<def format="2">\n{"".join(lines)}</def>\n'
+def names(marks: Iterable[str]) -> tuple[str, ...]:
+    """What a workspace with *marks* defines as nothing beside the tables, sorted: ``NAME`` and ``NAME(...)``.
+
+    Marks come from a cache: one that is no name would be a line of its own in the header, such as an ``#include``.
+    """
+    marks = tuple(mark for mark in marks if _MARK.fullmatch(mark))
+    tabled = {name.partition("(")[0] for name, _ in _defines()}
+    empty = macro_scan.decorations(marks) - tabled
+    called = macro_scan.registrations(marks) - tabled - empty
+    return tuple(sorted((*empty, *(f"{name}(...)" for name in called))))
+
+
+def header(more: Iterable[str], frameworks: Iterable[str] = (), undefined: Iterable[str] = ()) -> str:
+    """A header with the tables above, and with *more* names, which mean nothing; what is defined already stays as it is.
+
+    But for *undefined* names, which a library may have defined.
+
+    Of the tables of test frameworks come those that *frameworks* name.
+    It is no library file of cppcheck's: two of those that define one name are refused, and its own ones grow.
+    """
+    lines = []
+    for define, value in sorted(
+        {
+            *_defines(),
+            *(item for name in frameworks for item in FRAMEWORKS[name].items()),
+            *((name, "") for name in more),
+        }
+    ):
+        name = define.partition("(")[0]
+        lines.append(f"#ifndef {name}\n#define {define} {value}".rstrip() + "\n#endif\n")
+    return "".join((*lines, *(f"#undef {name}\n" for name in undefined)))
+
+
+def _defines() -> Iterable[tuple[str, str]]:
+    yield from ((f"{name}(...)", "") for name in (*DECLARATIONS, *ATTRIBUTES))
+    yield from ((name, "") for name in DECORATIONS)
+    yield from ((f"{name}(...)", "1") for name in TRUE_TESTS)
+    yield from (*FUNCTIONS.items(), *LIMITS.items(), *RETURNS.items(), *OVERRIDES.items(), *QT.items())

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ruff, where it is installed: with the workspace's ruff settings, which cannot run code, else with its defaults."""
+"""Ruff, where it is installed: with the workspace's ruff settings as far as they lead to no other file, else with its defaults."""
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from collections.abc import Iterable, Iterator
 
-from haros_ci.linters import installed, python2, settings_files
+from haros_ci.linters import installed, python2, ruff_config, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
-from haros_ci.model.workspace import Store, Workspace
+from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -29,7 +30,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return "1"
+    return json.dumps(["2", sorted(ruff_config.LEFT_OUT)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -37,13 +38,36 @@ def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
 
 
 def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[Unit]:
-    """One group per settings file, which is named to ruff so that it looks for no other."""
-    return settings_files.units(workspace, LANGUAGES, MARKS)
+    """One group per settings file; a file depends on it and on all that it extends.
+
+    Rules also ask which modules there are (I001, INP001), and whether a file is executable (EXE001).
+    """
+    chains: dict[str, tuple[str, ...]] = {"": ()}
+    modules = "\0".join(file.path for file in workspace.files if file.language in LANGUAGES)
+    present = hashlib.sha256(modules.encode("utf-8", "surrogatepass")).hexdigest()
+    for unit in settings_files.units(workspace, LANGUAGES, MARKS):
+        config, path = unit.group, unit.file.path
+        if config not in chains:
+            chains[config] = tuple(link.path for link in ruff_config.chain(workspace, config))
+        mode = workspace.executables is not None and path in workspace.executables
+        yield Unit(unit.file, group=config, salt=f"{present} {mode}", settings=chains[config])
+
+
+def remarks(workspace: Workspace, groups: Iterable[str]) -> Iterator[Problem]:
+    """What of the settings files does not count, and why."""
+    problems: list[Problem] = []
+    for path in groups:
+        ruff_config.chain(workspace, path, problems)
+    yield from dict.fromkeys(problems)
 
 
 def command(program: Program, batch: Batch) -> Command:
-    config = f"--config={batch.workspace.root / batch.group}" if batch.group else "--isolated"
-    options = ("check", "--output-format=json", "--no-cache", "--no-fix", "--exit-zero", "--quiet", config)
+    config = "--isolated"
+    if batch.group:
+        links = ruff_config.chain(batch.workspace, batch.group)
+        config = f"--config={ruff_config.write(links, batch.scratch / 'settings')}"
+    ours = ("--no-cache", "--no-fix", "--no-fix-only", "--no-respect-gitignore", "--exit-zero", "--quiet")
+    options = ("check", "--output-format=json", *ours, config)
     return Command((*program.argv, *options, "--", *("./" + file.path for file in batch.files)))
 
 

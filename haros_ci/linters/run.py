@@ -5,17 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from pathlib import Path
 
 from haros_ci.linters import rows, schedule
 from haros_ci.linters.execute import Outcome, Task, execute
+from haros_ci.linters.gate import Gate
 from haros_ci.linters.linter import GaveUp, Linter, LintOptions, Unit
 from haros_ci.linters.process import Processes
 from haros_ci.linters.recorded import Recorded
 from haros_ci.linters.rows import Answer, Wanted
+from haros_ci.linters.view import views
 from haros_ci.linters.work import Digests, Installed, Work, works
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Notification, Run, Tool
+from haros_ci.scratch import scratch_directory
 
 Progress = Callable[[str], None]
 
@@ -101,8 +103,6 @@ def _analyse(
     progress: Progress | None,
 ) -> None:
     """Runs what is missing, the longest batches first, and puts the answers where they belong."""
-    import tempfile
-
     jobs: list[tuple[Work, tuple[Unit, ...]]] = []
     for work in works:
         seconds = getattr(work.linter, "BATCH_SECONDS", schedule.BATCH_SECONDS)
@@ -110,12 +110,23 @@ def _analyse(
     jobs.sort(key=lambda job: -schedule.estimate(job[1], job[0].linter.COST))  # stable: equal ones stay in order
     total, done = sum(len(units) for _, units in jobs), 0
     processes = Processes()
-    with tempfile.TemporaryDirectory(prefix="haros-ci-", ignore_cleanup_errors=True) as directory:
+    with scratch_directory("haros-ci-") as directory:
+        # Whoever trusts the workspace lets tools use what lies in it: plug-ins, settings that name files.
+        seen = {} if options.trust_config else views(workspace, works, directory)
+
+        gates = {work.linter.NAME: Gate(workspace, work.linter, work.program) for work in works}
 
         def run_batch(index: int) -> Outcome:
             work, units = jobs[index]
-            task = Task(work.linter, work.program, options, workspace, units)
-            return execute(task, processes, Path(directory, str(index)))
+            name = work.linter.NAME
+            confined = name in seen
+            gate = gates[name] if confined else None
+            view = seen.get(name, workspace)
+            return execute(
+                Task(work.linter, work.program, options, view, units, confined, gate),
+                processes,
+                directory / str(index),
+            )
 
         for index, outcome in _in_parallel(run_batch, len(jobs), options.jobs, processes):
             work, units = jobs[index]

@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fnmatch import fnmatch
 from posixpath import dirname, join, relpath
+from typing import Any
 
 from haros_ci.linters.linter import Unit
 from haros_ci.model.workspace import Workspace
@@ -19,6 +20,10 @@ from haros_ci.model.workspace import Workspace
 #: File names in the order in which they win, each with the texts one of which a file with settings holds; none: any content.
 Marks = Mapping[str, tuple[str, ...]]
 
+#: Settings files in INI, by name.
+INI_FILES = frozenset(
+    "setup.cfg tox.ini mypy.ini .mypy.ini .flake8 .isort.cfg .bandit .codespellrc pylintrc .pylintrc".split()
+)
 #: Options that the sections of an INI file may get from its ``[DEFAULT]``, all together.
 MAX_INHERITED = 100_000
 #: The standard library's parsers take quadratic time for these: a run of spaces in INI, a key of many parts in TOML.
@@ -30,7 +35,7 @@ def nearest(workspace: Workspace, directory: str, marks: Marks) -> str | None:
     """The first file of *marks* with settings, from *directory* up to the workspace's root."""
     while True:
         for name, texts in marks.items():
-            text = workspace.text(join(directory, name))
+            text = workspace.setting(join(directory, name))
             if any(mark in text for mark in texts) if texts else text.strip():
                 return join(directory, name)
         if not directory:
@@ -44,7 +49,7 @@ def units(
     marks: Marks,
     needs: Callable[[str, str], Iterable[str]] = lambda path, config: (),
 ) -> Iterator[Unit]:
-    """One unit per file of *languages* and one group per settings file; *needs* adds dependencies (path, settings)."""
+    """One unit per file of *languages* and one group per settings file; *needs* tells its dependencies (path, settings)."""
     configs: dict[str, str] = {}
     for file in workspace.files:
         if file.language in languages:
@@ -53,7 +58,7 @@ def units(
                 configs[directory] = nearest(workspace, directory, marks) or ""
             config = configs[directory]
             own = (config,) if config else ()
-            yield Unit(file, group=config, dependencies=(*own, *needs(file.path, config)))
+            yield Unit(file, group=config, dependencies=tuple(needs(file.path, config)), settings=own)
 
 
 def read(workspace: Workspace, path: str) -> dict[str, dict[str, object]]:
@@ -64,9 +69,18 @@ def read(workspace: Workspace, path: str) -> dict[str, dict[str, object]]:
     if not path:
         return {}
     try:
-        return toml(workspace.text(path)) if path.endswith(".toml") else ini(workspace.text(path))
+        return toml(workspace.setting(path)) if path.endswith(".toml") else ini(workspace.setting(path))
     except (ValueError, RecursionError):
         return {}
+
+
+def check(text: str, path: str) -> None:
+    """Raises ValueError if *text*, the settings file at *path*, is not what its name promises."""
+    name = path.rpartition("/")[2]
+    if name.endswith(".toml"):
+        tables(text)
+    elif name in INI_FILES:
+        ini(text)
 
 
 def inert(settings: Mapping[str, object], keys: Collection[str]) -> dict[str, object]:
@@ -105,14 +119,20 @@ def ini(text: str) -> dict[str, dict[str, object]]:
 
 def toml(text: str) -> dict[str, dict[str, object]]:
     """The tables below ``tool``. Raises ValueError if it cannot be read."""
+    tool = tables(text).get("tool", {})
+    return {k: v for k, v in tool.items() if isinstance(v, dict)} if isinstance(tool, dict) else {}
+
+
+def tables(text: str) -> dict[str, Any]:
+    """A whole TOML document. Raises ValueError if it cannot be read."""
     try:
         import tomllib
     except ModuleNotFoundError:  # Python 3.10, where the tools themselves bring tomli
         import tomli as tomllib  # type: ignore[no-redef,import-not-found,unused-ignore]
     if _LONG_KEY.search(text):
         raise ValueError("a key of too many parts")
-    tool = tomllib.loads(text).get("tool", {})  # TOMLDecodeError is a ValueError
-    return {k: v for k, v in tool.items() if isinstance(v, dict)} if isinstance(tool, dict) else {}
+    document: dict[str, Any] = tomllib.loads(text)  # TOMLDecodeError is a ValueError
+    return document
 
 
 def plain(value: object) -> bool:

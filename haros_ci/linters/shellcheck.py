@@ -53,7 +53,7 @@ def command(program: Program, batch: Batch) -> Command:
     """Copies far from each other: a script is not to be read with those that happen to share its batch."""
     copied = _names(batch)
     copies.lay(batch, copied)
-    lines = batch.workspace.text(batch.group).splitlines() if batch.group else []
+    lines = batch.workspace.setting(batch.group).splitlines() if batch.group else []
     copies.put(batch, ".shellcheckrc", "".join(line + "\n" for line in lines if INERT.fullmatch(line)))
     return Command((*program.argv, "--format=json1", "--", *copied), cwd=copies.tree(batch))
 

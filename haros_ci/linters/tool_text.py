@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 from haros_ci.linters.tool_xml import elements
 from haros_ci.model.declared_tool import DeclaredTool
+from haros_ci.model.digits import whole_number
 from haros_ci.results.linear_regex import compiled
 
 MAX_LINE = 4_000  # characters of a line that are looked at
@@ -185,8 +186,8 @@ def _at(value: object, steps: list[str]) -> object:
     for step in steps:
         if isinstance(value, dict):
             value = value.get(step)
-        elif isinstance(value, list) and step.isdigit() and int(step[:6]) < len(value):
-            value = value[int(step[:6])]
+        elif isinstance(value, list) and (index := whole_number(step)) is not None and index < len(value):
+            value = value[index]
         else:
             return None
     return value if isinstance(value, str | int | float) else None

@@ -68,7 +68,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     for unit in settings_files.units(workspace, LANGUAGES, MARKS):
         package = unit.file.package
         group = json.dumps([package, unit.group])
-        yield Unit(unit.file, group=group, dependencies=unit.dependencies, salt=salts[package])
+        yield Unit(unit.file, group=group, settings=unit.settings, salt=salts[package])
 
 
 def command(program: Program, batch: Batch) -> Command:

@@ -11,7 +11,7 @@ from typing import Protocol
 from haros_ci.linters import installed
 from haros_ci.linters.linter import Linter, LintOptions, Program, Unit, When
 from haros_ci.linters.rows import Answer
-from haros_ci.model.workspace import Store, Workspace
+from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.results.result import Notification, Result, Run, Tool
 from haros_ci.results.rule import Level
 
@@ -81,19 +81,31 @@ class Digests:
         self._workspace = workspace
         self.known = {file.path: file.digest for file in workspace.files}
         self._others: dict[str, str] = {}
+        self._settings: dict[str, str] = {}
 
     def key(self, tool: str, version: str, fingerprint: str, unit: Unit) -> str:
         parts = [SCHEMA, tool, version, fingerprint, unit.group, unit.salt, unit.file.path, unit.file.digest]
         for path in unit.dependencies:
             parts += (path, self._of(path))
+        for path in unit.settings:
+            parts += ("settings", path, self._of_setting(path))
         return hashlib.sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()
 
     def _of(self, path: str) -> str:
         digest = self.known.get(path) or self._others.get(path)
         if digest is None:
-            text = self._workspace.text(path)
-            digest = self._others[path] = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+            digest = self._others[path] = _digest(self._workspace.text(path))
         return digest
+
+    def _of_setting(self, path: str) -> str:
+        digest = self._settings.get(path)
+        if digest is None:
+            digest = self._settings[path] = _digest(self._workspace.setting(path))
+        return digest
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
 
 def works(
@@ -136,6 +148,12 @@ def _begun(
     work = Work(linter, program, fingerprint, units)
     for unit in units:
         work.keys[unit.file.path] = digests.key(linter.NAME, program.version, fingerprint, unit)
+    remarks: Callable[[Workspace, Iterable[str]], Iterable[Problem]] | None = getattr(linter, "remarks", None)
+    if remarks is not None:
+        for problem in remarks(workspace, sorted({unit.group for unit in units if unit.group})):
+            work.notifications.append(
+                Notification(Level.WARNING, problem.message, linter.NAME, problem.path, problem.line)
+            )
     if not units and asked:
         note = f"{linter.NAME} found nothing to analyse here: no file of its kind, or no settings that it needs"
         work.notifications.append(Notification(Level.NOTE, note, linter.NAME))

@@ -30,6 +30,12 @@ def read(text: str) -> dict[str, Any]:
         raise ValueError(f"{line}{err.problem}") from err
     except (yaml.YAMLError, RecursionError, TypeError) as err:
         raise ValueError(str(err).partition("\n")[0]) from err
+    except (
+        KeyError,
+        IndexError,
+        AttributeError,
+    ) as err:  # PyYAML's constructors, of what is not of the type of its tag
+        raise ValueError("a value is not of the type that its tag (!!bool, !!int, !!timestamp) names") from err
     if value is not None and not isinstance(value, dict):
         raise ValueError("not a map")
     return value or {}

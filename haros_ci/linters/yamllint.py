@@ -55,7 +55,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
             except ValueError:
                 pass  # command() says so
             needs[unit.group] = tuple(read)
-        yield Unit(unit.file, group=unit.group, dependencies=needs[unit.group])
+        yield Unit(unit.file, group=unit.group, settings=needs[unit.group])
 
 
 def command(program: Program, batch: Batch) -> Command:
@@ -81,7 +81,7 @@ def resolved(workspace: Workspace, path: str, read: list[str]) -> dict[str, Any]
     ValueError for what is malformed, or refers to a file that is not in the workspace.
     """
     read.append(path)
-    settings = yaml_settings.read(workspace.text(path))
+    settings = yaml_settings.read(workspace.setting(path))
     settings.pop("locale", None)  # is the machine's
     rules = {name: _options(options) for name, options in _map(settings.get("rules")).items()}
     for where in (settings, *(options for options in rules.values() if isinstance(options, dict))):
@@ -89,7 +89,7 @@ def resolved(workspace: Workspace, path: str, read: list[str]) -> dict[str, Any]
     base = settings.get("extends")
     if isinstance(base, str) and base not in SHIPPED:
         target = _inside(dirname(path), base)
-        if not workspace.text(target) or len(read) > LONGEST_CHAIN:
+        if not workspace.setting(target) or len(read) > LONGEST_CHAIN:
             raise ValueError(f"extends {base!r}, which is no file of the workspace, or one too many")
         under = resolved(workspace, target, read)
         settings = {**{key: value for key, value in under.items() if key == "ignore"}, **settings}
@@ -114,7 +114,7 @@ def _take_patterns(workspace: Workspace, where: dict[str, Any], directory: str, 
         raise ValueError(f"ignore-from-file names more than {MOST_FILES} files")
     for name in given:
         read.append(_inside(directory, str(name)))
-        lines += workspace.text(read[-1]).splitlines()
+        lines += workspace.setting(read[-1]).splitlines()
     if len(lines) > MOST_LINES:
         raise ValueError(f"more than {MOST_LINES} patterns to ignore")
     where["ignore"] = lines

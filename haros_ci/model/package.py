@@ -37,7 +37,7 @@ class Dependency:
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """A ROS package: the directory that holds a package.xml.
+    """A ROS package: the directory that holds a package.xml, and lies in no other package.
 
     *path* is the directory, POSIX-style, relative to the workspace root (``.`` for the root itself). *ros* is 1 or 2
     by build type and dependencies, None where the manifest does not tell.
@@ -58,7 +58,7 @@ class SourceFile:
     """One file that can be analysed.
 
     *path* is POSIX-style and relative to the workspace root; *digest* is the SHA-256 of its bytes in hex; *size* is
-    in bytes; *package* is the name of the innermost package that contains it, or None; *lines* counts line feeds;
+    in bytes; *package* is the name of the package that contains it, or None; *lines* counts line feeds;
     *has_directive* is False where no suppression comment of ours can be in it.
     """
 

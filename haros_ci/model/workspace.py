@@ -21,6 +21,10 @@ class Reader(Protocol):
         """The decoded text of a file, newlines as they stand, BOM removed; "" if it cannot be read."""
         ...
 
+    def data(self, path: str) -> bytes | None:
+        """The bytes of a file; None if it cannot be read."""
+        ...
+
     def head(self, path: str, length: int) -> bytes:
         """The first *length* bytes of any file below the root; b"" if it cannot be read."""
         ...
@@ -44,6 +48,19 @@ class Problem:
 
 
 @dataclass(frozen=True, slots=True)
+class Hiding:
+    """What a change does that would keep its files from being analysed, where a base revision is asked for.
+
+    *warnings* are on markers that do not count, *notes* on changed files in directories that are never analysed, *unread* on changed files
+    that cannot be analysed, which become findings.
+    """
+
+    warnings: tuple[Problem, ...] = ()
+    notes: tuple[Problem, ...] = ()
+    unread: tuple[Problem, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Workspace:
     """Packages and files at one revision.
 
@@ -52,7 +69,8 @@ class Workspace:
     are malformed manifests, which become findings. ``links`` are symbolic links, sorted, each with the file or directory
     inside the workspace that it leads to. ``names`` are the paths of all files, those included that are not analysed (meshes,
     maps); empty where that is not known. ``executables`` are those of the paths that can be scripts whose execute bit is set, None
-    where that cannot be told: on a file system without modes.
+    where that cannot be told: on a file system without modes. ``settings`` is where the settings of linters are read instead
+    of here: at the base revision of a change, so that it cannot bring its own. ``hiding`` is what a change does to escape.
     """
 
     root: Path
@@ -65,17 +83,27 @@ class Workspace:
     links: tuple[tuple[str, str], ...] = ()
     names: frozenset[str] = frozenset()
     executables: frozenset[str] | None = None
+    settings: Reader | None = None
+    hiding: Hiding = Hiding()
 
     def text(self, path: str) -> str:
         """The decoded text of the file at *path*; "" if it is not there or not text."""
         return self.reader.text(path)
+
+    def setting(self, path: str) -> str:
+        """The text of the settings file of a linter at *path*, as it counts for this run; "" if there is none."""
+        return (self.settings or self.reader).text(path)
+
+    def data(self, path: str) -> bytes | None:
+        """The bytes of the listed file at *path* as they lie on disk; None if it is no regular file there any more."""
+        return self.reader.data(path)
 
     def head(self, path: str) -> bytes:
         """The first bytes of a file that is no text, for its format to be told; b"" if it is not there."""
         return self.reader.head(path, HEAD) if path in self.names else b""
 
     def package_finder(self) -> Callable[[str], str | None]:
-        """What tells the name of the innermost package that a path lies in, None if it lies in none."""
+        """What tells the name of the package that a path lies in, None if it lies in none."""
         homes = {package.path: package.name for package in self.packages}
 
         def package_of(path: str) -> str | None:

@@ -34,6 +34,12 @@ class DiskReader:
         except (OSError, ValueError):
             return ""
 
+    def data(self, path: str) -> bytes | None:
+        try:
+            return (self.root / path).read_bytes()
+        except (OSError, ValueError):
+            return None
+
 
 @dataclass
 class MemoryStore:

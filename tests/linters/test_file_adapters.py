@@ -215,7 +215,7 @@ def request(root: Path, adapter: ModuleType, files: dict[str, str], **options: b
     asked = []
     for group in sorted({unit.group for unit in units}):
         batch = Batch(space, tuple(u.file for u in units if u.group == group), chosen, root, group)
-        needs = sorted({path for unit in units if unit.group == group for path in unit.dependencies})
+        needs = sorted({path for unit in units if unit.group == group for path in unit.settings})
         asked.append({**json.loads(adapter.command(PROGRAM, batch).stdin), "group": group, "needs": needs})
     return asked
 
@@ -321,7 +321,7 @@ def test_of_a_shellcheckrc_only_what_leads_nowhere_is_passed(tmp_path: Path) -> 
     command = shellcheck.command(PROGRAM, Batch(space, (unit.file,), LintOptions(), tmp_path, unit.group))
     assert command.cwd is not None and command.cwd.is_relative_to(tmp_path)
     assert (command.cwd / ".shellcheckrc").read_text().splitlines() == PASS
-    assert unit.dependencies == (".shellcheckrc",)
+    assert unit.settings == (".shellcheckrc",)
 
 
 @pytest.mark.parametrize(
@@ -350,7 +350,7 @@ def test_clang_format_is_for_files_that_a_style_is_written_for(tmp_path: Path) -
     }
     (unit,) = clang_format.plan(workspace(tmp_path, files), LintOptions(), MemoryStore())
     assert (unit.file.path, unit.group) == ("p/q/a.cpp", "p/.clang-format")
-    assert set(unit.dependencies) == {"p/.clang-format", "p/.clang-format-ignore"}
+    assert set(unit.settings) == {"p/.clang-format", "p/.clang-format-ignore"}
 
 
 def test_clang_format_gives_up_names_that_fit_nowhere(tmp_path: Path) -> None:
@@ -368,6 +368,11 @@ BOUNDED = [
     "&a [*a]",
     "a: !!python/object:os.system x",
     "? [1, 2]\n: x",
+    "a: !!bool x",
+    "a: !!int ''",
+    "a: !!float ''",
+    "a: !!timestamp x",
+    "a: 2020-13-01",
 ]
 
 

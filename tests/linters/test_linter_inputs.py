@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from linter_samples import MemoryStore, workspace
 
-from haros_ci.linters import imports, includes, installed, ros_macros, schedule
+from haros_ci.linters import cppcheck_libraries, imports, includes, installed, macro_scan, schedule
 from haros_ci.linters.compile_db import flags_by_file
 from haros_ci.linters.linter import LintOptions, Unit
 from haros_ci.linters.process import search_path
@@ -160,7 +160,7 @@ IMPORTS = [
 def test_imports_within_a_package(tmp_path: Path, text: str, needs: set[str]) -> None:
     files = {"p/a.py": text, "p/b.py": "", "p/__init__.py": "", "p/sub/c.py": "from ..b import z\n", "q/b.py": ""}
     found = imports.closures(workspace(tmp_path, files, [Package("p", "p"), Package("q", "q")]))
-    assert set(found["p/a.py"]) == needs and found["q/b.py"] == ()
+    assert set(found["p/a.py"]) == {*needs, "p/__init__.py"} and found["q/b.py"] == ()  # it says what p/a.py is called
 
 
 ALLOWED = [
@@ -232,18 +232,117 @@ def test_the_checkout_s_database_serves_a_base_revision(tmp_path: Path) -> None:
     assert flags == {"a.cpp": (f"-I{os.path.realpath(base)}/inc",)}
 
 
-VISIBLE = ["ROBOT_PUBLIC", "NAV2_UTIL__VISIBILITY_EXPORT", "ecl_EXPORT x ECL_LOCAL", "ROBOT_PUBLIC_TYPE", "A_DECL"]
-NOT_VISIBLE = ["PUBLIC", "public", "ROBOT_PUBLICATION", "IS_LOCAL_x", "robot_public", "EXPORT_ROBOT", "Robot_PUBLIC"]
+DECORATIONS = [
+    "ROBOT_PUBLIC",
+    "NAV2_UTIL__VISIBILITY_EXPORT",
+    "ecl_EXPORT x ECL_LOCAL",
+    "ROBOT_PUBLIC_TYPE",
+    "A_DECL",
+    "class ROBOT_PUBLIC Arm : public Part {};",
+    "template<typename T> ROBOT_PUBLIC T* f();",
+    "ROBOT_PUBLIC ~Arm();",
+    "ROBOT_PUBLIC\nvoid f();",
+    "extern int * ROBOT_LOCAL f();",
+    "#if defined(ROBOT_EXPORT)\n#endif\nROBOT_EXPORT [[nodiscard]] int f();",
+    "ROBOT_PUBLIC ::ns::T f();",
+]
+NO_DECORATIONS = [
+    *("PUBLIC", "public", "ROBOT_PUBLICATION", "IS_LOCAL_x", "robot_public", "EXPORT_ROBOT", "Robot_PUBLIC"),
+    "if (d == RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL) {}",
+    "f(DURABILITY_LOCAL);",
+    "enum E { A_LOCAL, B_LOCAL };",
+    "int a = A_LOCAL + 1;",
+    "switch (a) { case A_LOCAL: break; }",
+    "return Kind::A_LOCAL\n  ;",
+    "BOOST_CLASS_EXPORT(ns::A)\nint a;",
+    "// A_LOCAL is the best\n",
+    "/*\n * A_LOCAL is the best\n */",
+    "#ifdef A_LOCAL\n#endif",
+    # used as a value once, it is one everywhere
+    "class A_LOCAL B {}; int c = A_LOCAL;",
+]
 
 
-@pytest.mark.parametrize("text", VISIBLE)
-def test_visibility_macros_are_found(text: str) -> None:
-    assert ros_macros.visibility_macros([text])
+@pytest.mark.parametrize("text", DECORATIONS)
+def test_decorations_are_found(text: str) -> None:
+    assert macro_scan.decorations(macro_scan.marks(text))
 
 
-@pytest.mark.parametrize("text", NOT_VISIBLE)
-def test_other_names_are_not_visibility_macros(text: str) -> None:
-    assert not ros_macros.visibility_macros([text])
+@pytest.mark.parametrize("text", NO_DECORATIONS)
+def test_other_names_are_no_decorations(text: str) -> None:
+    assert not macro_scan.decorations(macro_scan.marks(text))
+
+
+REGISTRATIONS = [
+    "G2O_USE_OPTIMIZATION_LIBRARY(csparse)\nnamespace g2o {}\n",
+    'REGISTER_NODE(\n  ns::A<B, (C)>,\n  "a)b")\n\n// more\n/* and more */\nclass A;\n',
+    "REGISTER_A(a)\nREGISTER_A(b);\n",
+    "REGISTER_A(a)\n#endif\n",
+    "REGISTER_A(a)",
+]
+NO_REGISTRATIONS = [
+    "REGISTER_A(a);\nint b;\n",
+    "DEFINE_TEST(a)\n{\n}\n",
+    "DEFINE_TEST(a) : b() {}\n",
+    "  REGISTER_A(a)\nint b;\n",
+    "void f() {\n  LOG_INFO(a);\n}\nLOG_INFO(a)\nint b;\n",
+    "STREAM_OUT(a)\n  << b;\n",
+    "STREAM_OUT(a)\n  (b);\n",
+    "#define REGISTER_A(a)\nint b;\n",
+    "// REGISTER_A(a)\nint b;\n",
+    "REGISTER(a)\nint b;\n",
+    "register_a(a)\nint b;\n",
+    "REGISTER_A(a\nint b;\n",
+    "REGISTER_A(((((((((a)))))))))\nint b;\n",
+    "int c = MAKE_A(1);\nMAKE_A(2)\nint b;\n",
+]
+
+
+@pytest.mark.parametrize("text", REGISTRATIONS)
+def test_registrations_are_found(text: str) -> None:
+    assert len(macro_scan.registrations(macro_scan.marks(text))) == 1
+
+
+@pytest.mark.parametrize("text", NO_REGISTRATIONS)
+def test_other_calls_are_no_registrations(text: str) -> None:
+    assert not macro_scan.registrations(macro_scan.marks(text))
+
+
+HEADERS = [
+    ("#include <QWidget>", ["qt"]),
+    ("#include <QtWidgets/QLabel>", ["qt"]),
+    ("#include <qobject.h>", ["qt"]),
+    ('#include "ui_panel.h"', ["qt"]),
+    ("#include <rviz_common/panel.hpp>", ["qt"]),
+    ("#include <rqt_gui_cpp/plugin.h>", ["qt"]),
+    ("class A {\n  Q_OBJECT\n};", ["qt"]),
+    ("class A {\nprivate slots:\n};", ["qt"]),
+    ("#include <boost/bind.hpp>", ["boost"]),
+    ("BOOST_FOREACH(int a, b) {}", ["boost"]),
+    ("#include <gtest/gtest.h>", ["googletest"]),
+    ("#include <rmf_utils/catch.hpp>", ["catch2"]),
+    ('TEST_CASE("a") {}\n#include <catcher/a.hpp>', ["catch2"]),
+    ("#include <catcher.hpp>\nvoid TEST_CASE(int a);", []),
+    ("#include <pybind11/pybind11.h>\n#include <Python.h>", ["python"]),
+    ("#include <qwidget.h>\nTEST(A, b) {}", ["googletest", "qt"]),
+    ('#include "quaternion.h"\n#include <queue.h>', []),
+    ("#include <rclcpp/rclcpp.hpp>\nstruct A { int slots; void emit(); };", []),
+    ("#include <quaternion/quaternion.h>\n#include <Qubit/a.h>", []),
+    ("#include <queue>\nint foreach, signals, BOOST;", []),
+    ("// Q_OBJECTS and QT\nenum { QT_A };", []),
+    ("#define QT_NO_KEYWORDS\n#include <QWidget>", ["!qt", "qt"]),
+    ("#define QT_NO_KEYWORDS\n", []),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), HEADERS)
+def test_libraries_are_asked_for_by_headers_and_macros(tmp_path: Path, text: str, expected: list[str]) -> None:
+    space = workspace(tmp_path, {"a.cpp": text + "\n"})
+    store = MemoryStore()
+    for _ in range(2):  # the second time from the store
+        directives = includes.written(space, space.files, store)
+        asked = cppcheck_libraries.by_file(space, space.files, directives, store)
+        assert list(cppcheck_libraries.together(asked.values())) == expected
 
 
 def units(*sizes: int, group: str = "") -> list[Unit]:

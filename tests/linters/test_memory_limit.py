@@ -25,7 +25,9 @@ RESERVING = WAIT + (
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="limits are set by prlimit")
-@pytest.mark.parametrize(("program", "said"), [(GREEDY, b"refused\n"), (RESERVING, b"had\n")], ids=["greedy", "reserving"])
+@pytest.mark.parametrize(
+    ("program", "said"), [(GREEDY, b"refused\n"), (RESERVING, b"had\n")], ids=["greedy", "reserving"]
+)
 def test_memory(tmp_path: Path, program: str, said: bytes) -> None:
     command = Command((sys.executable, "-IS", "-c", program))
     output = Processes().run(command, root=tmp_path, scratch=tmp_path / "scratch", timeout=20)

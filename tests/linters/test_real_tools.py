@@ -179,6 +179,39 @@ MACROS = [
     "BT_REGISTER_NODES(factory) { factory.add(); }\n",
     "BT_JSON_CONVERTER(ns::Point, msg) { add(msg.x); }\n",
     "struct P { PCL_ADD_POINT4D; EIGEN_MAKE_ALIGNED_OPERATOR_NEW };\n",
+    # a value whose name ends as that of a decoration does
+    "bool f(int d) { if (d == RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL) { return true; } return false; }\n",
+    "int f(int d) { switch (d) { case A_LOCAL: return 1; default: return B_EXPORT; } }\n",
+    # a macro with arguments whose name ends so, with and without a semicolon
+    '#include "k/K.h"\nBOOST_CLASS_EXPORT(k::A);\nBOOST_CLASS_EXPORT(k::B<k::C>);\nBOOST_CLASS_EXPORT(k::D)\nnamespace k\n{ int a; }\n',
+    "BOOST_CLASS_EXPORT_KEY(k::A)\nBOOST_CLASS_VERSION(k::A, 1)\nBOOST_SERIALIZATION_ASSUME_ABSTRACT(k::B)\nint a;\n",
+    "BOOST_FUSION_ADAPT_STRUCT(ns::P, (double, x)(double, y))\nint a;\n",
+    "BOOST_AUTO_TEST_SUITE(s)\nBOOST_AUTO_TEST_CASE(c) { BOOST_CHECK(true); }\nBOOST_AUTO_TEST_SUITE_END()\n",
+    "BOOST_FIXTURE_TEST_CASE(c, F) { BOOST_CHECK_CLOSE(a, 1.0, 2); }\n",
+    "BOOST_PYTHON_MODULE(m) { def(a); }\n",
+    "G2O_USE_OPTIMIZATION_LIBRARY(csparse)\nG2O_USE_OPTIMIZATION_LIBRARY(cholmod)\nnamespace g2o {\nint a;\n}\n",
+    "REGISTER_THING(\n  ns::Thing,\n  ns::Base)\n\n// more\nclass A {};\n",
+    "CLASS_LOADER_REGISTER_CLASS(ns::A, ns::B)\nCLASS_LOADER_REGISTER_CLASS_INTERNAL(A, B, 1)\nint a;\n",
+    "PLUGINLIB_EXPORT_CLASS(ns::A, ns::B)\nPLUGINLIB_DECLARE_CLASS(p, A, ns::A, ns::B)\nint a;\n",
+    "class W : public rviz_common::Panel {\nQ_OBJECT\nQ_PROPERTY(int a READ a)\npublic Q_SLOTS:\nvoid f();\nQ_SIGNALS:\nvoid g();\n};\n",
+    "#include <QObject>\nvoid f(L l) { foreach (const int& a, l) { emit changed(a); } }\n",
+    "#define QT_NO_KEYWORDS\n#include <QObject>\nclass W : QObject { Q_OBJECT\npublic Q_SLOTS:\n void f(); Q_SIGNALS: void g(); int slots; };\n",
+    "TYPED_TEST_SUITE(A, B);\nTYPED_TEST(A, b) { EXPECT_TRUE(true); }\nINSTANTIATE_TEST_SUITE_P(x, A, Values(1));\n",
+    "INSTANTIATE_TEST_CASE_P(x, A, Values(1), );\nTEST_P(A, b) { ASSERT_TRUE(x) << 1; EXPECT_THAT(a, Eq(1)); }\n",
+    "#include <gtest/gtest.h>\nTEST_F(A, b) { EXPECT_THROW({ a(); b(); }, E) << 1; if (c) ASSERT_EQ(a, b) << 2; else EXPECT_NO_THROW(a()); }\n",
+    '#include <gtest/gtest.h>\nTEST(A, b) { ASSERT_THROW(a(), std::out_of_range); EXPECT_DEATH({ b(); }, "x"); FAIL() << 1; SUCCEED(); }\n',
+    "#include <ours/check.h>\nvoid f() { ASSERT_EQ(a, b, c); ASSERT_TRUE(a, b); EXPECT_THROW(a); }\n",
+    "#include <gtest/gtest.h>\nnamespace a\n{\nTEST(A, b)\n{\n  f();\n}\n\nTEST_F(A, c)\n{\n  g();\n}\nTYPED_TEST(D, e)\n{\n}\n}\n",
+    '#include <gmock/gmock.h>\nMATCHER_P(IsBig, least, "is big")\n{\n  return arg > least;\n}\nMATCHER(IsOdd, "") { return arg % 2; }\n'
+    "class M : B { MOCK_METHOD(int, f, (int a), (override)); MOCK_CONST_METHOD1(g, int(int)); };\n",
+    "#define QT_NO_KEYWORDS\n#include <QObject>\n#if QT_VERSION >= QT_VERSION_CHECK(5, 0, 0)\nint slots;\n#endif\nvoid A::f() { Q_D(A); d->x(); }\n",
+    'SCENARIO_METHOD(Fixture, "a", "[b]")\n{\n  GIVEN("c") { WHEN("d") { THEN("e") { REQUIRE(a == b); } } }\n}\nSCENARIO("f") { int a; }\n',
+    '#include <catch2/catch.hpp>\nTEST_CASE("a") { SECTION("b") { CHECK(a); } }\nTEST_CASE_METHOD(F, "b", "[c]") { CHECK(d); }\n',
+    "struct A : B { void f() override { PYBIND11_OVERRIDE(void, B, f, ); } int g() { PYBIND11_OVERLOAD_PURE(int, B, g, a); } };\n",
+    "class M { MOCK_METHOD(int, f, (int a), (override)); MOCK_METHOD1(g, int(int)); MOCK_CONST_METHOD0(h, int()); };\n",
+    "class F { FRIEND_TEST(A, b);\nFRIEND_TEST(A, c); int a; };\n",
+    "template<typename T>\nROBOT_PUBLIC T * f();\nextern ROBOT_EXPORT int * a;\ntemplate class ROBOT_EXPORT A<int>;\n",
+    "struct T { int slots[4]; int signals; };\nint f(T table, bool emit) { table.slots[1] = 4; return emit ? table.signals : table.slots[1]; }\n",
 ]
 
 
@@ -187,7 +220,39 @@ def test_cppcheck_knows_the_macros_of_ros(tmp_path: Path, text: str) -> None:
     assert run(tmp_path, cppcheck, {"a.cpp": text}).notifications == ()
 
 
-@pytest.mark.parametrize("text", ["SOME_MACRO_OF_OURS(a)\nint f() { return 1; }\n", "int f( {\n", "#error no\n"])
+PLAIN_WORDS = (
+    "struct Table { int slots[6]; int signals; };\nvoid fill(Table& table) { table.slots[6] = 4; table.signals = 1; }\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("files", "is_read"),
+    [
+        ({"a.cpp": PLAIN_WORDS}, True),
+        ({"a.cpp": PLAIN_WORDS, "b.cpp": "#include <QWidget>\nclass W : QWidget { Q_OBJECT };\n"}, True),
+        ({"a.cpp": '#include "a.hpp"\n' + PLAIN_WORDS, "a.hpp": "#include <boost/foreach.hpp>\n"}, True),
+        ({"a.cpp": "#define QT_NO_KEYWORDS\n#include <QWidget>\n" + PLAIN_WORDS}, True),
+        (
+            {"a.cpp": "#include <QWidget>\n" + PLAIN_WORDS, "CMakeLists.txt": "add_definitions(-DQT_NO_KEYWORDS)\n"},
+            True,
+        ),
+        ({"a.cpp": "#include <QWidget>\n" + PLAIN_WORDS}, False),
+        ({"a.cpp": '#include "a.hpp"\n' + PLAIN_WORDS, "a.hpp": "#include <QtCore/QObject>\n"}, False),
+    ],
+)
+def test_words_of_qt_are_plain_names_without_qt(tmp_path: Path, files: dict[str, str], is_read: bool) -> None:
+    done = run(tmp_path, cppcheck, files)
+    assert any(rule == "arrayIndexOutOfBounds" for rule, _, _ in found(done)) is is_read
+
+
+def test_a_function_returns_by_python_s_macros(tmp_path: Path) -> None:
+    text = "#include <Python.h>\nstatic PyObject* f(int* a) {\n  *a = 1;\n  Py_RETURN_NONE;\n}\n"
+    assert "missingReturn" not in {rule for rule, _, _ in found(run(tmp_path, cppcheck, {"a.cpp": text}))}
+    bare = text.replace("  Py_RETURN_NONE;\n", "")
+    assert "missingReturn" in {rule for rule, _, _ in found(run(tmp_path, cppcheck, {"a.cpp": bare}))}
+
+
+@pytest.mark.parametrize("text", ["  SOME_MACRO_OF_OURS(a)\nint f() { return 1; }\n", "int f( {\n", "#error no\n"])
 def test_cppcheck_names_what_it_gave_up(tmp_path: Path, text: str) -> None:
     done = run(tmp_path, cppcheck, {"a.cpp": text, "b.cpp": "int f() { int* p = 0; return *p; }\n"})
     assert [note.path for note in done.notifications] == ["a.cpp"]
@@ -197,7 +262,7 @@ def test_cppcheck_names_what_it_gave_up(tmp_path: Path, text: str) -> None:
 def test_cppcheck_quotes_nothing_from_outside(tmp_path: Path) -> None:
     (tmp_path / "secret").write_text("TOP_SECRET_WORD(x) more {\n")
     done = run(tmp_path / "root", cppcheck, {"a.cpp": f'#include "{tmp_path}/secret"\n#include "../secret"\nint a;\n'})
-    assert [note.path for note in done.notifications] == ["a.cpp"]
+    assert done.notifications == () and done.analysed == {"a.cpp"}, "it is not opened, and the rest is analysed"
     assert "SECRET" not in repr(done) and str(tmp_path) not in repr(done)
 
 

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from linter_samples import FakeLinter, MemoryStore, everything, workspace
 
-from haros_ci.linters.linter import LintOptions, When
+from haros_ci.linters.execute import Task
+from haros_ci.linters.linter import LintOptions, Program, Unit, When
 from haros_ci.linters.run import lint
 from haros_ci.results.result import Run
 from haros_ci.results.rule import Level
@@ -62,12 +63,20 @@ def test_a_hanging_tool_is_stopped_and_others_go_on(tmp_path: Path) -> None:
     space = workspace(tmp_path, {**files, "a.cpp": "# say C1\n"})
     options = LintOptions(timeouts={"slow": 0.2}, jobs=2)
     first, second = lint(space, [slow, other], options, MemoryStore(), everything)
-    assert not first.successful and first.results == () and first.analysed == frozenset()
-    assert first.notifications[0].message.startswith(
-        "slow was stopped after 0.2 s; without a result: a.py, b.py, bad.py"
-    )
+    assert not first.successful and first.analysed == frozenset(CLEAN)
+    assert said(first) == [("a.py", 1, "W1"), ("d/c.py", 3, "W2")], "healthy files of the batch keep their results"
+    (note,) = first.notifications
+    assert note.message == "slow was stopped after 0.2 s; without a result: bad.py" and note.path == "bad.py"
     assert second.successful and said(second) == [("a.cpp", 1, "C1")]
-    assert len(slow.asked) == 1, "what hangs once is not tried again"
+
+
+def test_files_on_which_a_tool_hangs_cost_a_bounded_time(tmp_path: Path) -> None:
+    """A part of a batch has its share of the batch's time, but ten seconds at least."""
+    files = {f"{n}.py": "# hang\n" for n in range(64)}
+    space = workspace(tmp_path, files)
+    task = Task(FakeLinter(), Program(("x",), "1"), LintOptions(timeout=640), space, tuple(map(Unit, space.files)))
+    assert [task.timeout(n) for n in (64, 32, 16, 1)] == [640, 320, 160, 10]
+    assert replace(task, options=LintOptions(timeout=4)).timeout(1) == 4
 
 
 @pytest.mark.parametrize(

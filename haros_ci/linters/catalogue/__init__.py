@@ -45,6 +45,9 @@ _MODULES: Final = MappingProxyType(
 )
 TOOLS = tuple(_MODULES)
 
+#: Tools that say how bad each finding is; of the others the table tells, which knows the rule alone.
+WEIGHING: Final = frozenset({"catkin_lint", "cppcheck", "pylint"})
+
 
 @cache
 def rules_of(tool: str) -> Mapping[str, Rule]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.linters.catalogue.group import Group, Rule, help_text, level_of, profiles, tags_of, words
+from haros_ci.linters.catalogue.group import Group, Rule, help_text, profiles, tags_of, words
 from haros_ci.results.rule import Level
 
 MESSAGES = "https://fkie.github.io/catkin_lint/messages/"
@@ -142,7 +142,7 @@ def _rule(name: str, letters: str, summary: str, group: Group) -> Rule:
     return Rule(
         id=name,
         summary=summary,
-        level=level_of(letters, LEVELS[letters[1]]),
+        level=LEVELS[letters[1]],
         help=help_text(name, summary, group.advice, SUPPRESS),
         help_uri=MESSAGES,
         precision=group.precision,

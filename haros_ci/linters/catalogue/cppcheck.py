@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci.linters.catalogue import haros
 from haros_ci.linters.catalogue.cppcheck_more import GROUPS as MORE
 from haros_ci.linters.catalogue.cppcheck_table import GROUPS as TABLE
-from haros_ci.linters.catalogue.group import Group, Rule, help_text, level_of, profiles, tags_of, words
+from haros_ci.linters.catalogue.group import Group, Rule, help_text, profiles, tags_of, words
 from haros_ci.results.rule import Level
 
 CHECKS = "https://sourceforge.net/p/cppcheck/wiki/ListOfChecks/"
@@ -178,7 +178,7 @@ def _rule(identifier: str, letters: str, summary: str, group: Group, cwe: int | 
     return Rule(
         id=identifier,
         summary=summary,
-        level=level_of(letters, LEVELS[letters[1]]),
+        level=LEVELS[letters[1]],
         help=help_text(identifier, summary, group.advice, SUPPRESS),
         help_uri=CHECKS,
         precision=group.precision,

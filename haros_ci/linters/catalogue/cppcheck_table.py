@@ -22,7 +22,7 @@ GROUPS: tuple[Group, ...] = (
             ),
             ("arrayIndexThenCheck", "Bs", "An index is checked before it is used."),
             ("bufferAccessOutOfBounds", "Be", "A buffer is accessed inside its bounds."),
-            ("containerOutOfBounds", "Be", "A container is accessed inside its bounds."),
+            ("containerOutOfBounds", "Se", "A container is accessed inside its bounds."),
             ("containerOutOfBoundsIndexExpression", "Be", "A container is not accessed at its size."),
             ("eraseIteratorOutOfBounds", "Be", "The end iterator is not erased."),
             (
@@ -278,7 +278,7 @@ GROUPS: tuple[Group, ...] = (
             ("unsignedPositive", "Ss", "An unsigned value is not tested for being at least zero."),
             ("unusedLabelSwitch", "Bw", "A label in a switch is a case."),
             ("unusedScopedObject", "Rs", "A guard or lock has a name, so that it lives to the end of its scope."),
-            ("uselessAssignmentPtrArg", "Rw", "An assignment to a pointer parameter reaches the caller."),
+            ("uselessAssignmentPtrArg", "Sw", "An assignment to a pointer parameter reaches the caller."),
             ("uselessAssignmentArg", "Ss", "An assignment to a parameter has an effect."),
             ("uselessCallsCompare", "Rw", "A string is not searched for itself."),
             ("uselessCallsEmpty", "Bw", "clear() rather than empty() empties a container."),

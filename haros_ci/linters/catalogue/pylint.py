@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.linters.catalogue.group import Group, Rule, help_text, level_of, profiles, tags_of, words
+from haros_ci.linters.catalogue.group import Group, Rule, help_text, profiles, tags_of, words
 from haros_ci.linters.catalogue.pylint_more import GROUPS as MORE
 from haros_ci.linters.catalogue.pylint_table import GROUPS as TABLE
 from haros_ci.results.rule import Level
@@ -61,6 +61,9 @@ QUIET: tuple[tuple[str, str], ...] = (
     ("I", "raw-checker-failed suppressed-message use-symbolic-message-instead useless-suppression"),
 )
 
+#: Errors by their category of which pylint itself says "possibly".
+UNCERTAIN = frozenset({"possibly-used-before-assignment"})
+
 SECURITY = {"bidirectional-unicode": "6.5", "eval-used": "6.0", "exec-used": "6.0"}
 
 
@@ -95,7 +98,7 @@ def _rule(symbol: str, letters: str, summary: str, group: Group) -> Rule:
     return Rule(
         id=symbol,
         summary=summary,
-        level=level_of(letters, level),
+        level=Level.WARNING if symbol in UNCERTAIN else level,
         help=help_text(symbol, summary, group.advice, SUPPRESS),
         help_uri=f"{MESSAGES}/{category}/{symbol}.html",
         precision=group.precision,

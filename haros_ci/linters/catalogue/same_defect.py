@@ -16,7 +16,9 @@ BANDIT = (
 #: their value can be compared with a baseline.
 SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     (  # why the rule or value does nothing, before that it does nothing
+        "haros-ci:stale-name",
         "haros-ci:graph-change",
+        "haros-ci:near-miss-name",
         "haros-ci:ineffective-remap",
         "haros-ci:parameter-not-declared",
         "haros-ci:parameter-not-read",
@@ -153,7 +155,7 @@ SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     ("pylint:super-without-brackets", "ruff:PLW0245"),
     ("pylint:consider-using-f-string", "ruff:UP031"),
     ("pylint:redefined-builtin", "ruff:A002"),
-    ("pylint:syntax-error", "ruff:invalid-syntax", "flake8:E999", "mypy:syntax"),
+    ("haros-ci:malformed-launch-file", "pylint:syntax-error", "ruff:invalid-syntax", "flake8:E999", "mypy:syntax"),
     ("pylint:used-before-assignment", "mypy:used-before-def"),
     ("pylint:no-member", "mypy:attr-defined"),
     ("pylint:unreachable", "vulture:unreachable-code"),

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What roslaunch and ros2 launch refuse in a launch file as soon as they read it, whatever its arguments are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+
+from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.model.workspace import Problem, Workspace
+
+#: What only roslaunch has: a file with it was left over from ROS 1, which another rule says once.
+_OF_ROS1 = re.compile(
+    r"\$\((?:find|arg|optenv)\s|<(?:rosparam|test|machine|master)\b|<(?:node|test)\b[^<>]*\stype\s*=|\bclear_params\s*="
+)
+_YAML = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
+_PYTHON = (".launch.py", "_launch.py", "-launch.py")
+#: How sentences on limits of ours begin.
+_LIMITS = ("more than ", "nested deeper ")
+#: roslaunch's xmlloader.py, ``reqd_attrs``.
+_REQUIRED = {
+    "node": ("pkg", "type", "name"),
+    "test": ("test-name", "pkg", "type"),
+    "include": ("file",),
+    "arg": ("name",),
+    "param": ("name",),
+    "remap": ("from", "to"),
+    "env": ("name", "value"),
+    "machine": ("name", "address"),
+}
+_ENTERED = frozenset(("launch", "group", "node", "test", "include"))
+
+
+def refused(workspace: Workspace) -> Iterator[Problem]:
+    """Every place at which launch ends with an error, by file; templates, by their path, are left out.
+
+    Of XML that is not well-formed the first fault. What is under a condition in a file of ROS 1 may never be read, so of that nothing is
+    said.
+    """
+    from haros_ci.architecture import launch_reader
+    from haros_ci.link.launching.dialect import is_ros2_file
+
+    read = launch_reader(workspace)
+    of_ros2 = is_ros2_file(workspace)
+    ros = {package.name: package.ros for package in workspace.packages}
+    for file in workspace.files:
+        if "template" in file.path.lower():
+            continue
+        if file.language == "launch":
+            is_ros1 = ros.get(file.package or "") == 1
+            yield from _of_tags(workspace, file.path, read, of_ros2(file.path), is_ros1)
+        elif file.language == "python" and file.path.endswith(_PYTHON) and ros.get(file.package or "") == 2:
+            yield from _of_python(workspace, file.path)
+
+
+def _of_tags(
+    workspace: Workspace, path: str, read: Callable[[str], LaunchFile | None], of_ros2: bool, is_ros1: bool
+) -> Iterator[Problem]:
+    text = workspace.text(path)
+    if path.endswith(_YAML):
+        if of_ros2 and not is_ros1:
+            from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
+
+            yield from _problems(path, read_ros2_yaml(text, path).problems)
+        return
+    if not text.lstrip().startswith("<"):
+        return
+    launch = read(path)
+    if launch is None:
+        return
+    if launch.root is None:
+        yield from (Problem(path, message, line) for line, message in launch.problems[:1])
+    elif is_ros1:
+        yield from _of_ros1(path, launch.root) if launch.root.tag == "launch" else ()
+    elif of_ros2 and launch.root.tag == "launch" and not _OF_ROS1.search(text):
+        from haros_ci.extract.launch.ros2_xml import read_ros2_xml
+
+        yield from _problems(path, read_ros2_xml(launch, path).problems[len(launch.problems) :])
+
+
+def _problems(path: str, found: tuple[tuple[int, str], ...]) -> Iterator[Problem]:
+    return (Problem(path, message, line) for line, message in found if not message.startswith(_LIMITS))
+
+
+def _of_ros1(path: str, element: LaunchElement) -> Iterator[Problem]:
+    if element.get("if") is not None or element.get("unless") is not None:
+        return
+    missing = [name for name in _REQUIRED.get(element.tag, ()) if element.get(name) is None]
+    if missing:
+        yield Problem(path, f"<{element.tag}> lacks the attribute '{missing[0]}'; add it", element.line)
+    name = element.get("name") or ""
+    if element.tag == "node" and "$(eval" not in name and "/" in re.sub(r"\$\([^()]*\)", "", name):
+        yield Problem(path, f"node name '{name}' holds a namespace; use ns=... The tag is left out", element.line)
+    if element.tag in _ENTERED:
+        for child in element.children:
+            yield from _of_ros1(path, child)
+
+
+def _of_python(workspace: Workspace, path: str) -> Iterator[Problem]:
+    from haros_ci.extract.python.read import syntax_error
+
+    error = syntax_error(workspace.text(path))
+    if error is not None:
+        yield Problem(path, f"this is not valid Python: {error[1]}; correct the syntax", error[0])

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Macros that a text uses without defining them, told by their names and by where they stand.
+
+Two kinds stop a parser that does not see their definition and can be known without it. *Decorations*
+(``NAV2_PUBLIC``) stand before a declaration and have no arguments;
+ROS and its build tools end their names in one of a few words. *Registrations*
+(``G2O_USE_OPTIMIZATION_LIBRARY(csparse)``) stand at the beginning of a
+line, without a semicolon, and what follows is a declaration. A name that is used in any other way anywhere in the
+workspace is neither:
+``RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL`` is a value.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+#: Marks of :func:`marks`: a decoration, a registration, a name that is no decoration, one that is no registration.
+DECORATION, REGISTRATION, NO_DECORATION, NO_REGISTRATION = "d:", "r:", "!d:", "!r:"
+
+#: Names of decorations, by the endings that ROS and its build tools give them.
+_DECORATION = re.compile(
+    r"\b[A-Z][A-Z0-9]*_(?:[A-Z0-9_]*_)?(?:PUBLIC|LOCAL|EXPORT|IMPORT|DECL|HIDDEN|PUBLIC_TYPE|VISIBLE|VISIBILITY|EXPORTS)\b"
+)
+#: What stands before a value, on its line.
+_BEFORE_A_VALUE = re.compile(r"(?:[=!|?+/,(.]|::|\breturn|\bcase)[ \t]*$")
+#: What follows a value; or the arguments of a macro, which a decoration has not.
+_AFTER_A_VALUE = re.compile(r"\s*(?:[-(),;.=!?|&+*/<>}\]^%]|:(?!:))")
+_CALL = re.compile(r"\b[A-Z][A-Z0-9]*_[A-Z0-9_]*[A-Z0-9](?=[ \t]*\()")
+_GAP = re.compile(r"(?:\s+|//[^\n]*|/\*(?:[^*]|\*(?!/))*\*/)*")
+_BRACKET = re.compile(r"[()\"';{}]")
+#: The arguments of a registration are no longer than this, in characters, and nest no deeper.
+_LONGEST, _DEEPEST = 2_000, 8
+
+
+def marks(text: str) -> list[str]:
+    """What *text* tells of names, each mark once, sorted; takes time in proportion to its length."""
+    return sorted({*_decorations(text), *_registrations(text)})
+
+
+def decorations(told: Iterable[str]) -> set[str]:
+    """The names of decorations by the marks of all texts together."""
+    return _names(told, DECORATION, NO_DECORATION)
+
+
+def registrations(told: Iterable[str]) -> set[str]:
+    """The names of registrations by the marks of all texts together."""
+    return _names(told, REGISTRATION, NO_REGISTRATION)
+
+
+def _names(told: Iterable[str], mark: str, other: str) -> set[str]:
+    all_of_them = set(told)
+    found = {each.removeprefix(mark) for each in all_of_them if each.startswith(mark)}
+    return {name for name in found if other + name not in all_of_them}
+
+
+def _decorations(text: str) -> Iterator[str]:
+    for match in _DECORATION.finditer(text):
+        before = text[max(text.rfind("\n", 0, match.start()) + 1, match.start() - 200) : match.start()]
+        is_directive = before.lstrip().startswith("#")
+        if is_directive or "//" in before or before.lstrip().startswith("*"):
+            continue
+        follows = text[match.end() : match.end() + 200]
+        is_value = bool(_BEFORE_A_VALUE.search(before)) or bool(follows.strip() and _AFTER_A_VALUE.match(follows))
+        yield (NO_DECORATION if is_value else DECORATION) + match[0]
+
+
+def _registrations(text: str) -> Iterator[str]:
+    for match in _CALL.finditer(text):
+        start = text.rfind("\n", 0, match.start()) + 1
+        before = text[max(start, match.start() - 200) : match.start()]
+        if before.lstrip().startswith(("#", "//", "*")):
+            continue
+        follows = "" if before else _after_call(text, match.end())
+        if follows is None or follows == ";":
+            continue
+        is_one = not before and (not follows or follows.isalpha() or follows in "_#}~[")
+        yield (REGISTRATION if is_one else NO_REGISTRATION) + match[0]
+
+
+def _after_call(text: str, at: int) -> str | None:
+    """The first character after the arguments that begin at *at*: "" at the end of the text, None without an end."""
+    depth, limit = 0, at + _LONGEST
+    while match := _BRACKET.search(text, at, limit):
+        at, character = match.end(), match[0]
+        if character in "\"'":
+            end = text.find(character, at, limit)
+            if end < 0:
+                return None
+            at = end + 1
+        elif character in ";{}":
+            return None
+        else:
+            depth += 1 if character == "(" else -1
+            if depth > _DEEPEST:
+                return None
+            if depth == 0:
+                gap = _GAP.match(text, at)
+                assert gap is not None
+                return text[gap.end() : gap.end() + 1]
+    return None

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One cause, one finding: what cppcheck derives several times from one assumption, with the other places as related ones."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from haros_ci.results.result import Related, Result
+from haros_ci.results.scope import scopes
+
+TOOL = "cppcheck"
+
+#: Rules whose findings follow from what a variable is at some place: several of one variable in one function have
+#: one cause.
+RULES = frozenset(
+    """
+    accessMoved arrayIndexOutOfBounds arrayIndexOutOfBoundsCond containerOutOfBounds containerOutOfBoundsIndexExpression
+    danglingLifetime danglingReference deallocuse derefInvalidIterator derefInvalidIteratorRedundantCheck
+    invalidContainer legacyUninitvar
+    negativeContainerIndex negativeIndex nullPointer nullPointerArithmetic nullPointerOutOfMemory
+    nullPointerRedundantCheck uninitdata
+    uninitStructMember uninitvar zerodiv zerodivcond
+    """.split()
+)
+
+#: A finding names no more other places than this; the rest of a cause follows in another finding.
+MOST = 40
+
+_NAME = re.compile(r"'(\w+)'|: ([\w.>-]+)$")
+
+
+def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Result, ...]:
+    """*results* in their order, those of one cause as one: the first by place, whose ``related`` also name the others.
+
+    Findings of one rule in one function have one cause if they name one variable, or explain themselves by one line.
+    Call it after selection;
+    *text* reads a path.
+    """
+    given = tuple(results)
+    candidates: dict[tuple[str, str], list[int]] = defaultdict(list)
+    for i, result in enumerate(given):
+        if result.tool == TOOL and result.rule in RULES and result.location.line:
+            candidates[result.rule, result.location.path].append(i)
+    merged: dict[int, Result] = {}
+    dropped: set[int] = set()
+    for (_, path), indexes in candidates.items():
+        if len(indexes) > 1:
+            for group in _groups(given, indexes, text(path)):
+                first, *others = sorted(group, key=lambda i: given[i].sort_key)
+                merged[first] = _joined(given[first], [given[i] for i in others])
+                dropped.update(others)
+    return tuple(merged.get(i, result) for i, result in enumerate(given) if i not in dropped)
+
+
+def _groups(given: Sequence[Result], indexes: list[int], text: str) -> Iterator[list[int]]:
+    """The positions of findings with one cause, where they are several; at most MOST + 1 each."""
+    inside = scopes(text, "cpp")
+    heads: dict[object, int] = {}
+    group_of = {i: i for i in indexes}
+
+    def find(i: int) -> int:
+        while group_of[i] != i:
+            group_of[i] = group_of[group_of[i]]
+            i = group_of[i]
+        return i
+
+    for i in indexes:
+        result = given[i]
+        scope = inside.at(result.location.line or 0)
+        marks: list[object] = [(scope, "name", name) for pair in _NAME.findall(result.message) for name in pair if name]
+        marks += [(scope, near.location.path, near.location.line) for near in result.related if near.location.line]
+        for mark in marks if scope else ():
+            group_of[find(i)] = find(heads.setdefault(mark, i))
+    groups: dict[int, list[int]] = defaultdict(list)
+    for i in indexes:
+        groups[find(i)].append(i)
+    for group in groups.values():
+        for start in range(0, len(group), MOST + 1):
+            part = group[start : start + MOST + 1]
+            if len(part) > 1:
+                yield part
+
+
+def _joined(first: Result, others: Sequence[Result]) -> Result:
+    """*first* with the places of *others*; its level is the worst of theirs."""
+    places = tuple(Related(other.location, f"Of the same cause: {other.message}") for other in others)
+    level = min((first.level, *(other.level for other in others)), key=lambda level: level.rank)
+    return replace(first, level=level, related=(*first.related, *places))

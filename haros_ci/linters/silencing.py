@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one table of what can silence a finding: every file, whence it is read, and the test that shows it.
+
+docs/silencing.md has the same rows (tests/linters/test_silencing.py compares them).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from enum import Enum
+
+from haros_ci.linters import (
+    bandit,
+    black,
+    clang_format,
+    cmake_lint,
+    cmakelint,
+    codespell,
+    cpplint,
+    flake8,
+    hadolint,
+    isort,
+    mypy,
+    pylint_config,
+    ruff,
+    ruff_config,
+    settings_files,
+    shellcheck,
+    vulture,
+    yamllint,
+)
+from haros_ci.linters import tool_switches as reading
+from haros_ci.linters.settings_files import Marks
+from haros_ci.linters.switches import Switches
+from haros_ci.model.workspace import Workspace
+
+OWN = "haros-ci"
+_HERE = "tests/hostile/test_hostile_silencing.py"
+_ROWS = f"{_HERE}::test_settings_silence_nothing"
+_GIT = "tests/hostile/test_hostile_git.py::test_a_pull_request_cannot_judge_itself"
+
+
+class Origin(Enum):
+    """Where a file is read on a run with a base revision."""
+
+    BASE = "the base revision"
+    HEAD = "the change"
+    NEVER = "nowhere"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """*files* that can silence *tool* (names, or kinds of files) by *what*, read at *origin*; *test* shows it.
+
+    Settings of tools also have *read*: what the file at a path switches off. With *marks* the nearest file counts, else each
+    counts for itself. *refers* tells the further files that the one at a path names.
+    """
+
+    tool: str
+    files: tuple[str, ...]
+    what: str
+    origin: Origin
+    test: str
+    read: Callable[[Workspace, str], Switches] | None = None
+    marks: Marks = field(default_factory=dict)
+    refers: Callable[[Workspace, str], Iterable[str]] = lambda workspace, path: ()
+
+
+def _settings(
+    tool: str,
+    what: str,
+    read: Callable[[Workspace, str], Switches],
+    marks: Marks,
+    refers: Callable[[Workspace, str], Iterable[str]] = lambda workspace, path: (),
+) -> Row:
+    return Row(tool, tuple(marks), what, Origin.BASE, f"{_ROWS}[{tool}]", read, marks, refers)
+
+
+def _chain(workspace: Workspace, path: str) -> Iterable[str]:
+    return [link.path for link in ruff_config.chain(workspace, path)][1:]
+
+
+def _extended(workspace: Workspace, path: str) -> Iterable[str]:
+    read: list[str] = []
+    try:
+        yamllint.resolved(workspace, path, read)
+    except ValueError:
+        pass
+    return read[1:]
+
+
+def _word_lists(workspace: Workspace, path: str) -> Iterable[str]:
+    settings = settings_files.read(workspace, path).get(codespell.NAME, {})
+    return [name for key in codespell.FILES for name in codespell.lists(key, settings, path)]
+
+
+_PYLINT: Marks = {
+    **dict.fromkeys(("pylintrc", ".pylintrc"), ()),
+    "pyproject.toml": ("[tool.pylint",),
+    **dict.fromkeys(("setup.cfg", "tox.ini"), ("[pylint", "[tool:pylint")),
+}
+assert tuple(_PYLINT) == pylint_config.NAMES
+
+#: The settings of tools, which a run with a base revision takes from there.
+SETTINGS: tuple[Row, ...] = (
+    _settings("bandit", "`skips`, fewer `tests`, `exclude`, `exclude_dirs`", reading.of_bandit, bandit.MARKS),
+    _settings("black", "`exclude`, `extend-exclude`, `force-exclude`", reading.of_black, black.MARKS),
+    _settings(
+        "clang-format",
+        "`DisableFormat`, `SortIncludes: Never`, no style file any more, patterns in `.clang-format-ignore`",
+        reading.of_clang_format,
+        dict.fromkeys((*clang_format.STYLES, clang_format.IGNORED), ()),
+    ),
+    _settings(
+        "cmake-lint",
+        "`disabled_codes`, higher limits",
+        reading.of_cmake_lint,
+        dict.fromkeys((".cmake-format", *cmake_lint.DATA), ()),
+    ),
+    _settings("cmakelint", "`filter=-…`, `linelength=`", reading.of_cmakelint, cmakelint.MARKS),
+    _settings(
+        "codespell",
+        "`ignore-words-list`, `ignore-regex`, `skip`, files named by `ignore-words`, `exclude-file`, `dictionary`",
+        reading.of_codespell,
+        codespell.MARKS,
+        _word_lists,
+    ),
+    _settings("cpplint", "`filter=-…`, `exclude_files=`, `linelength=`", reading.of_cpplint, {cpplint.CONFIG: ()}),
+    _settings(
+        "flake8",
+        "`ignore`, `extend-ignore`, fewer `select`, `per-file-ignores`, `exclude`, `builtins`, higher limits",
+        reading.of_flake8,
+        flake8.MARKS,
+    ),
+    _settings("hadolint", "`ignored`, lower levels under `override`", reading.of_hadolint, hadolint.MARKS),
+    _settings("isort", "`skip`, `skip_glob`, `only_modified`", reading.of_isort, isort.MARKS),
+    _settings(
+        "mypy",
+        "`disable_error_code`, `ignore_errors`, `ignore_missing_imports`, `follow_imports`, less strictness, also for single modules",
+        reading.of_mypy,
+        mypy.MARKS,
+    ),
+    _settings(
+        "pylint",
+        "`disable`, fewer `enable`, `ignore`, `ignore-paths`, `ignored-modules`, `generated-members`, higher limits",
+        reading.of_pylint,
+        _PYLINT,
+    ),
+    _settings(
+        "ruff",
+        "`ignore`, fewer `select`, `per-file-ignores`, `exclude`, higher limits; also in files named by `extend`",
+        reading.of_ruff,
+        ruff.MARKS,
+        _chain,
+    ),
+    _settings("shellcheck", "`disable=`, fewer `enable=`", reading.of_shellcheck, shellcheck.MARKS),
+    _settings("vulture", "`ignore_names`, `exclude`, higher `min_confidence`", reading.of_vulture, vulture.MARKS),
+    _settings(
+        "yamllint",
+        "rules disabled, `ignore`, higher limits; also in files named by `extends` and `ignore-from-file`",
+        reading.of_yamllint,
+        yamllint.MARKS,
+        _extended,
+    ),
+)
+
+#: For all that is no settings file of a tool.
+OTHERS: tuple[Row, ...] = (
+    Row(
+        OWN, (".haros-ci.yaml", "haros.yaml"), "`ignore`, `exclude`, `levels`, `fail-on`, `linters`", Origin.BASE, _GIT
+    ),
+    Row(OWN, (".haros-ci-baseline.jsonl",), "known findings", Origin.BASE, _GIT),
+    Row(
+        OWN,
+        ("comments `haros: ignore[…]`",),
+        "findings on that line; each needs a reason to be shown, and unused ones are findings",
+        Origin.HEAD,
+        "tests/results/test_suppress.py",
+    ),
+    Row(
+        "all tools",
+        ("the tool's own comments (`# noqa`, `NOLINT`, `pylint: disable`)",),
+        "findings on that line or in that file",
+        Origin.HEAD,
+        "tests/hostile/test_hostile_hiding_comments.py::test_they_are_counted_everywhere",
+    ),
+    Row(
+        "cppcheck, clang-tidy",
+        ("compile_commands.json",),
+        "definitions (`-D`) and include directories; it is made by a build and seldom part of a change",
+        Origin.HEAD,
+        "tests/linters/test_linter_inputs.py",
+    ),
+    Row(
+        "clang-tidy",
+        (".clang-tidy",),
+        "`Checks: -…`; read with `--trust-config` alone",
+        Origin.NEVER,
+        f"{_HERE}::test_clang_tidy_has_no_settings_of_the_workspace",
+    ),
+    Row(
+        OWN,
+        (
+            *("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE", ".catkin", ".colcon_install_layout", ".built_by"),
+            *("CMakeCache.txt", "pyvenv.cfg", ".catkin_workspace", "setup.bash", "package.xml", "CMakeLists.txt"),
+        ),
+        "all files below, where such a file is added (or the last two removed); what would be hidden is analysed and listed",
+        Origin.BASE,
+        "tests/hostile/test_hostile_hiding_markers.py::test_a_change_hides_nothing",
+    ),
+    Row(
+        OWN,
+        (".gitignore",),
+        "files that git does not track; a file of a commit is analysed whatever stands there",
+        Origin.HEAD,
+        f"{_HERE}::test_a_tracked_file_is_analysed_whatever_gitignore_says",
+    ),
+    Row(
+        "all tools",
+        (".editorconfig", ".gitattributes"),
+        "nothing",
+        Origin.NEVER,
+        f"{_HERE}::test_a_tracked_file_is_analysed_whatever_gitignore_says",
+    ),
+)
+
+TABLE = (*SETTINGS, *OTHERS)
+
+
+def page() -> str:
+    """The table in Markdown."""
+    rows = ["| Tool | Files | What can be silenced | Read from | Test |", "|---|---|---|---|---|"]
+    for row in TABLE:
+        files = ", ".join(name if " " in name else f"`{name}`" for name in row.files)
+        rows.append(f"| {row.tool} | {files} | {row.what} | {row.origin.value} | `{row.test}` |")
+    return "\n".join(rows) + "\n"

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From settings to linters: which of them run, with what, and how they are confined."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from itertools import islice
+
+from haros_ci.config.selection import Selection
+from haros_ci.config.selector import is_glob
+from haros_ci.config.settings import Settings
+from haros_ci.inspection import asks
+from haros_ci.linters.linter import LintOptions, When
+from haros_ci.linters.recorded import Testimony
+from haros_ci.registry import Registry
+from haros_ci.results import own
+from haros_ci.results.result import Run
+from haros_ci.results.rule import Rule
+
+#: The metrics of both languages are one run, whatever measured them.
+METRICS = "metrics"
+MEASURED_BY = ("lizard", "radon", "structure")
+#: Stands for any rule that a tool may report and that no table lists.
+UNKNOWN = "a-rule-of-no-table"
+
+
+def lint_options(settings: Settings, known: Registry) -> LintOptions:
+    """The part of the settings that the linters room sees."""
+    chosen = dict(settings.linters)
+    return LintOptions(
+        enabled=frozenset(name for name, s in chosen.items() if s.enabled) | named(settings, known),
+        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False) | unheard(settings, known),
+        timeouts={name: s.timeout for name, s in chosen.items() if s.timeout is not None},
+        timeout=settings.linter_timeout,
+        jobs=settings.jobs,
+        trust_config=settings.trust_config,
+        arguments={name: s.arguments for name, s in chosen.items() if s.arguments},
+        compile_database=settings.compile_database,
+        root=settings.root,
+    )
+
+
+def named(settings: Settings, known: Registry) -> frozenset[str]:
+    """The linters that a selector asks for: ``ruff``, ``flake8:E501``, or the id of a rule of theirs (``bugprone-use-after-move``).
+
+    If several tools have a rule of that id, the first of them is asked for, in the order of the registry: those that always run come first.
+    """
+    words = tuple(dict.fromkeys(word for policy in settings.policies for word in policy.select))
+    if not words:
+        return frozenset()
+    optional = {linter.NAME for linter in known.linters if linter.WHEN is not When.ALWAYS}
+    tools = {word.partition(":")[0] for word in words}
+    own_words = {rule.id for rule in known.rules_of(own.TOOL).values()} | set(known.tools)
+    for word in words:
+        if ":" in word or is_glob(word) or word in own_words:
+            continue
+        found = (linter.NAME for linter in known.linters if word in known.identifiers(linter.NAME))
+        tools.update(islice(found, 1))
+    return frozenset(tools & optional)
+
+
+def contradictions(settings: Settings, known: Registry) -> tuple[str, ...]:
+    """Sentences on linters that a selector asks for and the key ``linters`` switches off: they do not run."""
+    origins = dict(settings.origins)
+    off = {name for name, chosen in settings.linters if chosen.enabled is False}
+    words = {word.partition(":")[0] for policy in settings.policies for word in policy.select}
+    return tuple(
+        f"{origins.get(f'linter {name}', 'the project file')}: {name} is switched off here, so nothing of it is reported, although a "
+        "selector asks for it"
+        for name in sorted(off & (named(settings, known) | words))
+    )
+
+
+def unheard(settings: Settings, known: Registry) -> frozenset[str]:
+    """The linters that need not run: all in the profile of the checks alone, unless the command line selects other rules, and
+    those none of whose rules is on in any file.
+    """
+    checks = known.check_rules.keys()
+    selected = {text.removeprefix(f"{own.TOOL}:") for text in settings.command_line.select}
+    has_others = not selected <= checks or any(entry.profile for entry in settings.local)
+    if settings.profile == "architecture" and not has_others:
+        return frozenset(known.adapters)
+    selection = Selection(settings, with_queries(settings, known), unlisted=known.unlisted)
+    asked = named(settings, known) | {name for name, chosen in settings.linters if chosen.enabled}
+    run = (linter.NAME for linter in known.linters if linter.WHEN is not When.ASKED or linter.NAME in asked)
+    return frozenset(name for name in run if is_silent(name, settings, selection, known))
+
+
+def is_silent(name: str, settings: Settings, selection: Selection, known: Registry) -> bool:
+    """Whether nothing that the linter *name* can say is shown anywhere; False where that is not certain."""
+    tool = METRICS if name in MEASURED_BY else name
+    rules = selection.rules(tool)
+    ignored = {word for policy in settings.policies for word in policy.ignore}
+    ignored |= {word for policy in settings.policies for word, level in policy.levels if level is None}
+    asked = any(linter == name and chosen.enabled for linter, chosen in settings.linters)
+    unsure = asked or tool in known.open_ended  # a rule of no table may be in a profile, by the look of its name
+    if not rules or (unsure and ignored.isdisjoint((tool, f"{tool}:", f"{tool}:*", "*"))):
+        return False
+    if any(selection.may_want(tool, rule) for rule in rules):
+        return False
+    if tool not in known.open_ended:
+        return True
+    words = {word for policy in settings.policies for word in policy.select}
+    words |= {word for policy in settings.policies for word, level in policy.levels if level}
+    named = [word.removeprefix(f"{tool}:") for word in words if word.startswith(f"{tool}:") or is_glob(word)]
+    others = [UNKNOWN, *(re.sub(r"\[.*?\]|[*?]", "x", word) for word in named if word not in ("*", ""))]
+    return not any(selection.may_want(tool, id) for id in others)
+
+
+def with_queries(settings: Settings, known: Registry) -> Callable[[str], Mapping[str, Rule]]:
+    """The documented rules of each tool, with the queries of the project file as rules of ours."""
+    if not asks(settings):
+        return known.rules_of
+    from haros_ci.query.declared import rules
+
+    own_ones = {**known.rules_of(own.TOOL), **rules(settings.project)}
+    return lambda tool: own_ones if tool == own.TOOL else known.rules_of(tool)
+
+
+def confinement(runs: tuple[Run, ...], settings: Settings, told: Testimony | None) -> frozenset[str]:
+    """How linters are confined here or on the machines that have *told*, whether or not their answers were known already.
+
+    Empty if no linter has a part in *runs*.
+    """
+    if all(run.imported or run.tool.name == own.TOOL for run in runs):
+        return frozenset()
+    if told is not None:
+        return told.confined
+    from haros_ci.linters.sandbox import state
+
+    return frozenset({state(settings.trust_config)})

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether a word is a known one but for a slip of the hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+#: Letters left out, put in, exchanged or swapped in a word; in one of at most SHORT letters half of them.
+SLIPS = 2
+SHORT = 8
+LONGEST = 100  # characters of a word that is looked at
+
+
+def nearly(word: str, known: Iterable[str]) -> str | None:
+    """The known word that *word* is but for a slip or two."""
+    from difflib import get_close_matches
+
+    if len(word) > LONGEST:
+        return None
+    found = get_close_matches(word, sorted(known), n=1, cutoff=0.75)
+    allowed = SLIPS if len(word) > SHORT else SLIPS // 2
+    return found[0] if found and slips(word, found[0]) <= allowed else None
+
+
+def slips(one: str, other: str) -> int:
+    """How many letters were left out, put in, exchanged or swapped with their neighbour between two words."""
+    before, row = [0] * (len(other) + 1), list(range(len(other) + 1))
+    for i, letter in enumerate(one, start=1):
+        above, before, row = before, row, [i]
+        for j, wanted in enumerate(other, start=1):
+            cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (letter != wanted))
+            if i > 1 and j > 1 and letter == other[j - 2] and one[i - 2] == wanted:
+                cost = min(cost, above[j - 2] + 1)
+            row.append(cost)
+    return row[-1]

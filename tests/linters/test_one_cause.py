@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What cppcheck derives several times from one assumption is one finding."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.linters.one_cause import MOST, one_cause
+from haros_ci.model.location import Location
+from haros_ci.results.result import Related, Result
+from haros_ci.results.rule import Level
+
+BODY = "  use(a);\n" * 100
+TEXT = f"void first() {{\n{BODY}}}\nvoid second() {{\n{BODY}}}\n"
+SECOND = 105
+
+
+def found(
+    line: int, name: str, *because: int, rule: str = "containerOutOfBounds", level: Level = Level.WARNING
+) -> Result:
+    message = f"Out of bounds access in expression '{name}[i]' because '{name}' is empty."
+    related = tuple(Related(Location("a.cpp", each, 1), "assumed") for each in because)
+    return Result("cppcheck", rule, level, message, Location("a.cpp", line, 1), related)
+
+
+def lines(results: list[Result]) -> list[list[int | None]]:
+    return [[r.location.line, *(n.location.line for n in r.related)] for r in one_cause(results, lambda path: TEXT)]
+
+
+@pytest.mark.parametrize(
+    ("results", "expected"),
+    [
+        ([found(3, "p"), found(5, "p")], [[3, 5]]),
+        ([found(5, "p"), found(3, "p")], [[3, 5]]),
+        ([found(3, "p", 2), found(5, "q", 2)], [[3, 2, 5]]),  # one line explains both
+        ([found(3, "p"), found(4, "q"), found(8, "p", 6), found(9, "q", 6)], [[3, 4, 8, 9]]),  # a pair
+        ([found(3, "p"), found(5, "q")], [[3], [5]]),
+        ([found(3, "p", 2), found(5, "q", 4)], [[3, 2], [5, 4]]),
+        ([found(3, "p"), found(SECOND, "p")], [[3], [SECOND]]),  # another function's variable
+        ([found(3, "p"), found(5, "p", rule="nullPointer")], [[3], [5]]),
+        ([found(3, "p", rule="unusedVariable"), found(5, "p", rule="unusedVariable")], [[3], [5]]),
+        ([found(500, "p"), found(501, "p")], [[500], [501]]),  # in no function
+        ([], []),
+    ],
+)
+def test_findings_of_one_cause(results: list[Result], expected: list[list[int | None]]) -> None:
+    assert lines(results) == expected
+
+
+def test_the_worst_level_is_kept_and_the_others_are_quoted() -> None:
+    (only,) = one_cause([found(3, "p"), found(5, "p", level=Level.ERROR)], lambda path: TEXT)
+    assert only.level is Level.ERROR and only.related[0].message.startswith("Of the same cause: Out of bounds")
+
+
+def test_a_finding_names_so_many_places_at_most() -> None:
+    many = [found(line, "p") for line in range(2, 2 + 2 * (MOST + 1))]
+    assert [len(line) for line in lines(many)] == [MOST + 1, MOST + 1]
+
+
+def test_other_tools_pass_through() -> None:
+    other = Result("pylint", "nullPointer", Level.ERROR, "'p'", Location("a.cpp", 3))
+    assert one_cause([other, other], lambda path: TEXT) == (other, other)

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Messages of pylint that the text refutes, and those that it does not."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.linters.pylint_doubts import is_refuted
+
+CLICK = "import click\n\n@click.command()\n@click.option('--name')\ndef main(name):\n    print(name)\n\nmain()\n"
+REFUTED = [
+    ("no-value-for-parameter", CLICK, "main()"),
+    ("no-value-for-parameter", CLICK.replace("click.command()", "app.command"), "main()"),
+    ("no-value-for-parameter", "@mock.patch('a.b')\nasync def main(b):\n    pass\n\nx = main()\n", "x = main()"),
+    ("no-value-for-parameter", "@staticmethod\n@hydra.main(config_path='.')\ndef go(c):\n    pass\ngo()\n", "go()\n"),
+    (
+        "pointless-statement",
+        "def f(self):\n    self.s = 1\n    self.s  # prevent unused variable warning\n",
+        "self.s  #",
+    ),
+    ("pointless-statement", "    self.timer  # To avoid unused warnings\n", "self"),
+    ("pointless-statement", "with pytest.raises(ValueError):\n    stage.name\n", "stage"),
+    ("pointless-statement", "    with self.assertRaises(KeyError) as e:\n        a = 1\n\n        d['x']\n", "d["),
+    ("pointless-statement", "try:\n    unicode\nexcept NameError:\n    pass\n", "unicode"),
+]
+STANDS = [
+    ("no-value-for-parameter", "def main(name):\n    pass\n\nmain()\n", "main()\n"),
+    (
+        "no-value-for-parameter",
+        "class A:\n    @staticmethod\n    def main(name):\n        pass\n\nA.main()\n",
+        "A.main()",
+    ),
+    ("no-value-for-parameter", "@lru_cache()\ndef main(name):\n    pass\n\nmain()\n", "main()\n"),
+    ("no-value-for-parameter", CLICK + "other()\n", "other()"),
+    ("no-value-for-parameter", "@click.command()\nclass A:\n    pass\ndef main(name):\n    pass\nmain()\n", "main()\n"),
+    ("no-value-for-parameter", "x = yaml.load(f)\n", "yaml"),
+    ("pointless-statement", "def f(self):\n    self.s\n", "self.s\n"),
+    ("pointless-statement", "a == b  # compare\n", "a"),
+    ("pointless-statement", "if x:\n    rospy.spin\n", "rospy"),
+    ("pointless-statement", "with open(x) as f:\n    f.close\n", "f.close"),
+    ("pointless-statement", "with pytest.raises(A):\n    pass\nb.c\n", "b.c"),
+    ("undefined-variable", "self.s  # prevent unused variable warning\n", "self"),
+]
+
+
+def refuted(rule: str, text: str, at: str) -> bool:
+    before = text[: text.rindex(at)]
+    return is_refuted(rule, before.count("\n") + 1, len(before) - before.rfind("\n") - 1, text)
+
+
+@pytest.mark.parametrize(("rule", "text", "at"), REFUTED)
+def test_refuted(rule: str, text: str, at: str) -> None:
+    assert refuted(rule, text, at)
+
+
+@pytest.mark.parametrize(("rule", "text", "at"), STANDS)
+def test_stands(rule: str, text: str, at: str) -> None:
+    assert not refuted(rule, text, at)
+
+
+@pytest.mark.parametrize("line", [0, 7, -1])
+def test_a_line_that_is_not_there(line: int) -> None:
+    assert not is_refuted("pointless-statement", line, 0, "a\n")
+    assert not is_refuted("no-value-for-parameter", line, 0, "a\n")
