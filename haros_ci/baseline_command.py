@@ -14,21 +14,60 @@ from haros_ci.cli import EXIT_TOOL_TROUBLE
 from haros_ci.commands import Flags, run, settings_from
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
-from haros_ci.output import write
 from haros_ci.results.result import Report
 from haros_ci.results.rule import Level
+from haros_ci.writing import write
 
 if TYPE_CHECKING:
     from haros_ci.results.known import Known, Sides
 
 
 def create(flags: Flags) -> int:
-    """``haros-ci baseline create``: today's findings become known; an existing file is written anew."""
+    """``haros-ci baseline create``: today's findings become known; a file that holds any is written anew under ``--force`` only."""
+    from haros_ci.results.compact import write_compact
     from haros_ci.results.known import known_from_results
 
-    _, report, _ = examined(flags)
+    settings, report, sides = examined(flags)
     known = known_from_results(report.results)
+    path = baseline_path(flags, settings)
+    if not flags["force"] and not report.failed_tools() and _holds_another(path, write_compact(known)):
+        help = "'haros-ci baseline update --accept-new' adds to it and keeps its reasons; '--force' writes it anew"
+        raise UserError(f"{path} exists already. {_difference(path, settings, report, sides)}", help=help)
     return keep(flags, known, report, f"{len(known)} findings are known now")
+
+
+def _holds_another(path: Path, text: str) -> bool:
+    """Whether a file with other contents stands there; devices, pipes and files that mktemp has made hold nothing.
+
+    Nor do links: whoever writes refuses them.
+    """
+    return not path.is_symlink() and path.is_file() and path.stat().st_size > 0 and path.read_bytes() != text.encode()
+
+
+def _difference(path: Path, settings: Settings, report: Report, sides: Sides) -> str:
+    """What a baseline of *report* would add to the one at *path*, what it would take away."""
+    from haros_ci.report.summary import plural
+    from haros_ci.report.text import one_line
+    from haros_ci.results.counted import is_set_aside
+    from haros_ci.results.pairing import pair
+
+    try:
+        before = known_findings(replace(settings, baseline=str(path), baseline_rev=None))
+    except UserError:
+        return "It holds no known findings that can be read, so it may be something else"
+    open_ones = [result for result in report.results if not is_set_aside(result)]
+    pairs = pair(open_ones, before, sides)
+    taken = {found.new for found in pairs}
+    new = [result for index, result in enumerate(open_ones) if index not in taken]
+    reasons = sum(bool(known.reason) for known in before)
+    said = [
+        f"To write it anew would add {plural(len(new), 'finding')}",
+        f"take away {plural(len(before) - len(pairs), 'finding')}",
+    ]
+    if reasons:
+        said.append(f"lose the reasons of {plural(reasons, 'finding')}")
+    first = f"; the first one to be added: {one_line(new[0])}" if new else ""
+    return f"{', '.join(said[:-1])} and {said[-1]}{first}"
 
 
 def update(flags: Flags) -> int:

@@ -18,7 +18,7 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Baseline, Notification, Result, Run
 from haros_ci.results.rule import Level
 from haros_ci.workspace.files import TooLarge, read_regular
-from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at
+from haros_ci.workspace.git import BaselineUnavailable
 
 if TYPE_CHECKING:
     from haros_ci.results.known import Known, Sides
@@ -29,6 +29,11 @@ COMPACT_NAME = ".haros-ci-baseline.jsonl"
 
 #: The largest log or baseline that is read, in bytes.
 MAX_BYTES = 64_000_000
+
+NO_SETTINGS = (
+    "Settings files of linters do not count in this run: they are read from the base revision, which cannot be had. "
+    "Every linter runs with its own defaults."
+)
 
 Examine = Callable[[Workspace], tuple[Run, ...]]
 
@@ -48,6 +53,9 @@ def at_base(workspace: Workspace, settings: Settings) -> Iterator[Base | Baselin
     if settings.baseline_rev is None:
         yield None
         return
+    if settings.base_missing:
+        yield BaselineUnavailable(settings.without_base)
+        return
     from haros_ci.workspace.base import base_workspace
 
     with ExitStack() as stack:
@@ -61,11 +69,26 @@ def at_base(workspace: Workspace, settings: Settings) -> Iterator[Base | Baselin
                     exclude=settings.exclude,
                     max_file_size=settings.max_file_size,
                     also=settings.claims,
+                    trusted=settings.trust_config,
                 )
             )
         except BaselineUnavailable as err:
             found = err
         yield found
+
+
+def settled(workspace: Workspace, settings: Settings, base: Base | BaselineUnavailable | None) -> Workspace:
+    """*workspace* with the linters' settings of the base revision, so that a change cannot bring its own.
+
+    Where the base revision cannot be had no settings file counts. A workspace that is trusted keeps its own.
+    """
+    if base is None or settings.trust_config:
+        return workspace
+    if isinstance(base, BaselineUnavailable):
+        from haros_ci.workspace.base_settings import no_settings
+
+        return replace(workspace, settings=no_settings(workspace.root))
+    return replace(workspace, settings=base.settings)
 
 
 def compare(
@@ -83,19 +106,26 @@ def compare(
     """
     try:
         if settings.baseline is not None:
-            return _against_file(runs, workspace, settings)
+            return _against_file(runs, workspace, settings, base)
         if isinstance(base, BaselineUnavailable):
             raise base
         if settings.baseline_rev is not None and base is not None:
             return _against_revision(runs, workspace, settings, settings.baseline_rev, base, examine)
     except BaselineUnavailable as err:
         source = settings.baseline_rev or settings.baseline or ""
+        notes = [_no_baseline(str(err))]
+        if isinstance(base, BaselineUnavailable) and not settings.trust_config:
+            notes.append(Notification(Level.NOTE, NO_SETTINGS, configuration=True))
         return Comparison(
             runs,
             Baseline("revision", source, available=False, message=str(err)),
-            (Notification(Level.WARNING, f"No baseline: {err}", configuration=True),),
+            tuple(notes),
         )
     return Comparison(runs)
+
+
+def _no_baseline(why: str) -> Notification:
+    return Notification(Level.WARNING, f"No baseline: {why}", configuration=True)
 
 
 def known_findings(settings: Settings) -> tuple[Known, ...]:
@@ -172,13 +202,16 @@ def sides(
     )
 
 
-def _against_file(runs: tuple[Run, ...], workspace: Workspace, settings: Settings) -> Comparison:
+def _against_file(
+    runs: tuple[Run, ...], workspace: Workspace, settings: Settings, base: Base | BaselineUnavailable | None
+) -> Comparison:
     known, past = _held(settings)
+    missing = (_no_baseline(str(base)),) if isinstance(base, BaselineUnavailable) else ()
     kind = "file" if settings.baseline_rev is None else "file at revision"
     return Comparison(
         _matched(runs, known, sides(workspace, runs, settings.paths, past=past)),
         Baseline(kind, settings.baseline or ""),
-        _difference(settings),
+        (*missing, *_difference(settings)),
     )
 
 
@@ -242,12 +275,28 @@ def _order(result: Result) -> tuple[object, ...]:
 def _bytes_of(settings: Settings) -> bytes:
     name = settings.baseline or ""
     path = settings.root / name
-    if settings.baseline_rev is not None and not Path(name).is_absolute():
-        data = read_at(settings.root, merge_base(settings.root, settings.baseline_rev), name)
-        if data is None:
-            raise BaselineUnavailable(f"{name} is not in the base revision")
-        return data
+    if settings.baseline_rev is not None:
+        data = _bytes_at_base(path, name, settings)
+        if data is not None:
+            return data
     return read_input(path, name)
+
+
+def _bytes_at_base(path: Path, name: str, settings: Settings) -> bytes | None:
+    """A baseline file as it is in the base revision; None if no change could bring it."""
+    from haros_ci.workspace.base_commit import base_commit
+
+    if settings.base_missing:
+        if path.is_relative_to(settings.root):
+            raise BaselineUnavailable(settings.without_base)
+        return None
+    base = base_commit(settings.root, settings.baseline_rev or "")
+    if not base.holds(path):
+        return None
+    data = base.read(path)
+    if data is None:
+        raise BaselineUnavailable(f"{name} is not in the base revision")
+    return data
 
 
 def read_input(path: Path, name: str) -> bytes:

@@ -8,10 +8,19 @@ from pathlib import Path
 import click
 
 from haros_ci.cli import EXIT_TOOL_TROUBLE
-from haros_ci.commands import Flags, Progress, renderers_of, reported, settings_from, under_cache
+from haros_ci.commands import (
+    Flags,
+    Progress,
+    demand_base,
+    demand_baseline,
+    renderers_of,
+    reported,
+    settings_from,
+    under_cache,
+)
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.output import parse_outputs, write
+from haros_ci.output import parse_outputs
 from haros_ci.report.escape import terminal
 from haros_ci.results.result import Report
 from haros_ci.shards import costs, shard_file
@@ -20,11 +29,13 @@ from haros_ci.shards.joining import OtherSettings, join
 from haros_ci.shards.shard import Shard, ShardError
 from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.workspace.files import TooLarge, read_regular
+from haros_ci.writing import write
 
 
 def merge(flags: Flags) -> int:
     """Join, report, and give the exit code of a check. 3, and no report, where shards do not make a whole."""
     settings = settings_from(flags)
+    demand_base(settings)
     renderers = renderers_of(settings)
     outputs = parse_outputs(flags["output"], renderers)
     try:
@@ -47,6 +58,7 @@ def merge(flags: Flags) -> int:
         if err.help:
             click.echo(f"help: {terminal(err.help)}", err=True)
         return EXIT_TOOL_TROUBLE
+    demand_baseline(report, settings)
     code = reported(report, workspace, outputs, renderers, settings, flags)
     if flags["write_costs"]:
         write(costs.written(joined.costs), Path(flags["write_costs"]))

@@ -8,14 +8,14 @@ from pathlib import Path
 import click
 
 from haros_ci.baselines import read_input
-from haros_ci.commands import Flags, Progress, settings_from, under_cache
+from haros_ci.commands import Flags, Progress, demand_base, settings_from, under_cache, warn_of_missing_base
 from haros_ci.errors import UserError
-from haros_ci.output import write
 from haros_ci.report.escape import terminal
 from haros_ci.shards import costs, shard_file
 from haros_ci.shards.division import MOST_SHARDS, parse_shard
 from haros_ci.shards.shard import Shard
 from haros_ci.workspace.cache import DiskCache, MemoryCache
+from haros_ci.writing import write
 
 
 def shard(flags: Flags) -> int:
@@ -28,6 +28,8 @@ def shard(flags: Flags) -> int:
         )
     number, of = parsed
     settings = settings_from(flags)
+    demand_base(settings)
+    warn_of_missing_base(settings)
     remembered = costs_of(flags["shard_costs"])
 
     def work(store: DiskCache | MemoryCache, progress: Progress) -> tuple[Shard, tuple[str, ...]]:

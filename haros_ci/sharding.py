@@ -10,14 +10,16 @@ from collections.abc import Iterable, Iterator
 from dataclasses import fields, replace
 
 from haros_ci import __version__
-from haros_ci.baselines import at_base
+from haros_ci.baselines import at_base, settled
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.inspection import Architectures, inspected, is_inspected
+from haros_ci.linters import sandbox
 from haros_ci.linters.part import Noted, answers
 from haros_ci.linters.portions import portions
 from haros_ci.linters.recorded import Recorded, Testimony, Unanswered
 from haros_ci.linters.work import Digests, Work, works
+from haros_ci.linting import lint_options
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.pipeline import (
     ARCHITECTURE,
@@ -26,7 +28,6 @@ from haros_ci.pipeline import (
     analyse,
     found,
     has_structure,
-    lint_options,
     narrowed,
     own_run,
     selection_of,
@@ -54,6 +55,7 @@ _REPORTING = frozenset(
         "imports",
         "baseline",
         "baseline_rev",
+        "base_missing",
         "require_baseline",
         "allow_tool_failure",
         "cache_dir",
@@ -84,6 +86,7 @@ def part(
     options = lint_options(settings, known)
     with at_base(head, settings) as base:
         past = base if isinstance(base, Base) else None
+        head = settled(head, settings, base)
         sides = [head] if past is None else [head, narrowed(past.workspace, settings, selection)]
         noted = [Noted() for _ in sides]
         digests = [Digests(side) for side in sides]
@@ -123,6 +126,7 @@ def part(
             settings=settings_digests(settings, known),
             tools=tuple(_had(noted)),
             plan=plan_digest(jobs, given, of),
+            confined=sandbox.state(settings.trust_config),
         )
     return Shard(header, tuple(said.values()), tuple(failed), runs), _trouble(planned, failed, runs)
 
@@ -153,7 +157,8 @@ def _testimony(joined: Joined, side: str) -> Testimony:
     recorded = Recorded(
         joined.versions(side), joined.fingerprints(side), joined.answers, joined.failures, joined.errors(side)
     )
-    return Testimony(recorded, {name: run for (name, where), run in joined.wholes.items() if where == side})
+    wholes = {name: run for (name, where), run in joined.wholes.items() if where == side}
+    return Testimony(recorded, wholes, joined.confined)
 
 
 def content_digest(workspace: Workspace) -> str:

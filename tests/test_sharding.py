@@ -15,6 +15,7 @@ import pytest
 from commandline import commit, write
 
 from haros_ci.cli import main
+from haros_ci.linters.sandbox import protection
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 FORMATS = ("sarif", "json", "text", "github")
@@ -302,6 +303,32 @@ def test_a_tool_that_is_missing_everywhere_is_missing_when_shards_are_joined(
         files = small.shards(2)
     assert expected[0] == 3
     assert small.merged(files) == expected
+
+
+def test_how_linters_were_confined_is_said_of_the_machines_that_ran_them(
+    small: Place, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Not of the one that joins; where they differ, the weakest way counts."""
+    with monkeypatch.context() as patched:
+        patched.setenv("HAROS_CI_SANDBOX", "off")
+        protection.cache_clear()
+        files = small.shards(2, cache="--no-cache")
+        expected = small.whole()
+    protection.cache_clear()
+    assert b"Linters run without a sandbox, as HAROS_CI_SANDBOX is off." in expected[1]["text"]
+    assert small.merged(files) == expected
+    mixed = small.out / "mixed.jsonl"
+    header, _, rest = Path(files[0]).read_text().partition("\n")
+    assert json.loads(header)["confined"] == "off"
+    mixed.write_text(header.replace('"confined":"off"', '"confined":"files-network"') + "\n" + rest)
+    _, written = small.merged([str(mixed), files[1]])
+    assert b"On a part of the machines: Linters run without a sandbox, as HAROS_CI_SANDBOX is off." in written["text"]
+    files = small.shards(2, cache="--no-cache")
+    with monkeypatch.context() as patched:  # the machine that joins does not count
+        patched.setenv("HAROS_CI_SANDBOX", "off")
+        protection.cache_clear()
+        assert b"HAROS_CI_SANDBOX" not in small.merged(files)[1]["text"]
+    protection.cache_clear()
 
 
 def test_no_tool_is_needed_where_shards_are_joined(small: Place, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -46,6 +46,8 @@ def _values(settings: Settings) -> Iterator[str]:
     yield line("baseline", settings.baseline)
     if settings.baseline_rev:
         yield line("baseline-rev", settings.baseline_rev)
+    if settings.without_base:
+        yield f"# No baseline: {_quoted(settings.without_base)[1:-1]}"
     yield line("plugins", settings.plugins)
     yield from (line(key, names) for key, names in _model(settings.project))
     yield f"trust-config: {_shown(settings.trust_config)}"

@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from haros_ci.config.selector import unknown_packages
 from haros_ci.config.settings import Exemption, Policy, Settings
 from haros_ci.config.shapes import File, Named, kind
 from haros_ci.config.yaml_lines import Value
@@ -99,13 +98,13 @@ def _idle(runs: Iterable[Run], settings: Settings) -> tuple[str, ...]:
 
 
 def idle_entries(runs: Iterable[Run], workspace: Workspace, settings: Settings) -> tuple[str, ...]:
-    """Notes on entries of the project file that are for nothing, where the whole workspace was analysed as the file says."""
+    """Notes on exceptions that are for nothing, where the whole workspace was analysed as the file says."""
+    if not settings.exemptions:
+        return ()
     whole = workspace.targets is None and settings.paths == (".",) and all(run.successful for run in runs)
     as_told = settings.command_line == Policy() and dict(settings.origins).get("profile") != "command line"
     everything_ran = settings.trust_config or not settings.declared
-    if not whole or not as_told or not everything_ran:
-        return ()
-    return (*_idle(runs, settings), *unknown_packages(settings, (package.name for package in workspace.packages)))
+    return _idle(runs, settings) if whole and as_told and everything_ran else ()
 
 
 class _Fits:

@@ -158,7 +158,9 @@ def _check_configurations(file: File, value: Value) -> None:
             if "hints" in entries:
                 file.map(entries["hints"], f"'hints' of {what}", "hints: {nodes: {/node: {…}}}")
             if "closed" in entries and not isinstance(entries["closed"].data, bool | None):
-                raise file.error(entries["closed"].line, f"'closed' of {what} is neither true nor false", "closed: true")
+                raise file.error(
+                    entries["closed"].line, f"'closed' of {what} is neither true nor false", "closed: true"
+                )
             for key, example in (("args", "args: {robot: kobuki}"), ("environment", "environment: {ROBOT: kobuki}")):
                 if key in entries:
                     _check_scalars(file, entries[key], f"'{key}' of {what}", example)

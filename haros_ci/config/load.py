@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from haros_ci.config.settings import PROFILES, Policy, Settings
 from haros_ci.config.suggestion import quoted, suggestion
@@ -19,6 +19,18 @@ from haros_ci.results.rule import Level
 FILE_NAMES = (".haros-ci.yaml", "haros.yaml")
 
 Read = Callable[[Path], bytes | None]
+
+
+class Base(Protocol):
+    """The base revision of a change (``workspace.base_commit.BaseCommit``)."""
+
+    def holds(self, path: Path) -> bool:
+        """Whether a change could bring the file at *path*, absolute."""
+        ...
+
+    def read(self, path: Path) -> bytes | None:
+        """Such a file as it is in the base revision, None if it is not there."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,24 +47,28 @@ def load(
     start: Path | None = None,
     project: Path | None = None,
     isolated: bool = False,
-    read: Read | None = None,
+    base: Base | None = None,
+    base_missing: str = "",
     trust_config: bool = False,
     command_line: Mapping[str, Any] | None = None,
 ) -> Settings:
     """The settings of a run on the workspace at *root* (absolute); UserError for the user's mistakes.
 
     The project file is *project*, or else the first of FILE_NAMES in *start* (default: the root) or a directory above
-    it, up to the root; one file, never merged with another. *isolated* reads none. *read* gives the bytes of a file
-    below the root at the base revision, None if it is not there; without it files are read from disk.
+    it, up to the root; one file, never merged with another. *isolated* reads none. With *base* a file that a change could
+    bring is read from there, without it from disk. *base_missing* says why a base that was asked for cannot be had: then no file below the
+    root counts.
 
     *command_line* holds flags by their Python name, those not given None or empty; keys that are no setting are passed
     over. Its values beat per-path ones, those the file's, and those the profile; ``exclude`` and ``plugins`` add up.
     """
-    settings = Settings(root=root, trust_config=trust_config)
+    settings = Settings(root=root, trust_config=trust_config, base_missing=base_missing)
     if isolated and project is not None:
         raise UserError("--isolated and --project exclude each other", help="leave one of them out")
     if not isolated:
-        found, notes = _find(root, start or root, project, read)
+        found, notes = _find(
+            root, start or root, project, _Past(root, base, base_missing) if base or base_missing else None
+        )
         if found is not None:
             from haros_ci.config.project import read_project
 
@@ -63,47 +79,64 @@ def load(
     return _with_flags(settings, command_line or {})
 
 
-def _find(root: Path, start: Path, project: Path | None, read: Read | None) -> tuple[Found | None, tuple[str, ...]]:
+@dataclass(frozen=True, slots=True)
+class _Past:
+    """Where project files are read that a change could bring; *missing* says why they cannot be."""
+
+    root: Path
+    base: Base | None
+    missing: str
+
+    def holds(self, path: Path) -> bool:
+        """Whether the file at *path*, absolute, is not to be read from disk."""
+        return path.is_relative_to(self.root) if self.base is None else self.base.holds(path)
+
+    def read(self, path: Path) -> bytes | None:
+        """The bytes of the file at *path* as they count; None if there is none."""
+        if not self.holds(path):
+            return _from_disk(path, self.root)
+        return None if self.base is None else self.base.read(path)
+
+    def difference(self, base: Found | None, head: Found | None) -> tuple[str, ...]:
+        """What a change does to the settings takes effect once it is in the base revision, and is said until then."""
+        if base == head:
+            return ()
+        if base is None:
+            assert head is not None
+            if self.missing:
+                return (f"{head.name} does not count: it cannot be compared with that of the base revision",)
+            return (f"{head.name} is not in the base revision: it has no effect until it is",)
+        if head is None:
+            return (f"{base.name} is removed here; this run still uses the base revision's",)
+        return (f"{head.name} differs from the base revision's {base.name}, which this run uses",)
+
+
+def _find(root: Path, start: Path, project: Path | None, past: _Past | None) -> tuple[Found | None, tuple[str, ...]]:
     """The project file that counts, and what is to be said of the choice."""
     if project is not None:
-        return _named(root, project, read)
-    if read is None:
+        return _named(root, project, past)
+    if past is None:
         return _discover(root, start, lambda path: _from_disk(path, root)), ()
-    base = _discover(root, start, read)
+    base = _discover(root, start, past.read)
     try:
         head = _discover(root, start, lambda path: _from_disk(path, root))
     except UserError:  # the head's file is not used, so what is wrong with it matters only as a difference
         head = Found("the project file", b"")
-    return base, _difference(base, head)
+    return base, past.difference(base, head)
 
 
-def _named(root: Path, project: Path, read: Read | None) -> tuple[Found | None, tuple[str, ...]]:
+def _named(root: Path, project: Path, past: _Past | None) -> tuple[Found | None, tuple[str, ...]]:
     path = Path(os.path.abspath(project))
-    inside = path.is_relative_to(root)
-    name = path.relative_to(root).as_posix() if inside else str(project)
+    name = path.relative_to(root).as_posix() if path.is_relative_to(root) else str(project)
     here = _from_disk(path)
     head = None if here is None else Found(name, here)
-    if read is None or not inside:
-        if head is None:
-            raise UserError(f"{project}: no such project file", help="give --project the path of a YAML file")
-        return head, ()
-    data = read(path)
-    base = None if data is None else Found(name, data)
+    base = head
+    if past is not None and past.holds(path):
+        data = past.read(path)
+        base = None if data is None else Found(name, data)
     if base is None and head is None:
         raise UserError(f"{project}: no such project file", help="give --project the path of a YAML file")
-    return base, _difference(base, head)
-
-
-def _difference(base: Found | None, head: Found | None) -> tuple[str, ...]:
-    """What a change does to the settings takes effect once it is in the base revision, and is said until then."""
-    if base == head:
-        return ()
-    if base is None:
-        assert head is not None
-        return (f"{head.name} is not in the base revision: it has no effect until it is",)
-    if head is None:
-        return (f"{base.name} is removed here; this run still uses the base revision's",)
-    return (f"{head.name} differs from the base revision's {base.name}, which this run uses",)
+    return base, past.difference(base, head) if past else ()
 
 
 def _discover(root: Path, start: Path, read: Read) -> Found | None:
@@ -162,7 +195,9 @@ def _with_flags(settings: Settings, flags: Mapping[str, Any]) -> Settings:
             changes[name] = _below(settings.root, flags[name])
     if flags.get("no_baseline") and "baseline" not in changes:
         changes["baseline"] = None
-    for name in ("baseline_rev", "require_baseline", "jobs", "cache_dir"):
+    if flags.get("require_baseline") is not None:
+        changes["require_baseline"] = flags["require_baseline"]
+    for name in ("baseline_rev", "jobs", "cache_dir"):
         if flags.get(name):
             changes[name] = flags[name]
     changes |= _plugins(settings, flags)

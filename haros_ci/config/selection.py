@@ -46,12 +46,15 @@ class Selection:
         catalogue: Catalogue,
         unlisted: Callable[[str, str], Rule] | None = None,
         package: Callable[[str], str | None] | None = None,
+        slip: Callable[[str], str] = lambda selector: "",
     ) -> None:
         """*catalogue* gives the documented rules of a tool by id, empty for a tool it does not know.
 
         *unlisted* makes a rule of a tool and an id that the catalogue lacks; without it such a rule has no profiles, so
-        that only ``all`` or a selector turns it on. *package* tells the package of a path, for ``per-package``.
+        that only ``all`` or a selector turns it on. *package* tells the package of a path, for ``per-package``; *slip* which rule a misspelt
+        selector of a comment means (``selector.slip_finder``).
         """
+        self.slip = slip
         self._package = package
         self._settings = settings
         self._catalogue = catalogue
@@ -73,7 +76,7 @@ class Selection:
 
     def over(self, package: Callable[[str], str | None]) -> Selection:
         """The same settings for a workspace whose packages *package* tells."""
-        return Selection(self._settings, self._catalogue, self._unlisted, package)
+        return Selection(self._settings, self._catalogue, self._unlisted, package, self.slip)
 
     def wants(self, tool: str, rule: str | Rule, path: str) -> bool:
         """Whether *rule* is on in the file *path*."""
@@ -83,6 +86,34 @@ class Selection:
         """Whether one of *rules* is on in one of the files; where no entry is for some files only, one tells of all."""
         asked = tuple(paths) if self._settings.local else tuple(islice(paths, 1))
         return any(self.wants(tool, rule, path) for rule in rules for path in asked)
+
+    def may_want(self, tool: str, rule: str | Rule) -> bool:
+        """Whether *rule* can be on in any file, whatever packages and paths there are; True where that is not certain."""
+        settings, rule = self._settings, self.rule(tool, rule)
+        state = _State(settings.profile == "all" or settings.profile in rule.profiles)
+        state = _apply(settings.policy, tool, rule, state)
+        for entry in settings.local:
+            selectors = (*entry.policy.select, *(selector for selector, level in entry.policy.levels if level))
+            if entry.profile or _best(selectors, tool, rule) > NO_MATCH:
+                state = _State(True)
+        state = _apply(settings.command_line, tool, rule, state)
+        return state.on and not state.off
+
+    def given_level(self, tool: str, rule: str | Rule, path: str) -> Level | None:
+        """The level that the settings give *rule* in the file *path*, None if they leave it as it is."""
+        return self._decision(tool, rule, path)[1]
+
+    def is_asked_for(self, tool: str, rule: str | Rule, path: str) -> bool:
+        """Whether the settings ask for *rule* in *path* by more than a profile that shows what is wrong.
+
+        That is by another profile, or by a selector or a level.
+        """
+        rule, zone = self.rule(tool, rule), self._zone(path) if self._settings.local else ()
+        local = [self._settings.local[i] for i in zone]
+        profile = next((entry.profile for entry in reversed(local) if entry.profile), self._settings.profile)
+        policies = (self._settings.policy, *(entry.policy for entry in local), self._settings.command_line)
+        named = (selector for policy in policies for selector in (*policy.select, *(name for name, _ in policy.levels)))
+        return profile not in WITHOUT_HINTS or any(rank(selector, tool, rule) > NO_MATCH for selector in named)
 
     def rule(self, tool: str, rule: str | Rule) -> Rule:
         """*rule* itself, or the catalogue's rule of that id, or one made for it."""

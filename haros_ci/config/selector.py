@@ -9,12 +9,15 @@ from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.config.suggestion import did_you_mean, nearest, quoted, suggestion
 from haros_ci.errors import UserError
 from haros_ci.model.globs import compiled
+from haros_ci.model.slips import nearly
 from haros_ci.results.rule import Rule
 
 #: How specific a match is: larger is more specific; the second number tells globs apart.
 Rank = tuple[int, int]
 NO_MATCH: Rank = (-1, 0)
 MAX_NOTES = 20
+#: What is to be said against an id as a rule of a tool: whether it must be a mistake, and a help text; None where nothing is.
+Doubt = Callable[[str, str], tuple[bool, str] | None]
 _EVERYTHING, _TOOL_OR_TAG, _GLOB, _ALIAS, _ID, _FULL_ID = range(6)
 _HAROS = "haros_plugin_"
 
@@ -62,11 +65,13 @@ def check_selectors(
     linters: Iterable[str] = (),
     unserved: Collection[str] = (),
     open_tools: Collection[str] = (),
+    doubt: Doubt = lambda tool, id: None,
+    identifiers: Callable[[str], Collection[str]] = lambda tool: (),
 ) -> tuple[str, ...]:
     """Notes on selectors that name nothing here; UserError for one that is misspelt.
 
-    *tools* are the names that results carry, *open_tools* those whose catalogue may lack rules: of them any ``tool:id``
-    is good. *linters* are the names for the ``linters`` key, where they are not *tools*.
+    *tools* are the names that results carry, *open_tools* those whose catalogue may lack rules: of their ids *doubt* judges, and
+    *identifiers* are those that are known of them beside the catalogue. *linters* are the names for the ``linters`` key, where they are not *tools*.
     *unserved* are HAROS ids and tags without a rule here. A HAROS ignore list may name anything, as in HAROS: that is a
     note. So is a ``tool:id`` of a tool that is none of ours, which may be for an imported log.
     """
@@ -80,7 +85,7 @@ def check_selectors(
     written = _written(settings)
     if not written:
         return ()
-    known = _Known(names, catalogue, open_tools)
+    known = _Known(names, catalogue, open_tools, identifiers)
     idle: list[str] = []
     notes: list[str] = []
     for selector in written:
@@ -94,6 +99,18 @@ def check_selectors(
             notes.append(f"{where}: no rule or tag {quoted(selector)} here" + (f"; {near}" if near else ""))
         elif ":" in selector and not known.is_ours(selector) and not nearest(selector.partition(":")[0], names):
             notes.append(f"{where}: {quoted(selector)} can only match in an imported log: no tool here has that name")
+        elif tool := known.open_tool(selector):
+            rest = selector.partition(":")[2]
+            against = doubt(tool, rest) if len(notes) < MAX_NOTES and not is_glob(rest) else None
+            if is_glob(rest) and identifiers(tool):
+                against = False, ""
+            if against is not None and against[0]:
+                message = f"{where}: {tool} has no rule {quoted(rest)}"
+                raise UserError(message, help=against[1] or "haros-ci rules lists every rule; ids are case-sensitive")
+            if against is not None:
+                notes.append(
+                    f"{where}: {quoted(selector)} names no rule of {tool} that haros-ci knows: it has no effect unless {tool} reports one of that name"
+                )
         else:
             what = "no rule matches" if is_glob(selector) else "unknown rule or tag"
             raise UserError(f"{where}: {what} {quoted(selector)}", help=known.help(selector))
@@ -102,6 +119,40 @@ def check_selectors(
     if len(notes) > MAX_NOTES + 1:
         notes[MAX_NOTES:] = [f"and {len(notes) - MAX_NOTES} more notes on selectors"]
     return tuple(notes)
+
+
+def slip_finder(
+    settings: Settings,
+    catalogue: Callable[[str], Mapping[str, Rule]],
+    tools: Iterable[str],
+    *,
+    unserved: Collection[str] = (),
+    open_tools: Collection[str] = (),
+    doubt: Doubt = lambda tool, id: None,
+    identifiers: Callable[[str], Collection[str]] = lambda tool: (),
+) -> Callable[[str], str]:
+    """What tells of a selector in a comment which rule was meant, "" where it is no misspelt one; the arguments are those of check_selectors.
+
+    A comment may name what only another run knows: a query, a plug-in's rule, a rule of an imported log. So a word is misspelt only
+    if it is a known one but for a slip, or if it stands behind the name of a tool and the tool can have no such rule.
+    """
+    names = tuple(sorted(tools))
+    known: list[_Known] = []  # made when first needed
+
+    def slip(selector: str) -> str:
+        if not known:
+            known.append(_Known(names, catalogue, open_tools, identifiers))
+        if is_glob(selector) or selector.startswith("user:") or known[0].names_something(selector):
+            return ""
+        if selector in unserved or selector.removeprefix(_HAROS).partition(":")[2] in unserved:
+            return ""
+        if tool := known[0].open_tool(selector):
+            against = doubt(tool, selector.partition(":")[2])
+            return against[1] if against is not None and against[0] else ""
+        near = nearly(selector, known[0].words)
+        return f"did you mean {near!r}?" if near else ""
+
+    return slip
 
 
 def unknown_packages(settings: Settings, packages: Iterable[str]) -> tuple[str, ...]:
@@ -134,10 +185,15 @@ class _Known:
     """Every name that a selector can have, gathered once."""
 
     def __init__(
-        self, tools: tuple[str, ...], catalogue: Callable[[str], Mapping[str, Rule]], open_tools: Collection[str]
+        self,
+        tools: tuple[str, ...],
+        catalogue: Callable[[str], Mapping[str, Rule]],
+        open_tools: Collection[str],
+        identifiers: Callable[[str], Collection[str]],
     ) -> None:
         self.tools = tools
         self.open_tools = open_tools
+        self.identifiers = identifiers
         self.rules = [(tool, rule) for tool in tools for rule in catalogue(tool).values()]
         self.words = {*tools}
         for tool, rule in self.rules:
@@ -146,10 +202,20 @@ class _Known:
     def names_something(self, selector: str) -> bool:
         if selector in self.words or selector == "*":
             return True
-        tool = selector.partition(":")[0].removeprefix(_HAROS)
-        if tool in self.open_tools:
+        if any(rank(selector, tool, rule) > NO_MATCH for tool, rule in self.rules):
             return True
-        return any(rank(selector, tool, rule) > NO_MATCH for tool, rule in self.rules)
+        tool = self.open_tool(selector)
+        word = selector.partition(":")[2] if tool else selector
+        known = [self.identifiers(each) for each in ((tool,) if tool else self.open_tools)]
+        if is_glob(word):
+            match = compiled(word)
+            return any(match(name) for names in known for name in names)
+        return (bool(tool) and not word) or any(word in names for names in known)
+
+    def open_tool(self, selector: str) -> str:
+        """The tool in front of *selector* if its catalogue may lack rules, else ""."""
+        tool = selector.partition(":")[0].removeprefix(_HAROS)
+        return tool if tool in self.open_tools and ":" in selector else ""
 
     def is_ours(self, selector: str) -> bool:
         return selector.partition(":")[0].removeprefix(_HAROS) in (*self.tools, "user")

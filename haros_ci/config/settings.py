@@ -83,6 +83,9 @@ class Settings:
 
     ``root`` is absolute; ``paths`` are POSIX-style, relative to it (``.`` is all of it). ``fail_on`` None never fails.
     ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
+    ``base_missing`` says why the base revision that was asked for cannot be had, "" if it can or none was: then nothing that a change could
+    have brought counts, neither project file nor settings of tools nor marker files.
+    ``require_baseline`` None: a baseline need not be asked for, but one that is asked for must be had; False: it need not be had either.
     ``project`` is the project file as plain data. ``packages`` are the packages to analyse, empty for all.
     ``ignore_files`` are HAROS patterns on ``<package>/<path in package>`` (``Selection.ignores_file`` matches them).
     ``plugins`` are modules, those of the command line and the environment before those that a trusted project file names;
@@ -117,7 +120,8 @@ class Settings:
     imports: tuple[str, ...] = ()
     baseline: str | None = None
     baseline_rev: str | None = None
-    require_baseline: bool = False
+    base_missing: str = ""
+    require_baseline: bool | None = None
     allow_tool_failure: frozenset[str] = frozenset()
     trust_config: bool = False
     cache_dir: Path | None = None  # None: no cache on disk
@@ -130,6 +134,16 @@ class Settings:
     plugin_blacklist: tuple[str, ...] = ()
     plugin_export: str | None = None
     origins: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def without_base(self) -> str:
+        """Why there is no base revision, and what is used instead of what it would say; "" where it is not missing."""
+        if not self.base_missing:
+            return ""
+        return (
+            f"{self.base_missing.rstrip('.')}. The defaults and the command line are used: the project file, the baseline file "
+            "and the marker files of this checkout do not count, as the change may have brought them"
+        )
 
     @property
     def local(self) -> tuple[LocalPolicy, ...]:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 
 from haros_ci.config.suggestion import did_you_mean, quoted, suggestion
@@ -13,6 +12,9 @@ from haros_ci.model import globs
 
 MAX_NOTES = 20
 MAX_ENTRIES = 1_000
+#: The largest numbers by their unit: what clocks and limits of processes can hold, with room to spare.
+LARGEST = {"seconds": 1_000_000}
+LARGEST_COUNT = 1_000_000_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,8 +121,11 @@ class File:
         number = value.data
         if isinstance(number, bool) or not isinstance(number, (int, float)):
             raise self.error(value.line, f"{what} must be a number of {unit}, not {kind(value)}", "write a bare number")
-        if not (math.isfinite(number) and number > 0):
+        if not (number == number and number > 0):
             raise self.error(value.line, f"{what} must be above 0, not {quoted(number)}", f"write a number of {unit}")
+        if number > LARGEST.get(unit, LARGEST_COUNT):
+            most = f"{LARGEST.get(unit, LARGEST_COUNT):,}"
+            raise self.error(value.line, f"{what} is too large a number of {unit}", f"write at most {most}")
         return number
 
     def count(self, value: Value, what: str, unit: str) -> int:

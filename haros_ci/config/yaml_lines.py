@@ -7,6 +7,7 @@ anything but a scalar, a list or a map.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, cast
 
@@ -24,8 +25,10 @@ MAX_NUMBER = 100  # characters; YAML 1.1 base-60 numbers take quadratic time
 
 Scalar = str | int | float | bool | None
 _TAG = "tag:yaml.org,2002:"
+_NO_TEXT = re.compile("[\0\ud800-\udfff]")
 _SCALARS = {_TAG + name for name in ("str", "int", "float", "bool", "null", "timestamp", "value")}
 _MERGE = _TAG + "merge"
+_BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")  # what libyaml counts as the end of a line
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +82,10 @@ def parse(data: bytes, name: str) -> Document:
             loader.dispose()
     except yaml.MarkedYAMLError as err:
         mark = err.problem_mark or err.context_mark
-        where = f"{name}:{mark.line + 1}" if mark else name
-        tab = mark is not None and "\t" in _indent(text, mark.line)
+        lines = _BREAK.split(text)
+        at = min(mark.line, len(lines) - 1) if mark else 0  # libyaml counts one more at an end without a line feed
+        where = f"{name}:{at + 1}" if mark else name
+        tab = mark is not None and "\t" in _indent(lines[at])
         signs = "quote text that holds YAML's own signs, such as * or :"
         help_ = "indent with spaces: YAML forbids tabs" if tab else signs
         raise UserError(f"{where}: not valid YAML: {err.problem}", help=help_) from err
@@ -101,8 +106,7 @@ def plain(value: Value) -> object:
             return value.data
 
 
-def _indent(text: str, line: int) -> str:
-    here = text.split("\n")[line]
+def _indent(here: str) -> str:
     return here[: len(here) - len(here.lstrip())]
 
 
@@ -209,6 +213,12 @@ class _Builder:
 
     def scalar(self, event: yaml.ScalarEvent) -> Scalar:
         tag = self.tag(event)
+        if _NO_TEXT.search(event.value):
+            raise self.error(
+                event,
+                "the text holds NUL or half a character, which no path and no name can hold",
+                "remove \\0 or \\ud8..",
+            )
         if tag not in _SCALARS and tag != _MERGE:
             raise self.error(event, f"tag {quoted(event.tag)} is not allowed", "write plain text, numbers, lists, maps")
         if tag not in (_TAG + "int", _TAG + "float", _TAG + "bool", _TAG + "null"):

@@ -66,6 +66,11 @@ def message_template(message: str, *, keep_names: bool = False) -> str:
     return _NUMBER.sub("0", message if keep_names else _QUOTED.sub("'_'", message)).rstrip(".")[:_LONGEST_TEMPLATE]
 
 
+def quoted_names(message: str) -> tuple[str, ...]:
+    """What stands in quotes in the message, in order: what the finding is about."""
+    return tuple(match[0][1:-1] for match in _QUOTED.finditer(message))
+
+
 def partial_fingerprints(result: Result) -> dict[str, str]:
     """SARIF §3.27.17, by versioned name; none for a result without identity. No value depends on a line number.
 

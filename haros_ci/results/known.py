@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
+from haros_ci.results.counted import is_set_aside
 from haros_ci.results.fingerprint import message_template, names_digest, roles_digest, sorted_names
 from haros_ci.results.result import BaselineState, Identity, Result, Run
 from haros_ci.results.rule import Level
@@ -96,8 +97,8 @@ class Sides:
 
 
 def known_from_results(results: Iterable[Result]) -> tuple[Known, ...]:
-    """What a baseline remembers: every result that is neither suppressed nor absent, sorted by content."""
-    found = (known_from(result) for result in results if not result.suppressions and result.state != ABSENT)
+    """What a baseline remembers, sorted by content: every result that is neither set aside nor absent."""
+    found = (known_from(result) for result in results if not is_set_aside(result) and result.state != ABSENT)
     return tuple(sorted(found, key=lambda known: known.sort_key))
 
 

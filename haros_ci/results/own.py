@@ -28,10 +28,12 @@ MALFORMED_MANIFEST = Rule(
 
 MALFORMED_LAUNCH = Rule(
     id="malformed-launch-file",
-    summary="A launch file cannot be read, so nothing in it can be started or checked.",
+    summary="A launch file is refused, so nothing in it starts.",
     level=Level.ERROR,
     help=(
         "roslaunch and ros2 launch stop at a launch file that is not well-formed XML, and at every file that includes it. "
+        "So they do at a tag or an attribute that they do not know, an attribute that is missing, a substitution that is not closed, a "
+        "node's name with a namespace in it (roslaunch), and Python that is none. "
         "Correct the line that the message names: a tag that is not closed, a quote that is missing, a bare & or <."
     ),
     precision="very-high",
@@ -45,18 +47,53 @@ UNUSED_SUPPRESSION = Rule(
     level=Level.NOTE,
     help=(
         "The rule named in the comment does not report anything there any more. A comment that is left behind will "
-        "hide the next, unrelated finding. Remove it."
+        "hide the next, unrelated finding. Remove it. A name in the comment that no rule has silences nothing: that is an error, "
+        "with the name that was probably meant."
     ),
     precision="high",
     profiles=("ros", "strict", "google"),
     tags=("maintainability",),
 )
 
-RULES = {rule.id: rule for rule in (MALFORMED_MANIFEST, MALFORMED_LAUNCH, UNUSED_SUPPRESSION)}
+FILE_NOT_ANALYSED = Rule(
+    id="file-not-analysed",
+    summary="A file that the change adds or alters cannot be analysed, so nothing is known of it.",
+    level=Level.WARNING,
+    help=(
+        "Reported where a base revision is asked for. A file is not analysed if a line is too long, if it holds NUL bytes or is encoded as "
+        "UTF-16, if it is larger than max-file-size, if its name is not one line of UTF-8, or if it is a symbolic link that leads out of "
+        "the workspace, nowhere, or to a file of another kind. A change could hide any code in such a file. What the base revision has with "
+        "the same contents, here or elsewhere, is a message and no finding; a file that was not analysed before and has changed is "
+        "reported, as what is in it now is new. Make the file readable, or leave it out by 'exclude' in the project file of the base "
+        "revision. A comment in the file does not silence this."
+    ),
+    precision="very-high",
+    profiles=("ros", "strict", "google", "bugs-only", "architecture"),
+    tags=("ros", "correctness"),
+)
+
+FAILED_QUERY = Rule(
+    id="failed-query",
+    summary="A query of the project file cannot be evaluated, so it finds nothing.",
+    level=Level.ERROR,
+    help=(
+        "The message names the query by its key in the project file, the line and column in its text, and what is wrong: a name that "
+        "entities do not have, a bracket that is not closed, an evaluation that does not end. The other queries and checks are not "
+        "affected. Correct the query; docs/queries.md has the language, and 'haros-ci query' tries one out."
+    ),
+    precision="very-high",
+    profiles=("ros", "strict", "google", "bugs-only", "architecture"),
+    tags=("query", "correctness"),
+)
+
+RULES = {
+    rule.id: rule
+    for rule in (MALFORMED_MANIFEST, MALFORMED_LAUNCH, UNUSED_SUPPRESSION, FILE_NOT_ANALYSED, FAILED_QUERY)
+}
 
 
 def launch_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
-    """One result for each launch file that is no XML, at the line that the parser names."""
+    """One result for each place of a launch file that launch refuses, at its line."""
     return tuple(
         Result(TOOL, MALFORMED_LAUNCH.id, MALFORMED_LAUNCH.level, fault.message, Location(fault.path, fault.line or 1))
         for fault in faults
@@ -66,6 +103,28 @@ def launch_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
 def manifest_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
     """One result for each malformed manifest, at the line that the parser names."""
     return tuple(
-        Result(TOOL, MALFORMED_MANIFEST.id, MALFORMED_MANIFEST.level, fault.message, Location(fault.path, fault.line or 1))
+        Result(
+            TOOL, MALFORMED_MANIFEST.id, MALFORMED_MANIFEST.level, fault.message, Location(fault.path, fault.line or 1)
+        )
         for fault in faults
     )
+
+
+def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
+    """One result for each file that a change has made what it is and that is not analysed, on the file as a whole."""
+    rule = FILE_NOT_ANALYSED
+    return tuple(
+        Result(
+            TOOL,
+            rule.id,
+            rule.level,
+            f"The change makes this file one that is not analysed: {_why(problem)}",
+            Location(problem.path),
+        )
+        for problem in problems
+    )
+
+
+def _why(problem: Problem) -> str:
+    line = f"line {problem.line}: " if problem.line else ""
+    return f"{line}{problem.message.removeprefix('skipped: ').removeprefix('skipped ')}"

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from haros_ci.results.assignment import assign
 from haros_ci.results.candidate import Candidate, Key, Pair, features, grouped, picker
 from haros_ci.results.comments import lines_of
-from haros_ci.results.fingerprint import text_hashes
+from haros_ci.results.fingerprint import quoted_names, text_hashes
 from haros_ci.results.known import Known, Sides, identity_of
 from haros_ci.results.line_map import line_mapper, words
 from haros_ci.results.renaming import Evidence, pair_partly_mended, pair_renamed
@@ -19,13 +19,15 @@ from haros_ci.results.result import Result
 #: Lines that a mapped line may be off.
 NEAR = 3
 _KINSHIP = 0.6  # of the shorter line's words
+_REWRITTEN = 0.7  # of the longer line's words: with less in common, lines that are about other names are other lines
 
 
 @dataclass(frozen=True, slots=True)
 class _Pass:
     """Pairs what agrees in all *letters*. *near* asks for a mapped line at most NEAR away, *gone* that the old file is,
     *scoped* that the scope is not the whole file. *edited* asks that the old text is gone and the new one was not
-    there, and where the old line's place is known, for that place: an edited line has not moved, too."""
+    there, and where the old line's place is known, for that place: an edited line has not moved, too. A place alone is no
+    evidence: a finding about another name in a line of another shape is another finding."""
 
     letters: str
     evidence: str
@@ -215,6 +217,8 @@ class _Matcher:
                 for a, b in assign([thing.place for thing in here], [thing.place for thing in there], limit):
                     if step.near and step.edited and not self.akin(there[b], here[a]):
                         continue
+                    if step.edited and self.is_rewritten(there[b], here[a]):
+                        continue
                     taken_new.add(here[a].index)
                     taken_old.add(there[b].index)
                     self.pairs.append(Pair(here[a].index, there[b].index, step.evidence))
@@ -256,6 +260,22 @@ class _Matcher:
         there = self.words(self.sides.head, new.path, new.line)
         least = min(here.total(), there.total())
         return least > 0 and (here & there).total() >= _KINSHIP * least
+
+    def is_rewritten(self, old: Candidate, new: Candidate) -> bool:
+        """Whether the two are about other names, in lines that have neither their shape nor most of their other words in common."""
+        known, result = self.known[old.index], self.results[new.index]
+        before, after = quoted_names(known.message), quoted_names(result.message)
+        if not before or not after or set(before) & set(after) or result.value is not None:
+            return False
+        if known.shape and known.shape == identity_of(result).shape:
+            return False
+        if self.sides.base is None or known.line is None or new.line is None:
+            return True
+        there = self.words(self.sides.base, known.path, known.line)
+        here = self.words(self.sides.head, new.path, new.line)
+        for word in words(" ".join((*before, *after))):
+            del there[word], here[word]
+        return (here & there).total() < _REWRITTEN * max(here.total(), there.total(), 1)
 
     def words(self, text: Callable[[str], str], path: str, line: int) -> Counter[str]:
         lines = lines_of(text(path))

@@ -209,6 +209,22 @@ class Coverage:
     lines: int = 0
     targets: int | None = None
     unseen: tuple[str, ...] = ()  # sentences: what this run could not see, and why
+    sandbox: str = ""  # a sentence: how linters are confined on this machine; "" where none may run
+
+
+@dataclass(frozen=True, slots=True)
+class Silenced:
+    """What a change silences by comments that it adds.
+
+    *findings* are suppressed by its ``haros:`` comments; *comments* are those of other tools, whose findings nobody sees: where each stands
+    and what it is called (``noqa``).
+    """
+
+    findings: int = 0
+    comments: tuple[tuple[Location, str], ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.findings or self.comments)
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,6 +238,7 @@ class Report:
     artifacts: tuple[Artifact, ...] = ()
     provenance: Provenance | None = None
     fail_on: Level | None = Level.WARNING
+    silenced: Silenced = Silenced()
 
     @property
     def results(self) -> tuple[Result, ...]:

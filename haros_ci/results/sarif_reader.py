@@ -25,6 +25,7 @@ _MAX_LOGICAL = 1_001
 _MAX_NOTIFICATIONS = 100
 _LONGEST_TEXT = 8_000
 _LONGEST_ID = 100
+_LONGEST_NAME = 1_000  # a compact baseline, which names the tool of each result, reads no longer text than 4,000
 _LINK = re.compile(r"\[((?:[^\[\]\\]|\\.){0,500})\]\(-?\d{1,9}\)")
 _ESCAPE = re.compile(r"\\([\[\]\\])")
 _PLACEHOLDER = re.compile(r"\{(\d{1,3})\}|(\{\{|\}\})")
@@ -76,6 +77,8 @@ def _run(run: dict[str, object], where: str, name: str, root: str) -> Run:
     title = string(driver, "name")
     if not title:
         raise SarifError(f"{where}: tool.driver.name is missing")
+    if len(title) > _LONGEST_NAME:
+        raise SarifError(f"{where}: tool.driver.name has more than {_LONGEST_NAME} characters; shorten it")
     components = [driver, *(mapping(extension) for extension in items(tool, "extensions")[:MAX_RUNS])]
     reading = _Reading(
         tool=title,

@@ -25,13 +25,14 @@ def suppress(
     *,
     enabled: Enabled | None = None,
     mentions: Callable[[str], bool] | None = None,
+    slip: Callable[[str], str] = lambda selector: "",
 ) -> tuple[tuple[Run, ...], tuple[Result, ...]]:
     """The runs with ``suppressions`` filled in, and a result for each comment that suppressed nothing.
 
     *matches* tells whether a selector names a result's rule. *enabled* gives the rules of a tool that are on for a
     path: a comment is called unused only where a tool that has answered for the file could have reported what it
     names; without *enabled*, that is judged by the rules that were reported anywhere. *mentions* may tell without
-    reading a file that it has no ``haros:`` in it.
+    reading a file that it has no ``haros:`` in it. *slip* tells what a misspelt name was meant to be, "" for one that is none.
     """
     runs = tuple(runs)
     measured = {r.location.path for run in runs for r in run.results if r.value is not None}
@@ -55,9 +56,11 @@ def suppress(
         if directive.metrics_only:
             continue
         idle = [name for name in directive.selectors or ("",) if (id(directive), name) not in used]
-        idle = [name for name in idle if judge.knows(name, directive.place.path)]
-        if idle:
-            unused.append(_unused(directive, idle))
+        known = [name for name in idle if judge.knows(name, directive.place.path)]
+        if known:
+            unused.append(_unused(directive, known))
+        misspelt = ((name, slip(name)) for name in idle if name and name not in known)
+        unused += (_misspelt(directive, name, meant) for name, meant in misspelt if meant)
     return silenced, tuple(unused)
 
 
@@ -112,3 +115,8 @@ def _unused(directive: Directive, idle: list[str]) -> Result:
     message = f"In the comment '{directive.words}', {names} {verb} nothing there. Remove {them}."
     rule = own.UNUSED_SUPPRESSION
     return Result(own.TOOL, rule.id, rule.level, message, directive.place)
+
+
+def _misspelt(directive: Directive, name: str, meant: str) -> Result:
+    message = f"In the comment '{directive.words}', '{name}' is the name of no rule, so it silences nothing: {meant}"
+    return Result(own.TOOL, own.UNUSED_SUPPRESSION.id, Level.ERROR, message, directive.place)

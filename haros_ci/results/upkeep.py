@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from haros_ci.results.counted import is_set_aside
 from haros_ci.results.known import Known, Sides, known_from, known_from_results
 from haros_ci.results.pairing import pair
 from haros_ci.results.result import Result
@@ -13,7 +14,7 @@ from haros_ci.results.result import Result
 def update(
     known: Sequence[Known], new: Sequence[Result], sides: Sides, *, accept_new: bool = False
 ) -> tuple[Known, ...]:
-    """*known* with matched entries refreshed (their reasons kept) and absent or now suppressed ones dropped.
+    """*known* with matched entries refreshed (their reasons kept) and absent or now suppressed ones dropped; metrics that are counted only stay known.
 
     New findings join only if *accept_new*. Entries of files that this run did not look at stay as they are.
     """
@@ -22,7 +23,7 @@ def update(
     kept: list[Known] = []
     for index, entry in enumerate(known):
         if index in news:
-            if not new[news[index]].suppressions:
+            if not is_set_aside(new[news[index]]):
                 kept.append(known_from(new[news[index]], entry.reason))
         elif not sides.answered(entry):
             kept.append(entry)

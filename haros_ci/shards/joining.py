@@ -48,6 +48,7 @@ class Joined:
     wholes: Mapping[tuple[str, str], Run]
     costs: Mapping[str, Mapping[str, int]]
     names: tuple[str, ...]
+    confined: frozenset[str]
 
     def versions(self, side: str) -> dict[str, str | None]:
         """Of the tools, None for one that was missing."""
@@ -110,6 +111,7 @@ def join(shards: Iterable[Shard]) -> Joined:
         wholes,
         costs,
         tuple(shard.name for shard in shards),
+        frozenset(shard.header.confined for shard in shards),
     )
 
 

@@ -68,10 +68,11 @@ class Whole:
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """Who says it of what. All but *number* is equal in shards that belong together.
+    """Who says it of what. All but *number* and *confined* is equal in shards that belong together.
 
     *workspace* is a digest of the analysed content, *base* the commit that it is compared with, *settings* a digest of each
-    setting that analysis depends on, *plan* a digest of who does what.
+    setting that analysis depends on, *plan* a digest of who does what. *confined* is how linters were confined on that
+    machine (results/confined.py).
     """
 
     version: str
@@ -82,6 +83,7 @@ class Header:
     settings: Mapping[str, str]
     tools: tuple[Had, ...]
     plan: str
+    confined: str
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+from haros_ci.results.confined import SENTENCES
 from haros_ci.shards.shard import SIDES, Failed, Had, Header, Said, Shard, ShardError, Whole
 from haros_ci.shards.values import LARGEST, NotThat, is_inside, plain, read
 
@@ -101,6 +102,8 @@ def _header(line: str, name: str) -> Header:
         header = Header(settings=settings, tools=tools, **members)
         if not 1 <= header.number <= header.of:
             raise NotThat("no number of a shard")
+        if header.confined not in SENTENCES:
+            raise NotThat("no way to confine linters")
     except NotThat as err:
         raise ShardError(f"{name}:1: {err}", help="this is not what haros-ci check --shard writes") from err
     return header
@@ -114,6 +117,7 @@ _MEMBERS: dict[str, Any] = {
     "workspace": str,
     "base": str | None,
     "plan": str,
+    "confined": str,
 }
 #: Under whose name the results of a whole stand.
 _SPEAKS = {"architecture": "haros-ci", "structure": "metrics"}
@@ -125,7 +129,10 @@ def _no_shard(name: str) -> ShardError:
 
 
 def _answer(match: re.Match[str]) -> Said:
-    tool, path = json.loads(match[1]), json.loads(match[2])
+    try:
+        tool, path = json.loads(match[1]), json.loads(match[2])
+    except ValueError as err:
+        raise NotThat("a name that is not JSON text") from err
     if not is_inside(path):
         raise NotThat("a path that leads out of the workspace")
     return Said(tool, path, match[3], None if match[4] == "null" else int(match[4]), match[5])

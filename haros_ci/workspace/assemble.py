@@ -3,15 +3,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from haros_ci.model.package import Package, SourceFile
-from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.model.workspace import Hiding, Problem, Workspace
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
 from haros_ci.workspace.package_xml import parse_package, settled, supports_both
+
+#: A package, and what is wrong with its manifest.
+_Found = tuple[Package, Problem | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,9 +34,18 @@ class Alias:
     target: str
 
 
+@dataclass(frozen=True, slots=True)
+class Skipped:
+    """A file at *path* that is not read, and why; *is_source* unless it is prose, or only tools of the user's own would read it."""
+
+    path: str
+    problem: Problem
+    is_source: bool = True
+
+
 def assemble(
     root: Path,
-    contents: Iterable[Content | Alias | Problem],
+    contents: Iterable[Content | Alias | Problem | Skipped],
     *,
     listed: Iterable[str],
     problems: Iterable[Problem],
@@ -44,23 +56,26 @@ def assemble(
     names: Iterable[str] | None = None,
     executables: Iterable[str] | None = None,
     elsewhere: Path | None = None,
+    differs: Callable[[str], bool] | None = None,
 ) -> Workspace:
     """Hash and examine *contents* one by one (they may be a generator), parse manifests, sort everything.
 
     *listed* are all paths that may be asked for as text, those that are not analysed (tools' settings) included.
-    *context* are manifests of packages that the files lie in, but that are not to be analysed themselves. A nameless
+    A package inside another one is none: its files are the outer one's. *context* are manifests of packages that the files lie in, but that are not to be analysed themselves. A nameless
     package at the root takes *name*, by default the root's own. *names* are the paths of all files, by default *listed*,
     *executables* those whose execute bit is set, None if nobody knows.
-    Files that are not *listed* lie below *elsewhere*, by default the root.
+    Files that are not *listed* lie below *elsewhere*, by default the root. *differs* tells whether a change has made the file at a path what
+    it is: one that cannot be analysed is no mere problem then.
     """
     from hashlib import sha256
 
     name = name or root.name
     listed = tuple(listed)
     found = list(problems)
+    unread: list[Problem] = []
     files: list[SourceFile] = []
     links: dict[str, str] = {}
-    packages: dict[str, tuple[Package, Problem | None]] = {}
+    packages: dict[str, _Found] = {}
     undecided: dict[str, Content] = {}
     for manifest in context:
         packages[_directory(manifest.path)] = (_package(manifest, name)[0], None)
@@ -68,12 +83,17 @@ def assemble(
         if isinstance(content, Problem):
             found.append(content)
             continue
+        if isinstance(content, Skipped):
+            is_brought = content.is_source and differs is not None and differs(content.path)
+            (unread if is_brought else found).append(content.problem)
+            continue
         if isinstance(content, Alias):
             links[content.path] = content.target
             continue
         usable, problem = examine(content.path, content.language, content.data)
         if problem is not None:
-            found.append(problem)
+            is_brought = not usable and differs is not None and differs(content.path)
+            (unread if is_brought else found).append(problem)
         if content.path.rpartition("/")[2] == "package.xml":
             directory = _directory(content.path)
             packages[directory] = _package(content, name)
@@ -90,8 +110,11 @@ def assemble(
                     has_directive=b"haros:" in content.data,
                 )
             )
+    packages = _outermost(packages)
     others = [package for package, _ in packages.values()]
     for directory, manifest in undecided.items():
+        if directory not in packages:
+            continue
         package, fault = packages[directory]
         packages[directory] = settled(package, manifest.path, manifest.data, others), fault
     found += _doubles(package for package, _ in packages.values())
@@ -101,16 +124,35 @@ def assemble(
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
         files=_owned(sorted(files, key=lambda file: file.path), owners),
         reader=TextReader(root, listed, max_file_size, elsewhere),
-        targets=None if targets is None else targets & {file.path for file in files},
+        targets=None
+        if targets is None
+        else targets & {*(file.path for file in files), *(each.path for each in unread)},
         problems=_sorted(found),
         faults=_sorted(fault for _, fault in packages.values() if fault is not None),
         links=tuple(sorted(links.items())),
         names=frozenset(listed if names is None else names),
         executables=None if executables is None else frozenset(executables),
+        hiding=Hiding(unread=_sorted(unread)),
     )
 
 
-def _package(content: Content, root_name: str) -> tuple[Package, Problem | None]:
+def _outermost(packages: dict[str, _Found]) -> dict[str, _Found]:
+    """The packages, by directory, that lie in no other: where a package.xml is, whatever it says, nobody looks further down.
+
+    That is catkin_pkg's ``find_package_paths`` and colcon's recursive discovery; a package.xml below is one file more of the
+    outer package.
+    """
+    found: dict[str, _Found] = {}
+    for directory in sorted(packages, key=lambda path: () if path == "." else tuple(path.split("/"))):
+        above = directory
+        while above != "." and above not in found:
+            above = _directory(above)
+        if above not in found:
+            found[directory] = packages[directory]
+    return found
+
+
+def _package(content: Content, root_name: str) -> _Found:
     """The package of a manifest; of a malformed one the directory, under its own name, and the fault."""
     package = parse_package(content.path, content.data)
     if isinstance(package, Package):
@@ -120,7 +162,7 @@ def _package(content: Content, root_name: str) -> tuple[Package, Problem | None]
 
 
 def _owned(files: Iterable[SourceFile], owners: dict[str, str]) -> tuple[SourceFile, ...]:
-    """The files with the name of the innermost package around them."""
+    """The files with the name of the package around them."""
     known: dict[str, str | None] = {".": None, **owners}
     made = []
     for file in files:

@@ -3,16 +3,18 @@
 
 from __future__ import annotations
 
+import errno
 import os
-import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
 
-from haros_ci.model.workspace import Problem, Workspace
+from haros_ci import scratch
+from haros_ci.model.workspace import Problem, Reader, Workspace
 from haros_ci.workspace.assemble import Content, assemble
+from haros_ci.workspace.base_settings import BaseSettings
 from haros_ci.workspace.discover import MAX_FILE_SIZE, manifests_above, scope_of, unusable_name
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.git import BaselineUnavailable, GitError, Repository, merge_base, repository_of, resolve_commit
@@ -24,17 +26,24 @@ from haros_ci.workspace.tool_settings import TOOL_SETTINGS
 __all__ = ["Base", "BaselineUnavailable", "base_workspace"]
 
 
+#: What the machine lacks for any file; a base revision that holds only some of its files would make old findings new.
+NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EMFILE, errno.ENFILE, errno.ENOMEM})
 IN_MEMORY = "/dev/shm"
 IN_MEMORY_RESERVE = 256_000_000
 
 
 @dataclass(frozen=True, slots=True)
 class Base:
-    """The workspace at *revision* (a commit); ``renames`` maps paths there to the paths that these files have now."""
+    """The workspace at *revision* (a commit); ``renames`` maps paths there to the paths that these files have now.
+
+    ``settings`` reads the settings files of linters there, which count for the present workspace, too; None where those of
+    the present one are trusted.
+    """
 
     workspace: Workspace
     revision: str
     renames: dict[str, str]
+    settings: Reader | None = None
 
 
 @contextmanager
@@ -47,10 +56,12 @@ def base_workspace(
     max_file_size: int = MAX_FILE_SIZE,
     use_merge_base: bool = True,
     also: Also | None = None,
+    trusted: bool = False,
 ) -> Iterator[Base]:
     """What discover would have found at the merge base of *rev* and HEAD (or at *rev* itself), for as long as it is needed.
 
-    *workspace* is the present one; *paths*, *exclude*, *max_file_size* and *also* are those it was discovered with.
+    *workspace* is the present one; *paths*, *exclude*, *max_file_size* and *also* are those it was discovered with. Linters have the
+    settings of the base; if *workspace* is *trusted*, those of *workspace*, whose tools look for them on disk.
     BaselineUnavailable if the revision or anything of it cannot be had. Nothing is written into the repository and
     nothing is checked out, so no hook and no filter runs.
     """
@@ -63,16 +74,17 @@ def base_workspace(
         scope = _scope(workspace, paths, tree)
         wanted = select(tree, scope, Excludes(exclude), also)
         aliases = read_links(tree, {c.path: links[c.path] for c in select(links, scope, Excludes(exclude))})
-        with scratch_directory(sum(tree[candidate.path].size for candidate in wanted)) as scratch:
-            directory = scratch / "base"
+        with scratch_directory(sum(tree[candidate.path].size for candidate in wanted)) as place:
+            directory = place / "base"
             directory.mkdir()
-            renames = find_renames(scratch, root, *_moved(tree, wanted, workspace))
-            settings = _copy_settings(workspace, directory, wanted)
+            renames = find_renames(place, root, *_moved(tree, wanted, workspace))
+            copied = _copy_settings(workspace, directory, wanted) if trusted else []
+            settings = None if trusted else _settings(workspace, repository, tree, wanted, max_file_size)
             manifests = [Candidate(path, "package") for path in manifests_above(scope) if path in tree]
             base = assemble(
                 directory,
                 chain(write_contents(directory, read_blobs(tree, wanted, max_file_size)), aliases),
-                listed=[*(candidate.path for candidate in wanted), *settings],
+                listed=[*(candidate.path for candidate in wanted), *copied],
                 problems=(),
                 targets=_targets(workspace, tree, renames),
                 context=[c for c in read_blobs(tree, manifests, max_file_size) if isinstance(c, Content)],
@@ -82,7 +94,7 @@ def base_workspace(
                 executables=(path for path, blob in tree.items() if blob.executable),
                 elsewhere=root,
             )
-            yield Base(base, commit, renames)
+            yield Base(replace(base, settings=settings), commit, renames, settings)
     except GitError as err:
         raise BaselineUnavailable(f"{rev!r} cannot be read: {err}; is the clone complete (no --filter)?") from err
 
@@ -95,8 +107,8 @@ def scratch_directory(size: int) -> Iterator[Path]:
         room = os.statvfs(IN_MEMORY)
         if room.f_bavail * room.f_frsize > 4 * size + IN_MEMORY_RESERVE:
             place = IN_MEMORY
-    with tempfile.TemporaryDirectory(prefix="haros-ci-base-", dir=place, ignore_cleanup_errors=True) as scratch:
-        yield Path(scratch).resolve()
+    with scratch.scratch_directory("haros-ci-base-", place) as directory:
+        yield directory
 
 
 def _repository(workspace: Workspace) -> Repository:
@@ -159,6 +171,8 @@ def write_contents(directory: Path, contents: Iterable[Content | Problem]) -> It
                     made.add(parent)
                 _create(directory / content.path, content.data)
             except OSError as err:  # names that are too long, or that only a crafted tree can hold side by side
+                if err.errno in NO_ROOM:
+                    raise
                 if _holds(directory / content.path, content.data):  # settings of a tool that have not changed
                     yield content
                     continue
@@ -177,22 +191,36 @@ def _holds(path: Path, data: bytes) -> bool:
 
 def _copy_settings(workspace: Workspace, directory: Path, wanted: list[Candidate]) -> list[str]:
     """Copy tools' settings from the present workspace to where they apply in the base; returns their paths."""
+    copied = []
+    for parent in sorted(_directories(wanted)):
+        for name in TOOL_SETTINGS:
+            path = f"{parent}/{name}" if parent else name
+            text = workspace.setting(path)
+            if text:
+                os.makedirs(directory / parent, exist_ok=True)
+                _create(directory / path, text.encode("utf-8"))
+                copied.append(path)
+    return copied
+
+
+def _settings(
+    workspace: Workspace, repository: Repository, tree: dict[str, Blob], wanted: list[Candidate], limit: int
+) -> BaseSettings:
+    """The settings of the base revision that *tree* is of."""
+    root, top = workspace.root, repository.top
+    below = f"{top.relative_to(root).as_posix()}/" if top != root and top.is_relative_to(root) else ""
+    return BaseSettings(tree, _directories(wanted), limit, workspace.settings or workspace.reader, below)
+
+
+def _directories(wanted: list[Candidate]) -> set[str]:
+    """The directories of what is *wanted*, and all above them; the root is ""."""
     directories = {""}
     for candidate in wanted:
         parent = candidate.path.rpartition("/")[0]
         while parent not in directories:
             directories.add(parent)
             parent = parent.rpartition("/")[0]
-    copied = []
-    for parent in sorted(directories):
-        for name in TOOL_SETTINGS:
-            path = f"{parent}/{name}" if parent else name
-            text = workspace.text(path)
-            if text:
-                os.makedirs(directory / parent, exist_ok=True)
-                _create(directory / path, text.encode("utf-8"))
-                copied.append(path)
-    return copied
+    return directories
 
 
 def _create(path: Path, data: bytes) -> None:

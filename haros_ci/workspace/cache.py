@@ -277,7 +277,9 @@ def _parse(data: bytes) -> tuple[int, dict[str, Any]]:
 
 def _lines(data: bytes) -> tuple[int, dict[str, Any]] | None:
     """Run count and entries of a shard as ``document`` lays it out, None for any other."""
-    text = data.decode("ascii", "replace")
+    if not data.isascii():  # the lines are written again as they are
+        return None
+    text = data.decode("ascii")
     head = _HEAD.match(text)
     if head is None or not text.endswith(_TAIL, head.end()):
         return None

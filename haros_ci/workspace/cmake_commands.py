@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from haros_ci.model.digits import whole_number
 from haros_ci.workspace.cmake_ament import AMENT_COMMANDS
 from haros_ci.workspace.cmake_files import FILE_COMMANDS
 from haros_ci.workspace.cmake_install import INSTALL_COMMANDS
@@ -183,11 +184,10 @@ def _parse_arguments(state: State, call: Call) -> None:
     """cmake_parse_arguments(prefix options one multi args...) and cmake_parse_arguments(PARSE_ARGV n prefix ...)."""
     words = call.words
     given: list[str]
-    if words[:1] == ["PARSE_ARGV"] and len(words) >= 6 and words[1].isdigit():
-        start, words = min(int(words[1]), 1000), words[2:]
-        count = state.get("ARGC") or "0"
-        total = min(int(count), 10_000) if count.isdigit() else 0
-        given = [state.get(f"ARGV{number}") or "" for number in range(start, total)]
+    if words[:1] == ["PARSE_ARGV"] and len(words) >= 6 and (first := whole_number(words[1])) is not None:
+        words = words[2:]
+        total = min(whole_number(state.get("ARGC") or "0") or 0, 10_000)
+        given = [state.get(f"ARGV{index}") or "" for index in range(min(first, 1000), total)]
     else:
         given = [element for word in words[4:] for element in split_list(word) if element]
     if len(words) < 4:

@@ -7,13 +7,14 @@ import re
 
 MAX_TOKENS = 200
 MAX_NESTING = 30
+LARGEST = (1 << 63) - 1  # CMake reads numbers with std::stoll, and refuses what is out of its range
 
-_TOKEN = re.compile(r"\s*(0[xX][0-9a-fA-F]{1,16}|\d{1,19}|<<|>>|[-+*/%|&^~()])")
+_TOKEN = re.compile(r"\s*(0[xX][0-9a-fA-F]{1,16}|[0-9]{1,19}|<<|>>|[-+*/%|&^~()])")
 _LEVELS = (("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))
 
 
 def evaluate_math(text: str) -> int | None:
-    """The value of an expression; None if it is malformed, too long, or divides by zero."""
+    """The value of an expression; None if it is malformed, too long, divides by zero, or has a number of more than 63 bits."""
     tokens: list[str] = []
     position = 0
     text = text.rstrip()
@@ -52,13 +53,18 @@ def _unary(tokens: list[str], depth: int) -> int:
                 raise ValueError
             return value
         value = _unary(tokens, depth + 1)
-        return {"+": value, "-": -value, "~": ~value}[token]
-    return int(token, 0) if token[:2].lower() == "0x" else int(token)
+        return _wrapped({"+": value, "-": -value, "~": ~value}[token])
+    number = int(token, 0) if token[:2].lower() == "0x" else int(token)
+    if number > LARGEST:
+        raise ValueError
+    return number
 
 
 def _apply(operator: str, left: int, right: int) -> int:
     if operator in ("/", "%"):  # towards zero, as C divides
         quotient = abs(left) // abs(right) * (1 if (left < 0) == (right < 0) else -1)
+        if quotient > LARGEST:  # the smallest number by -1: no number of C
+            raise ValueError
         return quotient if operator == "/" else left - quotient * right
     if operator in ("<<", ">>"):
         if not 0 <= right < 64:

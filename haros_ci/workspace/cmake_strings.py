@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.model.digits import whole_number
 from haros_ci.workspace.cmake_regex import find_all, replace, search, work
 from haros_ci.workspace.cmake_state import MAX_VALUE, Call, State
 from haros_ci.workspace.cmake_words import is_certain, join_list, unknown
@@ -64,8 +65,8 @@ def _value(what: str, words: list[str]) -> str | None:
         return words[0][start:] if length < 0 else words[0][start : start + length] if start >= 0 else None
     if what == "FIND" and len(words) >= 3:
         return str(words[0].rfind(words[1]) if "REVERSE" in words[3:] else words[0].find(words[1]))
-    if what == "REPEAT" and len(words) == 3 and words[1].isdigit() and len(words[1]) < 7:
-        return words[0] * int(words[1]) if len(words[0]) * int(words[1]) <= MAX_VALUE else None
+    if what == "REPEAT" and len(words) == 3 and (times := whole_number(words[1])) is not None:
+        return words[0] * times if len(words[0]) * times <= MAX_VALUE else None
     if what == "MAKE_C_IDENTIFIER" and len(words) == 2:
         made = re.sub(r"[^A-Za-z0-9_]", "_", words[0])
         return f"_{made}" if made[:1].isdigit() else made

@@ -8,17 +8,20 @@ import os
 import posixpath
 import stat
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Problem, Workspace
-from haros_ci.workspace.assemble import Alias, Content, assemble
+from haros_ci.workspace.assemble import Alias, Content, Skipped, assemble
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import TooLarge, Tree, read_head, read_regular
+from haros_ci.workspace.hiding import Change
 from haros_ci.workspace.language import HEAD, script_language, suffix_of
 from haros_ci.workspace.listing import list_files
+from haros_ci.workspace.past import Past
 from haros_ci.workspace.selection import Also, Candidate, Scope, select
-from haros_ci.workspace.tool_settings import TOOL_SETTINGS
+from haros_ci.workspace.settings_around import SettingsAround
 
 MAX_FILE_SIZE = 2_000_000
 
@@ -36,32 +39,42 @@ def discover(
     exclude: tuple[str, ...] = (),
     max_file_size: int = MAX_FILE_SIZE,
     also: Also | None = None,
+    past: Past | None = None,
 ) -> Workspace:
     """Find, read and hash what there is to analyse below *root*.
 
     *paths* are directories and files, POSIX-style and relative to *root* (absolute). Directories are the subtree to
     analyse; where files are given they become the targets, and without any directory all of *root* is the subtree.
     *exclude* are patterns as in .gitignore; they hold for given files, and below given directories. Files over
-    *max_file_size* bytes are not read. *also* tells which files are read whatever their kind. UserError for a path that does not exist or leads out of *root*.
+    *max_file_size* bytes are not read. *also* tells which files are read whatever their kind. *past* is the base
+    revision of a change, whose markers count instead of those that the change brings. UserError for a path that does not exist or leads out of *root*.
     """
     root = root.resolve()
     scope = scope_of(root, paths)
-    listing = list_files(root, scope.directories)
-    candidates = select([*listing.paths, *scope.files], scope, Excludes(exclude), also)
+    listing = list_files(root, scope.directories, None if past is None else past.top)
+    change = None if past is None else Change(root, past, listing)
+    excludes = Excludes(exclude)
+    candidates = select([*listing.paths, *scope.files], scope, excludes, also, change)
     disk = _Disk(root, max_file_size)
     executables = listing.executables | disk.executables(candidates)
     present = [*listing.paths, *scope.files]
-    return assemble(
+    workspace = assemble(
         root,
         disk.read(candidates),
-        listed=[*present, *settings_above(scope)],
+        listed=present,
         names=present,
         problems=listing.problems,
         targets=targets_of(scope, (candidate.path for candidate in candidates)),
         context=disk.manifests(manifests_above(scope)),
         max_file_size=max_file_size,
         executables=executables if executables or listing.is_tracked else None,
+        differs=None if change is None else change.has_changed,
     )
+    if change is not None:
+        workspace = change.told(workspace, candidates, scope, excludes)
+    if "." in scope.directories:
+        return workspace
+    return replace(workspace, settings=SettingsAround(root, scope, max_file_size, workspace.reader))
 
 
 def scope_of(root: Path, paths: Iterable[str]) -> Scope:
@@ -99,12 +112,6 @@ def manifests_above(scope: Scope) -> list[str]:
     return sorted("package.xml" if directory == "." else f"{directory}/package.xml" for directory in above)
 
 
-def settings_above(scope: Scope) -> list[str]:
-    """Where settings of tools would be that hold for the given directories and lie above them."""
-    above = {parent for path in scope.directories for parent in _parents(path)} - set(scope.directories)
-    return sorted(name if at == "." else f"{at}/{name}" for at in above for name in TOOL_SETTINGS)
-
-
 class _Disk:
     """Reads candidates below *root*, with a problem instead of contents where that is not possible."""
 
@@ -113,7 +120,7 @@ class _Disk:
         self._tree = Tree(root)
         self._limit = max_file_size
 
-    def read(self, candidates: Iterable[Candidate]) -> Iterator[Content | Alias | Problem]:
+    def read(self, candidates: Iterable[Candidate]) -> Iterator[Content | Alias | Skipped]:
         for candidate in candidates:
             path = candidate.path
             found: Content | Alias | Problem | None = unusable_name(path)
@@ -124,7 +131,9 @@ class _Disk:
                     found = too_large(path, err.args[0], self._limit)
                 except OSError as err:
                     found = self._trouble(candidate, err)
-            if found is not None:
+            if isinstance(found, Problem):
+                yield Skipped(path, found, is_source=candidate.language != "markdown" and candidate.fallback is None)
+            elif found is not None:
                 yield found
 
     def executables(self, candidates: Iterable[Candidate]) -> set[str]:

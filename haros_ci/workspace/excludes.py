@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fnmatch import translate
 
@@ -45,6 +46,25 @@ class Excludes:
             if (is_directory or not rule.directories_only) and rule.matches(parts):
                 return not rule.negated
         return False
+
+
+def idle(patterns: tuple[str, ...], names: Iterable[str]) -> tuple[str, ...]:
+    """Those of *patterns* that name no file of *names*, a whole listing, and no directory above one."""
+    files = {tuple(name.split("/")) for name in names}
+    directories = {file[:length] for file in files for length in range(1, len(file))}
+    return tuple(pattern for pattern in patterns if not _fits_any(_rule(pattern.strip()), files, directories))
+
+
+def _fits_any(rule: _Rule | None, files: set[tuple[str, ...]], directories: set[tuple[str, ...]]) -> bool:
+    if rule is None:
+        return True
+    places = directories if rule.directories_only else files | directories
+    first = rule.components[0]
+    if first is not None:
+        places = {place for place in places if first.match(place[0])}
+    elif len(rule.components) == 2:  # a single name, at any depth
+        places = {place[-1:] for place in places}
+    return any(rule.matches(place) for place in places)
 
 
 def _rule(pattern: str) -> _Rule | None:

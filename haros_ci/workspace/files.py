@@ -101,12 +101,18 @@ class TextReader:
             return ""
         text = self._texts[path]
         if text is None:
-            try:
-                data = self._tree.read(path, self._limit) or b""
-            except (OSError, TooLarge):
-                data = b""
+            data = self.data(path) or b""
             text = self._texts[path] = "" if b"\0" in data else decode(data)
         return text
+
+    def data(self, path: str) -> bytes | None:
+        """The bytes of a listed file; None if it is not listed or cannot be read any more."""
+        if path not in self._texts:
+            return None
+        try:
+            return self._tree.read(path, self._limit)
+        except (OSError, TooLarge):
+            return None
 
     def head(self, path: str, length: int) -> bytes:
         """The first *length* bytes of a file; b"" if it is no regular one, or not there."""

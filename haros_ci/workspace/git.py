@@ -75,7 +75,7 @@ class Repository:
 
     @property
     def is_shallow(self) -> bool:
-        return (self.common_directory / "shallow").exists()
+        return os.path.exists(self.common_directory / "shallow")
 
 
 def repository_of(root: Path) -> Path | None:
@@ -131,6 +131,9 @@ def _first_bytes(argv: list[str], options: dict[str, Any], command: str, limit: 
         clock.start()
         try:
             data: bytes = process.stdout.read(limit + 1)
+        except BaseException:
+            process.kill()  # else the end of the block would wait for it
+            raise
         finally:
             clock.cancel()
         if len(data) > limit:
@@ -141,10 +144,18 @@ def _first_bytes(argv: list[str], options: dict[str, Any], command: str, limit: 
     return data
 
 
-def listed_files(
-    repository: Repository, cwd: Path, directories: tuple[str, ...]
-) -> tuple[list[str], list[str], list[str]]:
-    """Tracked and untracked, not ignored files below *directories*, the repositories nested in them, and which are executable.
+@dataclass(frozen=True, slots=True)
+class Files:
+    """What git lists: *files*, the repositories *nested* in them, *executables* and, by *tracked* path, the name of what the index holds."""
+
+    files: list[str]
+    nested: list[str]
+    executables: list[str]
+    tracked: dict[str, str]
+
+
+def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]) -> Files:
+    """Tracked and untracked, not ignored files below *directories*.
 
     *directories* and all paths that come back are relative to *cwd*, a directory of the work tree. Files that are
     tracked but deleted are among them. Of executable ones only those are known that git tracks. GitError if git does not work.
@@ -153,16 +164,19 @@ def listed_files(
     files: set[str] = set()
     nested: set[str] = set()
     executables: set[str] = set()
+    tracked: dict[str, str] = {}
     for record in run_git(repository, *arguments, cwd=cwd).split(b"\0"):
         if record.startswith(b"? "):  # untracked; a repository of its own ends with a slash
             path = os.fsdecode(record[2:])
             (nested if path.endswith("/") else files).add(path.rstrip("/"))
         elif record:
             entry, _, name = record.partition(b"\t")
-            (nested if entry[2:].startswith(b"160000") else files).add(os.fsdecode(name))
+            path = os.fsdecode(name)
+            (nested if entry[2:].startswith(b"160000") else files).add(path)
             if entry[2:].startswith(b"100755"):
-                executables.add(os.fsdecode(name))
-    return sorted(files), sorted(nested), sorted(executables)
+                executables.add(path)
+            tracked[path] = entry[9:-2].decode("ascii")
+    return Files(sorted(files), sorted(nested), sorted(executables), tracked)
 
 
 def resolve_commit(repository: Repository, rev: str) -> str:
@@ -321,7 +335,7 @@ def _control_text(path: Path) -> str:
     """A file of a git directory as text, "" if there is no such regular file."""
     try:
         return (read_regular(path, LARGEST_CONTROL_FILE) or b"").decode("utf-8", "replace")
-    except (OSError, TooLarge):
+    except (OSError, TooLarge, ValueError):  # a path with NUL is a ValueError
         return ""
 
 

@@ -18,7 +18,7 @@ _PRIMITIVE |= {f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 
 _TYPE = re.compile(r"(?P<base>(?:[A-Za-z]\w*/){0,2}[A-Za-z]\w*)(?P<bound><=\d+)?(?P<array>\[(?:<=)?\d*\])?\Z", re.ASCII)
 _LINE = re.compile(r"(?P<type>(?:[^\s=]|<=)+)\s+(?P<name>[A-Za-z]\w*)(?P<rest>.*)\Z", re.ASCII | re.DOTALL)
 _SECTIONS = {"msg": 1, "srv": 2, "action": 3}
-_INTEGER = re.compile(r"[+-]?(?:0[xX][0-9a-fA-F]+|\d+)\Z", re.ASCII)
+_INTEGER = re.compile(r"[+-]?(?:0[xX](?:_?[0-9a-fA-F])+|0[bB](?:_?[01])+|0[oO](?:_?[0-7])+|\d+(?:_\d+)*)\Z", re.ASCII)
 
 
 def read_interface(path: str, text: str, package: str, *, is_generated: bool = True) -> tuple[Interface, list[Problem]]:
@@ -138,7 +138,7 @@ def _default(kind: str, text: str) -> Any:
         return None if None in values else values
     if kind.startswith(("string", "wstring")):
         match = re.match(r'("(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\')\s*(?:#.*)?\Z', text, re.DOTALL)
-        return _text(match[1]) if match else None
+        return _text(match[1] if match else text.partition("#")[0].strip())  # quotes are optional (rosidl_adapter)
     return _value(kind, text.partition("#")[0].strip())
 
 
@@ -162,4 +162,4 @@ def _value(kind: str, text: str) -> bool | int | float | None:
             return None
     if kind not in _PRIMITIVE or kind in ("time", "duration") or not _INTEGER.match(text):
         return None
-    return int(text, 16) if "x" in text.lower() else int(text)
+    return int(text, 0) if text.lstrip("+-")[:2].lower() in ("0x", "0b", "0o") else int(text)

@@ -17,60 +17,76 @@ class Listing:
     """Paths relative to the root, in no order, with doubles where directories overlap; symbolic links are among them.
 
     *executables* have the execute bit in git's index, which keeps it on file systems without modes. *is_tracked* if git
-    listed anything.
+    listed anything. *tracked* is what the repository of a change tracks, and its *submodules*: the name of what the index holds, by path.
     """
 
     paths: list[str] = field(default_factory=list)
     executables: set[str] = field(default_factory=set)
     is_tracked: bool = False
     problems: list[Problem] = field(default_factory=list)
+    tracked: dict[str, str] = field(default_factory=dict)
+    submodules: set[str] = field(default_factory=set)
 
 
-def list_files(root: Path, directories: tuple[str, ...]) -> Listing:
+def list_files(root: Path, directories: tuple[str, ...], change: Path | None = None) -> Listing:
     """Every file below *directories* (relative to *root*) that .gitignore does not exclude.
 
     One git process for each repository; nested repositories and submodules are listed on their own. Outside git, or
-    where git does not work, directories are walked and .gitignore has no meaning.
+    where git does not work, directories are walked and .gitignore has no meaning. *change* is the top of the repository whose
+    ``tracked`` files are asked for.
     """
     listing = Listing()
     by_repository: dict[Path, list[str]] = {}
     for directory in directories:
         top = repository_of(root / directory)
         if top is None:
-            _walk(listing, root, directory)
+            _walk(listing, root, directory, change=change)
         else:
             by_repository.setdefault(top, []).append(directory)
     for top, given in by_repository.items():
-        _list_repository(listing, root, top, given)
+        _list_repository(listing, root, top, given, is_changed=top == change, change=change)
     return listing
 
 
-def _list_repository(listing: Listing, root: Path, top: Path, directories: list[str]) -> None:
-    """List *directories*, all of the repository at *top*, and what is nested in them."""
+def _list_repository(
+    listing: Listing,
+    root: Path,
+    top: Path,
+    directories: list[str],
+    *,
+    is_changed: bool = False,
+    change: Path | None = None,
+) -> None:
+    """List *directories*, all of the repository at *top*, and what is nested in them; *is_changed* if it is that of the change."""
     inside = root.is_relative_to(top)
     cwd = root if inside else top
     mount = "" if inside else f"{top.relative_to(root).as_posix()}/"
     below = tuple(os.path.relpath(root / directory, cwd) for directory in directories)
     try:
-        files, nested, executables = listed_files(Repository(top), cwd, below)
+        found = listed_files(Repository(top), cwd, below)
     except GitError as err:
         place = mount.rstrip("/") or "."
         listing.problems.append(Problem(place, f"{err}: all files are listed, .gitignore is not honoured"))
         for directory in directories:
             _walk(listing, root, directory, repositories=False)
         return
-    paths = [mount + path for path in files]
+    paths = [mount + path for path in found.files]
     listing.paths += paths
-    listing.executables.update(mount + path for path in executables)
+    listing.executables.update(mount + path for path in found.executables)
     listing.is_tracked = True
-    for path in nested:
+    if is_changed:
+        listing.tracked.update((mount + path, name) for path, name in found.tracked.items())
+        listing.submodules.update(mount + path for path in found.nested if path in found.tracked)
+    for path in found.nested:
         if os.path.lexists(f"{root}/{mount}{path}/.git"):
-            _list_repository(listing, root, root / mount / path, [mount + path])
+            below_it = root / mount / path
+            part = (is_changed and path in found.tracked) or below_it == change
+            _list_repository(listing, root, below_it, [mount + path], is_changed=part, change=change)
         else:
             _walk(listing, root, mount + path)
     for directory in directories:
-        for ignored in _ignored_as_a_whole(root, directory, paths + [mount + path for path in nested]):
-            _walk(listing, root, ignored)
+        for ignored in _ignored_as_a_whole(root, directory, paths + [mount + path for path in found.nested]):
+            _walk(listing, root, ignored, change=change)
 
 
 def _ignored_as_a_whole(root: Path, directory: str, known: list[str]) -> list[str]:
@@ -87,7 +103,9 @@ def _ignored_as_a_whole(root: Path, directory: str, known: list[str]) -> list[st
     return [source] if os.path.isdir(root / source) and not os.path.islink(root / source) else []
 
 
-def _walk(listing: Listing, root: Path, directory: str, *, repositories: bool = True) -> None:
+def _walk(
+    listing: Listing, root: Path, directory: str, *, repositories: bool = True, change: Path | None = None
+) -> None:
     """List by reading directories; those that are no source are not entered, those with ``.git`` are left to git."""
     pending = [directory]
     while pending:
@@ -107,7 +125,7 @@ def _walk(listing: Listing, root: Path, directory: str, *, repositories: bool = 
             listing.paths += [prefix + name for name in names & MARKERS]  # they tell of the directories beside it
             continue
         if here != directory and repositories and ".git" in names:
-            _list_repository(listing, root, root / here, [here])
+            _list_repository(listing, root, root / here, [here], is_changed=root / here == change, change=change)
             continue
         listing.paths += [prefix + name for name, _, is_file in found if is_file]
         pending += [prefix + name for name, is_directory, _ in found if is_directory and not is_never_source(name)]

@@ -45,7 +45,9 @@ def _real(argument: str, here: Path, tree: Path | None) -> Path:
         raise UserError(f"{argument}: no such file or directory", help="name files or directories of the workspace")
     inside = Path(os.path.abspath(here / argument)).is_relative_to(tree or here)
     if inside and not path.is_relative_to(tree or here) and (tree is not None or not path.is_dir()):
-        raise UserError(f"{argument}: a symbolic link out of the workspace", help="name what it leads to if you mean it")
+        raise UserError(
+            f"{argument}: a symbolic link out of the workspace", help="name what it leads to if you mean it"
+        )
     return path
 
 

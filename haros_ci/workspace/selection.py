@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Container, Iterable, Mapping
 from dataclasses import dataclass
+from typing import Protocol
 
 from haros_ci.model.package import OTHER
 from haros_ci.workspace.excludes import Excludes
@@ -20,6 +21,8 @@ OUTPUT_MARKERS = frozenset((".colcon_install_layout", ".catkin", ".built_by", "p
 _OTHER_MARKERS = frozenset(
     ("setup.bash", "local_setup.bash", "CMakeCache.txt", "CMakeLists.txt", "package.xml", ".catkin_workspace")
 )
+#: Those without which a directory that holds others counts as output.
+IGNORED_WITHOUT = frozenset(("CMakeLists.txt", "package.xml"))
 MARKERS = IGNORE_MARKERS | OUTPUT_MARKERS | _OTHER_MARKERS
 
 #: What stands beside ``src`` in a workspace that was built.
@@ -49,6 +52,20 @@ class Scope:
             path = path.rpartition("/")[0] or "."
 
 
+class Standing(Protocol):
+    """What a change cannot alter about markers: its base revision has the paths *base*, git tracks the paths *tracked* now."""
+
+    @property
+    def base(self) -> Mapping[str, str]: ...
+
+    @property
+    def tracked(self) -> Container[str]: ...
+
+    def counts(self, path: str) -> bool:
+        """Whether the marker at *path*, which is there now, may hide something."""
+        ...
+
+
 @dataclass(frozen=True, slots=True)
 class Candidate:
     """A path to read; *language* None when only the first line can tell whether it is a script, *fallback* if it is none."""
@@ -72,13 +89,20 @@ def is_never_source(name: str) -> bool:
     return name.startswith(".") or name in _NOT_SOURCE or name.endswith(".egg-info")
 
 
-def select(paths: Iterable[str], scope: Scope, excludes: Excludes, also: Also | None = None) -> list[Candidate]:
+def select(
+    paths: Iterable[str],
+    scope: Scope,
+    excludes: Excludes,
+    also: Also | None = None,
+    standing: Standing | None = None,
+) -> list[Candidate]:
     """The analysed ones of *paths* (a whole listing, as it carries the markers), sorted.
 
-    *also* tells of which paths the files are read whatever their kind.
+    *also* tells of which paths the files are read whatever their kind. With *standing* a change hides nothing by the markers that
+    it adds or removes.
     """
     listing = sorted(set(paths))
-    outputs = _output_directories(listing)
+    outputs = output_directories(listing, standing)
     named = frozenset(scope.files)
     kept = dict.fromkeys((".", *scope.directories), True)  # given directories are entered whatever covers them
 
@@ -109,13 +133,24 @@ def select(paths: Iterable[str], scope: Scope, excludes: Excludes, also: Also | 
     return chosen
 
 
-def _output_directories(listing: list[str]) -> frozenset[str]:
-    """The directories that is_output tells, and their unmarked neighbours in a built workspace."""
+def output_directories(listing: Collection[str], standing: Standing | None = None) -> frozenset[str]:
+    """The directories that is_output tells, and their unmarked neighbours in a built workspace.
+
+    With *standing*, only by markers that count, and not for the lack of what the base revision has.
+    """
     marked: dict[str, set[str]] = {}
     for path in listing:
         directory, _, name = path.rpartition("/")
-        if name in MARKERS:
+        if name in MARKERS and (standing is None or name in IGNORED_WITHOUT or standing.counts(path)):
             marked.setdefault(directory or ".", set()).add(name)
+    if standing is not None:
+        for path in standing.base:
+            directory, _, name = path.rpartition("/")
+            if name in IGNORED_WITHOUT:
+                marked.setdefault(directory or ".", set()).add(name)
+    stood = (
+        listing if standing is None else [*standing.base, *(path for path in listing if path not in standing.tracked)]
+    )
     outputs = {directory for directory, names in marked.items() if is_output(names)}
     roots = {directory for directory, names in marked.items() if ".catkin_workspace" in names}
     for directory in outputs:
@@ -124,6 +159,6 @@ def _output_directories(listing: list[str]) -> frozenset[str]:
             roots.add(parent or ".")
     for root in roots:
         prefix = "" if root == "." else f"{root}/"
-        if any(path.startswith(f"{prefix}src/") for path in listing):
+        if any(path.startswith(f"{prefix}src/") for path in stood):
             outputs.update(prefix + name for name in OUTPUT_NAMES)
     return frozenset(outputs)

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-#: Taken from the workspace as it is now where a base revision is analysed, and from above a directory that is analysed alone.
+#: Read at the base revision where there is one, and also from above a directory that is analysed alone. What they refer to
+#: may have any name.
 TOOL_SETTINGS = (
-    *("CPPLINT.cfg", ".clang-tidy", ".ruff.toml", "ruff.toml", "pyproject.toml", "tox.ini"),
+    *("CPPLINT.cfg", ".clang-tidy", ".ruff.toml", "ruff.toml", "pyproject.toml", "setup.cfg", "tox.ini"),
     *("pylintrc", ".pylintrc", "pylintrc.toml", ".pylintrc.toml"),
     *(".bandit", ".codespellrc", ".flake8", ".isort.cfg", "mypy.ini", ".mypy.ini"),
     *(".clang-format", "_clang-format", ".clang-format-ignore"),

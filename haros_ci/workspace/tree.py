@@ -16,11 +16,11 @@ _EXTRAS = ("CONFIG_EXTRAS", "CFG_EXTRAS", "CONFIG_EXTRAS_POST")
 
 
 class Tree:
-    """Paths are root-relative, ``.`` is the root. Only files that were discovered exist, and directories with such."""
+    """Paths are root-relative, ``.`` is the root. All files of the workspace exist, those too that are not analysed, and directories with such."""
 
     def __init__(self, workspace: Workspace) -> None:
         self.workspace = workspace
-        self.paths = [file.path for file in workspace.files]
+        self.paths = sorted(workspace.names.union(file.path for file in workspace.files))
         self.files = frozenset(self.paths)
         directories = {"."}
         for path in self.paths:

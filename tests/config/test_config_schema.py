@@ -50,7 +50,9 @@ def test_the_same_words_and_limits() -> None:
     assert DEFS["profile"]["enum"] == list(PROFILES)
     linter = DEFS["linter"]["properties"]
     assert linter["languages"]["items"]["enum"] == list(LANGUAGES)
-    assert set(linter["output"]["enum"]) - {None} == set(OUTPUTS) and set(linter["stream"]["enum"]) - {None} == set(STREAMS)
+    assert set(linter["output"]["enum"]) - {None} == set(OUTPUTS) and set(linter["stream"]["enum"]) - {None} == set(
+        STREAMS
+    )
     assert SCHEMA["properties"]["exceptions"]["maxItems"] == exemptions.MAX_EXEMPTIONS
     assert linter["pattern"]["maxLength"] == DEFS["exception"]["properties"]["message"]["maxLength"] == MAX_PATTERN
     assert set(DEFS["levels"]["additionalProperties"]["enum"]) - {False, None} == set(project.LEVELS)

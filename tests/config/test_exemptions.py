@@ -190,17 +190,6 @@ def test_not_where_only_a_part_was_analysed(changes: dict[str, object]) -> None:
     assert notes(TWO, **changes) == ()  # type: ignore[arg-type]
 
 
-def test_packages_that_are_not_there() -> None:
-    from haros_ci.config.settings import PackagePolicy
-
-    def unknown(*names: str) -> tuple[str, ...]:
-        return notes("- {rules: [pylint]}", per_package=(PackagePolicy(names=names, policy=Policy()),))
-
-    assert unknown("arm_driver", "arm*", "*") == ()
-    assert unknown("arm_drivr") == ("per-package: no package 'arm_drivr' here; did you mean 'arm_driver'?",)
-    assert unknown("leg_*") == ("per-package: no package 'leg_*' here",)
-
-
 def test_settings_show_them(tmp_path: Path) -> None:
     (tmp_path / NAME).write_text(
         "exceptions:\n  - {rules: [pylint], message: 'a b', reason: c}\nper-package: {arm: strict, leg: {ignore: [x]}}\n"

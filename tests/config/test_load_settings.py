@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,21 @@ from haros_ci.config.load import load
 from haros_ci.config.settings import PathPolicy, Policy, Settings
 from haros_ci.errors import UserError
 from haros_ci.results.rule import Level
+
+
+@dataclass(frozen=True)
+class AtBase:
+    """The base revision of what lies below *top*."""
+
+    top: Path
+    files: dict[str, str]
+
+    def holds(self, path: Path) -> bool:
+        return path.is_relative_to(self.top)
+
+    def read(self, path: Path) -> bytes | None:
+        text = self.files.get(path.relative_to(self.top).as_posix())
+        return None if text is None else text.encode()
 
 
 def write(root: Path, files: dict[str, str]) -> Path:
@@ -218,19 +234,40 @@ def test_the_base_revision_decides(
     tmp_path: Path, base: dict[str, str], head: dict[str, str], profile: str, notes: tuple[str, ...]
 ) -> None:
     write(tmp_path, head)
-    at_base = {tmp_path / name: text.encode() for name, text in base.items()}
-    settings = load(tmp_path, read=at_base.get)
+    settings = load(tmp_path, base=AtBase(tmp_path, base))
     assert (settings.profile, settings.notes) == (profile, notes)
 
 
 def test_a_named_file_comes_from_the_base_revision_too(tmp_path: Path) -> None:
     root = write(tmp_path / "ws", {"ci.yaml": "profile: bugs-only"})
     outside = write(tmp_path, {"own.yaml": "profile: google"}) / "own.yaml"
-    assert load(root, project=root / "ci.yaml", read={root / "ci.yaml": b"profile: all"}.get).profile == "all"
-    assert load(root, project=outside, read=lambda path: None).profile == "google"
-    new = load(root, project=root / "ci.yaml", read=lambda path: None)
+    assert load(root, project=root / "ci.yaml", base=AtBase(root, {"ci.yaml": "profile: all"})).profile == "all"
+    assert load(root, project=outside, base=AtBase(root, {})).profile == "google"
+    new = load(root, project=root / "ci.yaml", base=AtBase(root, {}))
     assert (new.profile, new.project_file) == ("ros", None)
     assert new.notes == ("ci.yaml is not in the base revision: it has no effect until it is",)
+
+
+def test_without_the_base_no_file_of_the_workspace_counts(tmp_path: Path) -> None:
+    root = write(tmp_path / "ws", {"ci.yaml": "profile: all", ".haros-ci.yaml": "broken: ["})
+    outside = write(tmp_path, {"own.yaml": "profile: google"}) / "own.yaml"
+    for project in (None, root / "ci.yaml"):
+        settings = load(root, project=project, base_missing="unknown revision 'x'.", command_line={"fail_on": "never"})
+        assert (settings.profile, settings.project_file, settings.fail_on) == ("ros", None, None)
+        assert [note.partition(":")[0].endswith(" does not count") for note in settings.notes] == [True]
+        assert settings.without_base.startswith("unknown revision 'x'. The defaults and the command line are used: ")
+    assert load(root, project=outside, base_missing="x").profile == "google"
+    assert load(tmp_path, base_missing="x").notes == (), "where there is no project file nothing is to be said of one"
+    assert load(root, project=outside).without_base == ""
+    with pytest.raises(UserError, match="no such project file"):
+        load(root, project=root / "gone.yaml", base_missing="x")
+
+
+def test_beside_the_repository_files_are_read_from_disk(tmp_path: Path) -> None:
+    root = write(tmp_path, {".haros-ci.yaml": "profile: all", "src/arm/ci.yaml": "profile: google"})
+    base = AtBase(root / "src/arm", {"ci.yaml": "profile: strict"})
+    assert (load(root, base=base).profile, load(root, base=base).notes) == ("all", ())
+    assert load(root, project=root / "src/arm/ci.yaml", base=base).profile == "strict"
 
 
 def test_without_a_project_file_no_yaml_is_imported(tmp_path: Path) -> None:

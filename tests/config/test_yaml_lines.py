@@ -87,6 +87,23 @@ def test_refused(data: bytes, message: str) -> None:
     assert len(caught.value.message) < 300
 
 
+@pytest.mark.parametrize(
+    ("data", "line"),
+    [
+        (b"e: [", 1),
+        (b"a: 1\ne: {", 2),
+        (b"a: 1\ne: 'open", 2),
+        (b"e: [\n", 2),
+        (b"a: 1\r\re: [\r", 4),
+        ("a: 1\u2028e: [\u2029".encode(), 3),
+        (b"a: |\n  \xc2\x85 x\n\t- [", 4),
+    ],
+)
+def test_what_ends_too_early_is_refused_at_a_line_of_the_file(data: bytes, line: int) -> None:
+    with pytest.raises(UserError, match=rf"^f\.yaml:{line}: not valid YAML"):
+        parse(data, "f.yaml")
+
+
 def test_a_tab_is_named_as_the_cause() -> None:
     with pytest.raises(UserError) as caught:
         parse(b"a:\n\t- b", "f.yaml")

@@ -208,6 +208,16 @@ CASES: list[tuple[str, Files, Files, str]] = [
     ("21 one mended elsewhere, one added beside it", whole(UNUSED),
      {"a.cpp": UNUSED.replace("  int unused_a = 3;\n", "  int unused_a = 3; // NOW USED\n  int unused_b = 4;\n")
       .replace("int unused_a", "int used_a")}, "1 N 1 A"),
+    ("21 rewritten: another text, about another name", whole(UNUSED),
+     edit(("int unused_a = 3;", "int unused_b = measure(a) - first;"), text=UNUSED), "1 N 1 A"),
+    ("21 rewritten: shorter, about another name", whole(UNUSED.replace("= 3", "= compute(a, now())")),
+     edit(("int unused_a = compute(a, now());", "int unused_b;"), text=UNUSED.replace("= 3", "= compute(a, now())")), "1 N 1 A"),
+    ("8 rewritten, about the same name", whole(UNUSED),
+     edit(("int unused_a = 3;", "int unused_a = measure(a) - first;"), text=UNUSED), "1 O"),
+    ("8 named variable renamed and its value changed", whole(UNUSED),
+     edit(("int unused_a = 3;", "int unused_b = 4;"), text=UNUSED), "1 O"),
+    ("8 named variable renamed and an argument added", whole(UNUSED.replace("= 3", "= compute(a)")),
+     edit(("int unused_a = 3;", "int unused_b = compute(a, 1);"), text=UNUSED), "1 O"),
     ("22 mended in f, added in g", whole(BASE),
      edit((LINE, ""), ("  publish(second);\n", LINE + "  publish(second);\n")), "1 N 1 A"),
     ("23 another rule fires on the line", whole(BASE), edit(("int x = eval", "int unused_x = eval")), "1 O 1 N"),
@@ -221,6 +231,13 @@ CASES: list[tuple[str, Files, Files, str]] = [
 WITHOUT_BASE = {
     "7 reflowed, finding on the second line": "1 N 1 A",
     "21 one mended elsewhere, one added beside it": "1 O",
+    "8 named variable renamed and an argument added": "1 N 1 A",
+}
+#: What a compact file answers otherwise, because it holds no names.
+WITHOUT_NAMES = {
+    "21 rewritten: another text, about another name": "1 O",
+    "21 rewritten: shorter, about another name": "1 O",
+    "8 named variable renamed and an argument added": "1 O",
 }
 
 
@@ -229,6 +246,8 @@ WITHOUT_BASE = {
 def test_mutations(kind: str, name: str, before: Files, after: Files, expected: str) -> None:
     if kind != "revision":
         expected = WITHOUT_BASE.get(name, expected)
+    if kind == "compact":
+        expected = WITHOUT_NAMES.get(name, expected)
     found = compare(kind, before, after)
     assert verdicts(found) == expected, [(str(r.location), r.state, r.reason) for r in found]
 

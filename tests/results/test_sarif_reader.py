@@ -308,3 +308,9 @@ def test_wrong_types_anywhere(key: str, junk: object) -> None:
     at[last] = junk
     (run,) = read_sarif(json.dumps(data).encode(), "x.sarif")
     assert len(run.results) <= 1
+
+
+def test_a_tool_of_a_name_that_no_baseline_can_hold_is_refused() -> None:
+    assert read(result(), driver={"name": "n" * 1000}).tool.name == "n" * 1000
+    with pytest.raises(SarifError, match=r"x\.sarif: runs\[0\]: tool\.driver\.name has more than 1000 characters"):
+        read(result(), driver={"name": "n" * 1001})

@@ -253,3 +253,16 @@ def test_suppressions_from_elsewhere_stay() -> None:
     again = replace(after, results=after.results * 1)
     (twice,), _ = suppress((again,), lambda _: "x;  // haros:ignore-line\n", language, matches)
     assert len(twice.results[0].suppressions) == 2
+
+
+@pytest.mark.parametrize(
+    ("names", "meant"),
+    [("bda", ["bda"]), ("bad, bda", ["bda"]), ("tool:bda", ["tool:bda"]), ("bad", []), ("other", []), ("", [])],
+)
+def test_a_name_that_no_rule_has_is_an_error_with_what_was_meant(names: str, meant: list[str]) -> None:
+    slips = {"bda": "did you mean 'bad'?", "tool:bda": "did you mean 'tool:bad'?"}
+    text = f"int a;  // haros: ignore[{names}]\n"
+    assert run("a.cpp", text, 1, slip=lambda name: slips.get(name, ""))[1] == [
+        f"In the comment 'haros: ignore[{names}]', '{name}' is the name of no rule, so it silences nothing: {slips[name]}"
+        for name in meant
+    ]

@@ -19,6 +19,7 @@ HEADER = Header(
     settings={"profile": "p", "select": "s"},
     tools=(Had("cppcheck", "head", "2.17", "f"), Had("pylint", "head", None, "")),
     plan="d" * 64,
+    confined="files-network",
 )
 RUN = Run(
     Tool("haros-ci", "0.1.0"),

@@ -157,6 +157,8 @@ def test_a_hostile_answer_is_none(value: str) -> None:
 @pytest.mark.parametrize(
     "members",
     [
+        {"confined": "very well"},
+        {"confined": ...},
         {"number": 0},
         {"number": 3},
         {"number": "1"},
@@ -178,6 +180,15 @@ def test_a_hostile_answer_is_none(value: str) -> None:
 )
 def test_hostile_headers_are_refused(members: dict[str, Any]) -> None:
     assert refused(header(**members)).startswith("one.jsonl:1:")
+
+
+@pytest.mark.parametrize("name", [r'"\p"', r'"\u12"', r'"\uZZZZ"'])
+@pytest.mark.parametrize("place", [0, 1])
+def test_an_answer_with_a_name_that_is_no_json_is_refused(name: str, place: int) -> None:
+    names = ['"t"', '"a.cpp"']
+    names[place] = name
+    said = refused(lines((1, f'["answer",{",".join(names)},"{KEYS[0]}",0,{{}}]')))
+    assert said.startswith("one.jsonl:2: a name that is not JSON text")
 
 
 def test_too_many_bytes_are_not_parsed(monkeypatch: pytest.MonkeyPatch) -> None:

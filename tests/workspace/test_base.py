@@ -257,25 +257,75 @@ def test_a_submodule_without_the_commit(git: Git, new_git: Callable[[str], Git],
 # -- settings and traps -------------------------------------------------------------------------------------------
 
 
-def test_settings_that_are_analysed_and_have_not_changed(git: Git) -> None:
-    git.commit({"a.cpp": b"", ".yamllint.yaml": b"rules: {}\n", ".hadolint.yaml": b"ignored: []\n"})
-    plant(git.top, {".hadolint.yaml": b"ignored: [DL3006]\n"})
-    with base_workspace(discover(git.top, (".",)), "HEAD") as base:
-        assert [file.path for file in base.workspace.files] == [".yamllint.yaml", "a.cpp"]
-        assert base.workspace.text(".hadolint.yaml") == "ignored: [DL3006]\n"
-        assert [problem.path for problem in base.workspace.problems] == [".hadolint.yaml"]
+SETTINGS = {
+    "arm/a.cpp": b"",
+    "CPPLINT.cfg": b"linelength=80\n",
+    "arm/.clang-tidy": b"Checks: old\n",
+    "arm/setup.cfg": b"[flake8]\n",
+    "any/shared.toml": b"# shared\n",
+    ".hadolint.yaml": b"ignored: []\n",
+    "pylintrc": b"\xef\xbb\xbf[MAIN]\r\n",
+}
 
 
-def test_tools_keep_todays_settings(git: Git) -> None:
-    git.commit({"arm/a.cpp": b"", "CPPLINT.cfg": b"linelength=80\n", "arm/.clang-tidy": b"Checks: old\n"})
+def changed_settings(git: Git) -> Workspace:
+    """Today's workspace, whose settings are all another."""
+    git.commit(SETTINGS)
     plant(git.top, {"CPPLINT.cfg": b"linelength=120\n", "arm/CPPLINT.cfg": b"filter=-legal\n", "leg/ruff.toml": b"x"})
+    plant(git.top, {".hadolint.yaml": b"ignored: [DL3006]\n", "any/shared.toml": b"# mine\n"})
     (git.top / "arm" / ".clang-tidy").unlink()
-    with base_workspace(discover(git.top, (".",)), "HEAD") as base:
-        assert base.workspace.text("CPPLINT.cfg") == "linelength=120\n"
+    return discover(git.top, (".",))
+
+
+def test_tools_have_the_settings_of_the_base(git: Git) -> None:
+    with base_workspace(changed_settings(git), "HEAD") as base:
+        assert base.settings is not None
+        for path, data in SETTINGS.items():
+            assert base.settings.data(path) == data
+            assert base.workspace.setting(path) == base.settings.text(path) == data.decode("utf-8-sig")
+        for path in ("arm/CPPLINT.cfg", "leg/ruff.toml", "../x", "arm", "gone"):
+            assert base.workspace.setting(path) == "" and base.settings.data(path) is None
+        assert base.settings.head("CPPLINT.cfg", 4) == b"line"
+        assert base.workspace.text(".hadolint.yaml") == "ignored: []\n"  # which is analysed, too
+        assert base.workspace.problems == ()
+        assert not (base.workspace.root / "arm/CPPLINT.cfg").exists()
+
+
+def test_tools_keep_todays_settings_where_they_are_trusted(git: Git) -> None:
+    with base_workspace(changed_settings(git), "HEAD", trusted=True) as base:
+        assert base.settings is None
+        assert base.workspace.setting("CPPLINT.cfg") == "linelength=120\n"
         assert (base.workspace.root / "arm/CPPLINT.cfg").read_text() == "filter=-legal\n"
-        assert base.workspace.text("arm/.clang-tidy") == ""
+        assert base.workspace.setting("arm/.clang-tidy") == ""
         assert not (base.workspace.root / "arm/.clang-tidy").exists()
         assert not (base.workspace.root / "leg").exists()
+
+
+def test_links_and_large_files_are_no_settings(git: Git) -> None:
+    (git.top / "ruff.toml").symlink_to("real.toml")
+    git.commit({"a.py": b"", "real.toml": b"# real\n", "setup.cfg": b"#" * 900, "tox.ini": b"\0[flake8]\n"})
+    with base_workspace(discover(git.top, (".",)), "HEAD", max_file_size=800) as base:
+        assert [path for path in ("ruff.toml", "setup.cfg", "tox.ini") if base.workspace.setting(path)] == []
+        assert base.workspace.setting("real.toml") == "# real\n"
+
+
+def test_settings_outside_the_repository_are_no_part_of_a_change(git: Git) -> None:
+    git.commit({"a.py": b"", "ruff.toml": b"# old\n"})
+    plant(git.top, {"ruff.toml": b"# new\n", "sub/ruff.toml": b"# new\n"})
+    plant(git.top.parent, {"ruff.toml": b"# around\n"})
+    with base_workspace(discover(git.top.parent, (".",)), "HEAD") as base:
+        assert base.workspace.setting("ruff.toml") == "# around\n"
+        assert base.workspace.setting(f"{git.top.name}/ruff.toml") == "# old\n"
+        assert base.workspace.setting(f"{git.top.name}/sub/ruff.toml") == ""
+
+
+def test_without_a_commit_of_settings_there_are_none(git: Git) -> None:
+    git.commit({"a.py": b""})
+    plant(git.top, {"ruff.toml": b"# new\n"})
+    present = discover(git.top, (".",))
+    assert present.setting("ruff.toml") == "# new\n"
+    with base_workspace(present, "HEAD") as base:
+        assert base.workspace.setting("ruff.toml") == ""
 
 
 def craft(git: Git, entries: bytes) -> str:

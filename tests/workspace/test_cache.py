@@ -111,6 +111,17 @@ def test_foreign_and_broken_files_count_as_empty(tmp_path: Path, data: bytes) ->
     assert kept(tmp_path, 1) == [0]
 
 
+@pytest.mark.parametrize("value", [b'"\xff"', b'"\xc3\xa9"', b"[\xf0\x9f\x92\xa9]", b"\xdd", b'"\\ud800"'])
+def test_what_is_not_ascii_in_a_planted_file_does_not_hinder_the_next_run(tmp_path: Path, value: bytes) -> None:
+    filled(tmp_path)
+    (place,) = tmp_path.iterdir()
+    place.write_bytes(b'{"format":1,"run":1,"entries":{\n"other key":[1,%s]\n}}\n' % value)
+    cache = DiskCache(tmp_path)
+    cache.put("pylint", "src/0.py", "k0", 0)
+    assert cache.flush() is None
+    assert all(path.read_bytes().isascii() for path in tmp_path.iterdir())
+
+
 def test_a_truncated_file_counts_as_empty(tmp_path: Path) -> None:
     filled(tmp_path)
     (place,) = tmp_path.iterdir()

@@ -43,14 +43,25 @@ def test_a_single_package(tmp_path: Path) -> None:
     assert workspace.reports_on("src/arm.cpp")
 
 
-def test_a_file_belongs_to_the_innermost_package(tmp_path: Path) -> None:
+def test_a_package_inside_a_package_is_part_of_it(tmp_path: Path) -> None:
     plant(tmp_path, {"a/package.xml": manifest("outer"), "a/x.py": b"", "a/b/c/x.py": b"", "x.py": b""})
     plant(tmp_path, {"a/b/package.xml": manifest("inner")})
-    owners = {file.path: file.package for file in discover(tmp_path, (".",)).files}
-    assert owners["a/x.py"] == "outer"
-    assert owners["a/b/c/x.py"] == "inner"
-    assert owners["a/b/package.xml"] == "inner"
-    assert owners["x.py"] is None
+    for scope in ((".",), ("a/b",), ("a/b/c/x.py",)):  # whichever part is asked for
+        workspace = discover(tmp_path, scope)
+        owners = {file.path: file.package for file in workspace.files}
+        assert [(package.name, package.path) for package in workspace.packages] == [("outer", "a")]
+        assert owners["a/b/c/x.py"] == owners["a/b/package.xml"] == "outer"
+        assert owners.get("a/x.py", "outer") == "outer" and owners.get("x.py") is None
+
+
+def test_a_manifest_below_a_package_has_no_faults_of_its_own(tmp_path: Path) -> None:
+    plant(
+        tmp_path, {"a/package.xml": manifest("arm"), "a/lib/b/package.xml": b"<pack", "a/c/package.xml": manifest("c")}
+    )
+    plant(tmp_path, {"d/package.xml": manifest("c"), "e/package.xml": b"<pack", "e/f/package.xml": manifest("f")})
+    workspace = discover(tmp_path, (".",))
+    assert [package.path for package in workspace.packages] == ["a", "d", "e"]  # catkin takes a manifest by its name
+    assert [fault.path for fault in workspace.faults] == ["e/package.xml"] and messages(workspace) == []
 
 
 def test_a_broken_manifest_is_a_fault_and_its_directory_still_a_package(tmp_path: Path) -> None:
@@ -197,7 +208,9 @@ def test_not_left_out(tmp_path: Path, extra: dict[str, bytes], in_git: bool) -> 
     root = plant(tmp_path / "ws", {**SOURCE, **extra})
     if in_git:
         Git(root)
-    sources = {name for name in extra if name.endswith((".cpp", ".py", ".md", ".bash", "CMakeLists.txt", "package.xml"))}
+    sources = {
+        name for name in extra if name.endswith((".cpp", ".py", ".md", ".bash", "CMakeLists.txt", "package.xml"))
+    }
     assert set(found(root)) == {*SOURCE_FILES, *sources}
 
 
@@ -338,10 +351,27 @@ def test_texts_that_are_refused(git: Git, tmp_path: Path, path: str) -> None:
 
 
 def test_settings_of_tools_above_a_given_directory_hold(tmp_path: Path) -> None:
-    for path in (".clang-format", "p/.shellcheckrc", "p/q/a.cpp", "p/b.cpp", "r/.clang-format"):
+    for path in (".clang-format", "p/.shellcheckrc", "p/any.toml", "p/q/a.cpp", "p/b.cpp", "r/.clang-format"):
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(f"# {path}\n")
-    found = discover(tmp_path, ("p/q",))
-    assert found.text(".clang-format") == "# .clang-format\n" and found.text("p/.shellcheckrc")
+    (tmp_path / "setup.cfg").symlink_to("p/any.toml")
+    (tmp_path / "linked").symlink_to("r")
+    (tmp_path / "big.toml").write_text("#" * 5000)
+    found = discover(tmp_path, ("p/q",), max_file_size=4000)
+    assert found.setting(".clang-format") == "# .clang-format\n" and found.setting("p/.shellcheckrc")
+    assert found.setting("p/any.toml") == "# p/any.toml\n"  # what settings refer to may have any name
+    assert found.setting("p/q/a.cpp") == found.text("p/q/a.cpp") == "# p/q/a.cpp\n"
+    nothing = (
+        "setup.cfg",
+        "linked/.clang-format",
+        "big.toml",
+        "p/q/ruff.toml",
+        "../x",
+        "r/../.clang-format",
+        "p",
+        "a\0b",
+    )
+    assert [path for path in nothing if found.setting(path)] == []
     assert [file.path for file in found.files] == ["p/q/a.cpp"]
     assert found.text("p/b.cpp") == found.text("r/.clang-format") == "" and found.names == {"p/q/a.cpp"}
+    assert discover(tmp_path, (".",)).setting("p/any.toml") == "# p/any.toml\n"

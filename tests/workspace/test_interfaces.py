@@ -43,6 +43,18 @@ def fields(text: str) -> list[tuple[str, str, Any, bool]]:
         ("float64[3] v [0.0, 1.0, 2.0]", ("float64[3]", "v", (0.0, 1.0, 2.0), False)),
         ("string[] v ['a, b', \"c\"]", ("string[]", "v", ("a, b", "c"), False)),
         ("int32[] v []", ("int32[]", "v", (), False)),
+        ("string report_type SYSTEM", ("string", "report_type", "SYSTEM", False)),
+        ("string s two words # c", ("string", "s", "two words", False)),
+        ("string<=5 s 'abc'", ("string<=5", "s", "abc", False)),
+        ("wstring s abc", ("wstring", "s", "abc", False)),
+        ("string s it's", ("string", "s", "it's", False)),
+        ("string[] v [a, 'b c']", ("string[]", "v", ("a", "b c"), False)),
+        ("uint8 x 0b101", ("uint8", "x", 5, False)),
+        ("uint8 X = 0o17", ("uint8", "X", 15, True)),
+        ("int64 X=1_000_000", ("int64", "X", 1_000_000, True)),
+        ("uint32 X=0xFF_FF", ("uint32", "X", 0xFFFF, True)),
+        ("int32 X=010", ("int32", "X", 10, True)),
+        ("float64 x nan", ("float64", "x", pytest.approx(float("nan"), nan_ok=True), False)),
     ],
 )
 def test_fields(line: str, expected: tuple[str, str, Any, bool]) -> None:

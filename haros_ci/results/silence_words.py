@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How it is said that a change silences something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.results.result import Silenced
+
+MAX_NAMED = 5
+
+
+def sentences(silenced: Silenced) -> Iterator[str]:
+    """Up to two sentences: on findings that are suppressed, and on comments whose effect nobody sees, with the first places."""
+    if silenced.findings:
+        one = silenced.findings == 1
+        yield f"{silenced.findings:,} finding{'' if one else 's'} suppressed by comments that this change adds"
+    if silenced.comments:
+        number = len(silenced.comments)
+        named = ", ".join(f"{place} ({name})" for place, name in silenced.comments[:MAX_NAMED])
+        more = f" and {number - MAX_NAMED:,} more" if number > MAX_NAMED else ""
+        noun = "comment that silences" if number == 1 else "comments that silence"
+        yield f"the change adds {number:,} {noun} linters: {named}{more}"
+
+
+def counted(silenced: Silenced) -> str:
+    """The same in few words, for a summary; "" if there is nothing to say."""
+    parts = []
+    if silenced.findings:
+        parts.append(f"{silenced.findings:,} finding{'' if silenced.findings == 1 else 's'} suppressed by this change")
+    if number := len(silenced.comments):
+        parts.append(
+            f"{number:,} comment{' that silences' if number == 1 else 's that silence'} linters added by this change"
+        )
+    return "; ".join(parts)

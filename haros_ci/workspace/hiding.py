@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a change does that would keep its files from being analysed, as warnings, notes and findings."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import stat
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
+
+from haros_ci.model.package import OTHER
+from haros_ci.model.workspace import Hiding, Problem, Workspace
+from haros_ci.workspace.excludes import Excludes
+from haros_ci.workspace.files import Tree
+from haros_ci.workspace.language import language_of, suffix_of
+from haros_ci.workspace.listing import Listing
+from haros_ci.workspace.past import Past
+from haros_ci.workspace.selection import (
+    IGNORED_WITHOUT,
+    MARKERS,
+    Candidate,
+    Scope,
+    is_never_source,
+    output_directories,
+)
+
+#: Files that a message names; the rest is counted.
+MAX_NAMED = 3
+#: Kinds of files that tools' own directories hold (``.github``): there they are named only if the directory is new.
+_DATA = frozenset(("yaml", "xml", "dockerfile", "shell", "setup"))
+_UNTOLD = frozenset(("markdown", OTHER))
+_PIECE = 1 << 20
+
+
+class Change:
+    """The difference between the base revision and the files that git tracks now.
+
+    It is what selection asks whether a marker counts (``selection.Standing``).
+    """
+
+    def __init__(self, root: Path, past: Past, listing: Listing) -> None:
+        self.root = root
+        self._tree = Tree(root)
+        self.base = past.entries
+        self.tracked = listing.tracked
+        self.executables = listing.executables
+        self.is_known = past.is_known
+        self.listed = listing.paths
+        self.submodules = listing.submodules
+
+    def counts(self, path: str) -> bool:
+        """Whether what the marker at *path* does counts: it was there before, or it was made on this machine."""
+        return path in self.base or path not in self.tracked
+
+    def has_changed(self, path: str) -> bool:
+        """Whether the tracked file at *path* has other contents on disk than in the base, or was not there.
+
+        A file that has moved as it was has not changed. What git made of it by the attributes of the base has not, either.
+        """
+        if path not in self.tracked:
+            return False
+        before = self.base.get(path)
+        name = self._object_name(path)
+        if name is None or name == before:
+            return False
+        if before is not None and before == self.tracked[path] and self._has_same_attributes:
+            return False
+        is_as_it_moved = path.isprintable() and not os.path.islink(
+            f"{self.root}/{path}"
+        )  # else the path is what is wrong
+        return not is_as_it_moved or (language_of(path.rpartition("/")[2]), name) not in self._contents
+
+    @cached_property
+    def _contents(self) -> frozenset[tuple[str | None, str]]:
+        return frozenset((language_of(path.rpartition("/")[2]), name) for path, name in self.base.items())
+
+    @cached_property
+    def _has_same_attributes(self) -> bool:
+        """Whether there are .gitattributes, none of which has changed: they can convert what is checked out."""
+
+        def of(entries: Iterable[tuple[str, str]]) -> set[tuple[str, str]]:
+            return {(path, name) for path, name in entries if path.rpartition("/")[2] == ".gitattributes"}
+
+        before = of(self.base.items())
+        return bool(before) and before == of(self.tracked.items())
+
+    def _object_name(self, path: str) -> str | None:
+        try:
+            return _object_name(self._tree.place(path), len(self.tracked[path]))
+        except (OSError, ValueError):
+            return ""  # it is there, and nobody can say that it is as it was
+
+    # -- what is said ----------------------------------------------------------------------------------------------
+
+    def told(
+        self, workspace: Workspace, candidates: Collection[Candidate], scope: Scope, excludes: Excludes
+    ) -> Workspace:
+        """*workspace*, which was made of *candidates*, with all that is to be said of the change."""
+        analysed = {file.path: file.language for file in workspace.files}
+        away = tuple(self._led_away(workspace.links, analysed, excludes))
+        hiding = Hiding(
+            warnings=tuple(self._warnings(candidates, scope)),
+            notes=tuple(self._notes(candidates, scope, excludes)),
+            unread=(*workspace.hiding.unread, *away),
+        )
+        return replace(workspace, hiding=hiding)
+
+    def _warnings(self, chosen: Iterable[Candidate], scope: Scope) -> Iterator[Problem]:
+        """One for each directory that would be left out but for the base revision."""
+        without, counted = output_directories(self.listed), output_directories(self.listed, self)
+        kept = sorted(without - counted)
+        paths = [c.path for c in chosen if c.path in self.tracked and c.language not in (None, *_UNTOLD)]
+        paths = [path for path in paths if path.rpartition("/")[2] not in MARKERS - IGNORED_WITHOUT]
+        for directory in kept:
+            above = {*_parents(directory)}
+            if directory in (".", *scope.directories) or above & set(kept) or above & counted:
+                continue
+            if files := [path for path in paths if path.startswith(f"{directory}/")]:
+                verb = "is" if len(files) == 1 else "are"
+                yield Problem(directory, f"{self._cause(directory)}; {_files(files)} below it {verb} analysed")
+
+    def _cause(self, directory: str) -> str:
+        """Why *directory* would be left out."""
+        parent = directory.rpartition("/")[0] or "."
+        for place in (directory, parent):
+            prefix = "" if place == "." else f"{place}/"
+            names = sorted(MARKERS - IGNORED_WITHOUT)
+            if added := [name for name in names if prefix + name in self.tracked and prefix + name not in self.base]:
+                return f"{prefix}{added[0]} does not count, as the base revision does not have it"
+            listed = set(self.listed)
+            if gone := [n for n in sorted(IGNORED_WITHOUT) if prefix + n in self.base and prefix + n not in listed]:
+                return f"it stays a directory of sources, though {prefix}{gone[0]} is gone"
+        return "it stays a directory of sources, though it looks like the output of a build now"
+
+    def _notes(self, chosen: Iterable[Candidate], scope: Scope, excludes: Excludes) -> Iterator[Problem]:
+        """One for all changed files in directories that are never analysed, one for each submodule that is not there."""
+        if not self.is_known:
+            return
+        read = {candidate.path for candidate in chosen}
+        outputs = output_directories(self.listed, self)
+        known = {parent for path in self.base for parent in _parents(path)}
+        aside = []
+        for path, name in sorted(self.tracked.items()):
+            if path in read or self.base.get(path) == name or scope.given(path) is None:
+                continue
+            if path in self.submodules:
+                if not os.path.lexists(f"{self.root}/{path}/.git"):
+                    text = "the change sets this submodule to another commit, which is not checked out: nothing of it is analysed"
+                    yield Problem(path, f"{text}; check it out (git submodule update --init)")
+                continue
+            hidden = self._never_analysed(path, outputs)
+            if hidden and self._is_code(path, hidden in known) and not _excluded(path, excludes):
+                aside.append(path)
+        if aside:
+            verb = "lies" if len(aside) == 1 else "lie"
+            named = _named(aside)
+            yield Problem(
+                ".", f"{_plural(len(aside), 'changed file')} {verb} in directories that are never analysed: {named}"
+            )
+
+    def _never_analysed(self, path: str, outputs: frozenset[str]) -> str:
+        """The outermost directory around *path* that is never entered, "" without one."""
+        found = ""
+        for directory in _parents(path):
+            if is_never_source(directory.rpartition("/")[2]) or directory in outputs:
+                found = directory
+        return found
+
+    def _is_code(self, path: str, is_old: bool) -> bool:
+        """Whether it would be analysed elsewhere; *is_old* for a directory that the base has, too."""
+        name = path.rpartition("/")[2]
+        language = language_of(name)
+        if language is None:
+            return path in self.executables and not suffix_of(name)
+        return language not in _UNTOLD and not (is_old and language in _DATA)
+
+    def _led_away(
+        self, links: Iterable[tuple[str, str]], analysed: dict[str, str], excludes: Excludes
+    ) -> Iterator[Problem]:
+        """A problem for each changed link, named as source, that leads to a file that is not analysed as such."""
+        for path, target in links:
+            language = language_of(path.rpartition("/")[2])
+            if language is None or language in _UNTOLD or not self.has_changed(path):
+                continue
+            found = analysed.get(target)
+            if found is not None and (found == language or language not in ("cpp", "python")):
+                continue
+            if not _excluded(target, excludes) and os.path.isfile(f"{self.root}/{target}"):
+                yield Problem(path, f"skipped: a symbolic link to {target}, which is not analysed as {language}")
+
+
+def _object_name(path: str, length: int) -> str | None:
+    """What git calls the contents of the file or link at *path*, with names of *length* digits; None if there is none."""
+    made = hashlib.sha256() if length == 64 else hashlib.sha1(usedforsecurity=False)
+    try:
+        status = os.lstat(path)
+        if stat.S_ISLNK(status.st_mode):
+            target = os.fsencode(os.readlink(path))
+            made.update(b"blob %d\0" % len(target) + target)
+            return made.hexdigest()
+        if not stat.S_ISREG(status.st_mode):
+            return None
+        made.update(b"blob %d\0" % status.st_size)
+        with open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:
+            while piece := file.read(_PIECE):
+                made.update(piece)
+    except FileNotFoundError:
+        return None
+    return made.hexdigest()
+
+
+def _excluded(path: str, excludes: Excludes) -> bool:
+    return excludes.match(path, is_directory=False) or any(
+        excludes.match(directory, is_directory=True) for directory in _parents(path)
+    )
+
+
+def _files(paths: list[str]) -> str:
+    return f"{_plural(len(paths), 'file')} ({_named(paths)})"
+
+
+def _named(paths: list[str]) -> str:
+    more = len(paths) - MAX_NAMED
+    return ", ".join([*paths[:MAX_NAMED], *([f"and {more:,} more"] if more > 0 else [])])
+
+
+def _plural(number: int, noun: str) -> str:
+    return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"
+
+
+def _parents(path: str) -> Iterator[str]:
+    while "/" in path:
+        path = path.rpartition("/")[0]
+        yield path

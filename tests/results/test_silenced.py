@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Comments that silence tools: which are known, and which of them a change adds."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.model.location import Location
+from haros_ci.results.directives import _NATIVE
+from haros_ci.results.result import BaselineState, Result, Run, Silenced, Suppression, Tool
+from haros_ci.results.rule import Level
+from haros_ci.results.silence_words import counted, sentences
+from haros_ci.results.silenced import Pair, silenced
+from haros_ci.results.silencers import FORMS, silencers
+
+FIRES = [
+    ("c", "int a; // NOLINT\n", "NOLINT"),
+    ("c", "int a; /* NOLINT(build/include) */\n", "NOLINT"),
+    ("c", "// NOLINTNEXTLINE(a-b)\nint a;\n", "NOLINTNEXTLINE"),
+    ("c", "// NOLINTBEGIN\nint a;\n// NOLINTEND\n", "NOLINTBEGIN"),
+    ("c", "// LINT_C_FILE\n", "LINT_C_FILE"),
+    ("c", "// cppcheck-suppress nullPointer\n*p = 1;\n", "cppcheck-suppress"),
+    ("c", "/* cppcheck-suppress-begin [a, b] */\n", "cppcheck-suppress"),
+    ("c", "// cppcheck-suppress-file unusedFunction\n", "cppcheck-suppress"),
+    ("c", "// clang-format off\n", "clang-format off"),
+    ("c", "strcpy(a, b); // Flawfinder: ignore\n", "Flawfinder: ignore"),
+    ("c", "int f() { // #lizard forgives\n", "#lizard forgives"),
+    ("c", "// GENERATED CODE\n", "GENERATED CODE"),
+    ("python", "# yapf: disable\n", "yapf: disable"),
+    ("python", "import a  # noqa\n", "noqa"),
+    ("python", "import a  # NOQA:F401,E501\n", "noqa"),
+    ("python", "import a  # see below # noqa: F401\n", "noqa"),
+    ("python", "import a  # NoQa\n", "noqa"),
+    ("python", "import a  # noqaX\n", "noqa"),
+    ("python", "a = eval(b)  # nosection\n", "nosec"),
+    ("python", "a = 1  # see below, pylint: disable=invalid-name\n", "pylint: disable"),
+    ("c", "// vim: set filetype=c :\n", "LINT_C_FILE"),
+    ("python", "# flake8: noqa\n", "flake8: noqa"),
+    ("python", "# flake8: noqa: E501\n", "flake8: noqa"),
+    ("python", "# ruff: noqa: F401\n", "ruff: noqa"),
+    ("python", "# pylint: disable=all\n", "pylint: disable"),
+    ("python", "a = 1  # pylint:disable=invalid-name,x\n", "pylint: disable"),
+    ("python", "# pylint: disable-next=x\n", "pylint: disable"),
+    ("python", "# pylint: skip-file\n", "pylint: disable"),
+    ("python", "a = b()  # type: ignore\n", "type: ignore"),
+    ("python", "a = b()  # type: ignore[attr-defined]\n", "type: ignore"),
+    ("python", "#!/usr/bin/env python3\n# type: ignore\nimport a\n", "type: ignore"),
+    ("python", "# mypy: ignore-errors\n", "mypy:"),
+    ("python", "eval(a)  # nosec B307\n", "nosec"),
+    ("python", "# fmt: off\n", "fmt: off"),
+    ("python", "a = [  1]  # fmt: skip\n", "fmt: off"),
+    ("python", "import a  # isort: skip\n", "isort: skip"),
+    ("python", "# isort: skip_file\n", "isort: skip"),
+    ("python", "# isort:off\n", "isort: skip"),
+    ("shell", "# shellcheck disable=SC2086\necho $a\n", "shellcheck disable"),
+    ("dockerfile", "# hadolint ignore=DL3006\nFROM a\n", "hadolint ignore"),
+    ("dockerfile", "# hadolint global ignore=DL3006\nFROM a\n", "hadolint ignore"),
+    ("yaml", "# yamllint disable\na: 1\n", "yamllint disable"),
+    ("yaml", "a:  1  # yamllint disable-line rule:colons\n", "yamllint disable"),
+    ("cmake", "project(a)\n#catkin_lint: ignore_once missing_directory\n", "catkin_lint"),
+    ("xml", "<package><!-- catkin_lint: ignore missing_depend --></package>\n", "catkin_lint"),
+    ("cmake", "# lint_cmake: -linelength\n", "lint_cmake"),
+    ("cmake", "# cmake-lint: disable=C0103\n", "cmake-lint: disable"),
+    ("cmake", "# cmake-format: off\n", "cmake-format: off"),
+    ("c", "int teh; // codespell:ignore teh\n", "codespell:ignore"),
+    ("yaml", "a: teh # codespell:ignore\n", "codespell:ignore"),
+]
+
+QUIET = [
+    ("c", 'auto a = "// NOLINT";\n'),
+    ("c", 'auto a = R"(// NOLINT\n)";\n'),
+    ("c", "int NOLINT = 1;\n"),
+    ("c", "// NOLINT is for tools\nint a;\n"),
+    ("c", "int a; // NOLINTS\n"),
+    ("c", "int a; // NOLINTEND\n"),
+    ("c", "// we do not use cppcheck-suppress here\n"),
+    ("c", "// clang-format on\n"),
+    ("c", "// see the manual of clang-format: clang-format off\n"),
+    ("c", "int a; // noqa\n"),
+    ("python", 'a = "# noqa"\n'),
+    ("python", '"""Use # noqa to silence; # pylint: disable=x, # type: ignore."""\n'),
+    ("python", "a = '''\n# flake8: noqa\n'''\n"),
+    ("python", "# noqa\na = 1\n"),
+    ("python", "a = 1  # no qa\n"),
+    ("c", "// vim: set filetype=cpp :\n"),
+    ("python", "a = 1  # the noqa comment\n"),
+    ("python", "# see the docs of flake8: noqa silences\n"),
+    ("python", "# pylint: enable=x\n"),
+    ("python", "# pylint is slow\n"),
+    ("python", "a = 1  # type: int\n"),
+    ("python", "a = 1\n# type: ignore\n"),
+    ("python", "# fmt: on\n"),
+    ("python", "# isort: on\n"),
+    ("python", "# mypy is slow\n"),
+    ("shell", "# shellcheck source=lib.sh\n. lib.sh\n"),
+    ("shell", "echo '# shellcheck disable=SC2086'\n"),
+    ("shell", "# shellcheck finds this\n"),
+    ("yaml", "# yamllint enable\n"),
+    ("yaml", 'a: "# yamllint disable"\n'),
+    ("cmake", 'message("#catkin_lint: ignore x")\n'),
+    ("cmake", "# lint_cmake: +linelength\n"),
+    ("cmake", "# cmake-format: on\n"),
+    ("xml", "<a>catkin_lint: ignore x</a>\n"),
+    ("", "# noqa # NOLINT\n"),
+]
+
+
+@pytest.mark.parametrize(("kind", "text", "name"), FIRES)
+def test_a_comment_that_silences(kind: str, text: str, name: str) -> None:
+    assert [found.form.name for found in silencers(text, kind)] == [name]
+
+
+@pytest.mark.parametrize(("kind", "text"), QUIET)
+def test_what_silences_nothing(kind: str, text: str) -> None:
+    assert list(silencers(text, kind)) == []
+
+
+def test_every_form_is_tried() -> None:
+    untried = {form.name for form in FORMS} - {name for _, _, name in FIRES}
+    assert untried == set()
+    assert {mark for mark, _ in _NATIVE.values()} <= {form.name for form in FORMS}, "those that metrics obey"
+
+
+# -- what a change adds -------------------------------------------------------------------------------------------
+
+CODE = "import os\nimport sys\n\n\ndef f(a):\n    return eval(a)\n"
+QUIETED = "import os  # noqa\nimport sys\n\n\ndef f(a):\n    return eval(a)  # pylint: disable=eval-used\n"
+
+
+def added(
+    head: str, base: str | None, *, path: str = "a.py", gone: tuple[str, ...] = (), others: tuple[Pair, ...] = ()
+) -> list[str]:
+    pairs = [Pair(path, "python", head, base), *others]
+    found = silenced(pairs, [(f"gone{n}.py", "python", text) for n, text in enumerate(gone)], ())
+    return [f"{place}:{name}" for place, name in found.comments]
+
+
+@pytest.mark.parametrize(
+    ("head", "base", "expected"),
+    [
+        (QUIETED, CODE, ["a.py:1:noqa", "a.py:6:pylint: disable"]),
+        (QUIETED, None, ["a.py:1:noqa", "a.py:6:pylint: disable"]),
+        (QUIETED.replace("# noqa", "# noqa: F401"), QUIETED, []),
+        (QUIETED.replace("eval-used", "all"), QUIETED, ["a.py:6:pylint: disable"]),
+        (QUIETED + "import x  # noqa\n", QUIETED, ["a.py:7:noqa"]),
+        (CODE.replace("eval(a)", "exec(a)  # noqa"), "import os  # noqa\n" + CODE, ["a.py:6:noqa"]),
+        ("# pylint: disable=all\n" + CODE, CODE, ["a.py:1:pylint: disable"]),
+        ("import q  # noqa\nimport q  # noqa\n", "import q  # noqa\n", ["a.py:2:noqa"]),
+        ("# Generated by a tool. DO NOT EDIT.\nimport q  # noqa\n", "import q\n", ["a.py:2:noqa"]),
+        ("# Generated by a tool. DO NOT EDIT.\nimport q  # noqa\n", None, ["a.py:2:noqa"]),
+    ],
+)
+def test_what_is_added(head: str, base: str | None, expected: list[str]) -> None:
+    if "F401" in head:
+        expected = ["a.py:1:noqa"]  # it names other rules now
+    assert added(head, base) == expected
+
+
+@pytest.mark.parametrize(
+    ("head", "base", "gone"),
+    [
+        (QUIETED, QUIETED, ()),
+        (CODE, QUIETED, ()),
+        ("x = 1\n\n" + QUIETED, QUIETED, ()),
+        (QUIETED.replace("    return", "        return"), QUIETED, ()),
+        (QUIETED.replace("  # ", " #  "), QUIETED, ()),
+        (QUIETED.replace("eval(a)", "eval(a, {})"), QUIETED, ()),
+        ("\n".join(reversed(QUIETED.splitlines())), QUIETED, ()),
+        (QUIETED.replace("\n", "\r\n"), QUIETED, ()),
+        (QUIETED, None, (QUIETED,)),
+        ("def f(a):\n    return eval(a)  # pylint: disable=eval-used\n", None, (CODE, QUIETED)),
+        ("# Generated. Do not edit.\nimport q  # noqa\n", "# Generated. Do not edit.\nimport p\n", ()),
+        (CODE, None, ()),
+    ],
+)
+def test_what_was_there(head: str, base: str | None, gone: tuple[str, ...]) -> None:
+    assert added(head, base, gone=gone) == []
+
+
+def test_a_comment_that_moves_to_another_changed_file() -> None:
+    other = Pair("b.py", "python", QUIETED, CODE)
+    assert added(CODE, QUIETED, others=(other,)) == []
+    copy = Pair("b.py", "python", QUIETED, CODE)
+    assert added(QUIETED, QUIETED, others=(copy,)) == ["b.py:1:noqa", "b.py:6:pylint: disable"]
+
+
+def test_prose_is_not_looked_at() -> None:
+    text = "<!-- NOLINT codespell:ignore -->\n"
+    assert not silenced([Pair("a.md", "markdown", text, "")], (), ())
+
+
+def result(line: int, *suppressions: Suppression, state: BaselineState | None = BaselineState.NEW) -> Result:
+    return Result("t", "r", Level.WARNING, "m", Location("a.py", line), suppressions=suppressions, state=state)
+
+
+def comment(line: int, column: int) -> Suppression:
+    return Suppression("inSource", "", Location("a.py", line, column))
+
+
+def test_findings_that_are_suppressed_by_the_change() -> None:
+    base = "a = 1  # haros: ignore[r] old\nb = 2\n"
+    head = "z = 0\na = 1  # haros: ignore[r] old\nb = 2  # haros: ignore[r] new\n"
+    exception = Suppression("external", "", source="x:1")
+    results = (
+        result(2, comment(2, 8)),
+        result(3, comment(3, 8)),
+        result(3, comment(3, 8)),
+        result(3, comment(3, 8), exception),
+        result(3, comment(3, 8), comment(2, 8)),
+        result(3),
+    )
+    found = silenced([Pair("a.py", "python", head, base)], (), [Run(Tool("t"), results=results)])
+    assert found == Silenced(findings=2)
+    assert not silenced([Pair("a.py", "python", head, head)], (), [Run(Tool("t"), results=results)])
+
+
+def test_a_comment_that_comes_to_silence_other_code_is_new() -> None:
+    base = "a = 1  # haros: ignore[r] x\nb = 2\nc = 3\nd = 4\n"
+    head = "a = 1\nb = 2\nc = 3\nd = 4  # haros: ignore[r] x\n"
+    runs = [Run(Tool("t"), results=(result(4, comment(4, 8)),))]
+    assert silenced([Pair("a.py", "python", head, base)], (), runs).findings == 1
+
+
+def test_words() -> None:
+    one = Silenced(1, ((Location("a.py", 3), "noqa"),))
+    assert list(sentences(one)) == [
+        "1 finding suppressed by comments that this change adds",
+        "the change adds 1 comment that silences linters: a.py:3 (noqa)",
+    ]
+    many = Silenced(2, tuple((Location("a.py", n), "noqa") for n in range(1, 8)))
+    assert list(sentences(many))[1].endswith("a.py:5 (noqa) and 2 more")
+    assert counted(many) == "2 findings suppressed by this change; 7 comments that silence linters added by this change"
+    assert (list(sentences(Silenced())), counted(Silenced())) == ([], "")
