@@ -3,16 +3,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import combinations
 
-from haros_ci.api import Check, Finding, Level, Project, System, together
+from haros_ci.api import ALWAYS, Check, Finding, Level, Location, Project, System, command, together
+from haros_ci.api.launch import FileUse, IncludeUse, ProgramUse
 from haros_ci.api.robots import Broadcast, broadcasts
 
 
 def check(project: Project) -> Iterator[Finding]:
     for system in project.systems:
-        if not system.is_launched:
+        if not system.is_launched or cannot_start(system):
             continue
         by_child: dict[tuple[str, str], list[Broadcast]] = {}
         for each in broadcasts(project, system):
@@ -26,6 +27,33 @@ def check(project: Project) -> Iterator[Finding]:
         for pairs in told.values():
             yield conflict(pairs, system)
         yield from circles(by_child, system)
+
+
+def cannot_start(system: System) -> bool:
+    """Whether launch stops before all nodes are there, whatever its arguments: that is a finding of another check.
+
+    launch stops where an included file or a required argument is missing, that of ROS 2 also where a program is not found.
+    """
+    missing = (
+        *(use for use in system.facts(FileUse) if use.kind == "include" and use.is_found is False),
+        *(use for use in system.facts(IncludeUse) if use.missing),
+        *(use for use in system.facts(ProgramUse) if use.is_found is False and use.ros == 2),
+    )
+    return any(use.presence == ALWAYS for use in missing)
+
+
+def seen_with(system: System) -> str:
+    """The launch file of *system*, and the command that starts it."""
+    return f"in {system.launch[0]} (`{command(system, ())}`)"
+
+
+def each_once(at: Location, places: Iterable[tuple[Location, str]]) -> tuple[tuple[Location, str], ...]:
+    """*places* without *at*, and without those that are there already."""
+    found: dict[Location, str] = {}
+    for place, text in places:
+        if place != at:
+            found.setdefault(place, text)
+    return tuple(found.items())
 
 
 def is_conflict(one: Broadcast, other: Broadcast) -> bool:
@@ -52,12 +80,15 @@ def conflict(pairs: list[tuple[Broadcast, Broadcast]], system: System) -> Findin
     more = f" (and {len(pairs) - 1} more frames)" if len(pairs) > 1 else ""
     return Finding(
         at=other.at,
-        message=f"the frame {one.child!r}{more} is broadcast {how}; leave it to one of them, or give them frames of their own",
+        message=f"the frame {one.child!r}{more} is broadcast {how}; leave it to one of them, or give them frames of their own; {seen_with(system)}",
         about=(one.child, one.node, other.node),
-        related=(
-            (one.at, one.what),
-            (other.node.location, f"starts {other.node}"),
-            (one.node.location, f"starts {one.node}"),
+        related=each_once(
+            other.at,
+            (
+                (one.at, one.what),
+                (other.node.location, f"starts {other.node}"),
+                (one.node.location, f"starts {one.node}"),
+            ),
         ),
         level=None if parents else Level.WARNING,
         apart=(one.child, str(one.at)),
@@ -81,9 +112,9 @@ def circles(by_child: dict[tuple[str, str], list[Broadcast]], system: System) ->
                 continue
             yield Finding(
                 at=ring[0].at,
-                message=f"the frames {names} each hang on the next: tf refuses such a circle, and finds no transform in it",
+                message=f"the frames {names} each hang on the next: tf refuses such a circle, and finds no transform in it; {seen_with(system)}",
                 about=(*sorted(each.child for each in ring), *{id(e.node): e.node for e in ring}.values()),
-                related=tuple((each.at, each.what) for each in ring[1:]),
+                related=each_once(ring[0].at, ((each.at, each.what) for each in ring[1:])),
             )
         done.update(way)
 

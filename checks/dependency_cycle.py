@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
-from haros_ci.api.packages import BUILD, EXPORTED, Dependency, holds, is_nested, needs, place
+from haros_ci.api.packages import BUILD, EXPORTED, Dependency, holds, needs, place
 
 #: The needed package by name, with the dependency that says so.
 Edges = Mapping[str, Dependency]
@@ -21,9 +21,8 @@ SHOWN = 20
 
 def check(project: Project) -> Iterator[Finding]:
     told: set[tuple[str, ...]] = set()
-    built = [package for package in project.packages if not is_nested(package)]
     for tool, ros in (("colcon", 2), ("catkin", 1)):
-        packages = {package.name: package for package in built if package.ros in (ros, None)}
+        packages = {package.name: package for package in project.packages if package.ros in (ros, None)}
         edges = {name: _edges(packages, package) for name, package in packages.items()}
         for group in _circles({name: tuple(needed) for name, needed in edges.items()}):
             if tool == "colcon" and not any(packages[name].ros == 2 for name in group):

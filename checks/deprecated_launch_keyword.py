@@ -10,24 +10,44 @@ from haros_ci.api.launch import ConstructUse, included_by, renamed_keyword
 
 
 def check(system: System) -> Iterator[Finding]:
+    calls: dict[tuple[object, ...], list[ConstructUse]] = {}
     for use in system.facts(ConstructUse):
         if use.kind == "deprecated":
-            yield Finding(
-                at=use.location,
-                message=f"{use.text} is taken up to ROS 2 Foxy only, later launch stops here; write {use.instead}",
-                about=(use.text,),
-                flow=included_by(use),
-                presence=use.presence,
-                apart=(use.text,),
-                fixes=fixes(system, use),
-            )
+            calls.setdefault((use.location, use.presence, use.included), []).append(use)
+    for uses in calls.values():
+        yield _finding(system, uses)
 
 
-def fixes(system: System, use: ConstructUse) -> tuple[Fix, ...]:
-    """The keyword written as it is today."""
-    text = system.workspace.text(use.location.path) if system.workspace is not None else ""
-    edit = renamed_keyword(text, use.location, use.text.rstrip("="), use.instead.rstrip("="))
-    return (Fix(f"write {use.instead}", (edit,)),) if edit is not None else ()
+def _finding(system: System, uses: list[ConstructUse]) -> Finding:
+    """One finding for a call, however many such keywords it has."""
+    first = uses[0]
+    old, new = (_listed([each.text for each in uses]), _listed([each.instead for each in uses]))
+    return Finding(
+        at=first.location,
+        message=f"{old}: removed from launch_ros after ROS 2 Foxy, launch stops here; write {new}",
+        about=tuple(each.text for each in uses),
+        flow=included_by(first),
+        presence=first.presence,
+        apart=tuple(each.text for each in uses),
+        fixes=fixes(system, uses),
+    )
+
+
+def _listed(words: list[str]) -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def fixes(system: System, uses: list[ConstructUse]) -> tuple[Fix, ...]:
+    """The keywords written as they are today, if that is sure for all of them."""
+    text = system.workspace.text(uses[0].location.path) if system.workspace is not None else ""
+    edits = tuple(
+        edit
+        for use in uses
+        for edit in [renamed_keyword(text, use.location, use.text.rstrip("="), use.instead.rstrip("="))]
+        if edit is not None
+    )
+    title = f"write {_listed([each.instead for each in uses])}"
+    return (Fix(title, edits),) if len(edits) == len(uses) else ()
 
 
 CHECK = Check(

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode
@@ -15,14 +16,26 @@ _FRAME = re.compile(r"/[A-Za-z]\w*(?:/\w+)*")
 _QUOTED = r"[\"'](/[A-Za-z]\w*(?:/\w+)*)[\"']"
 #: What code does with a frame: it puts it into a header, or asks tf2 for it.
 _IN_CODE = re.compile(
-    r"(?P<set>\b(?:child_)?frame_id\s*=\s*(?=[\"'])|\b(?:child_)?frame_id\s*=\s*(?:std::)?string\(\s*)" + _QUOTED + "|"
+    r"(?P<set>(?:\b(?P<of>\w+)\s*(?:\.|->)\s*)?(?:\bheader\s*\.\s*)?"
+    r"\b(?:child_)?frame_id\s*=\s*(?:(?=[\"'])|(?:std::)?string\(\s*))" + _QUOTED + "|"
     r"(?P<ask>\b(?:lookup_?transform|can_?transform|lookup_transform_full)\w*\s*\((?:[^;()]{0,80}?,)?\s*)" + _QUOTED,
     re.IGNORECASE,
 )
 #: The package of the broadcasters: who receives what they send takes the slash off, if it is tf2, so they get no more than a note.
 _BROADCASTERS = "tf2_ros"
-#: Files by digest with what is in them: pairs of a place and a frame.
-_seen: dict[tuple[str, str], tuple[tuple[Location, str, bool], ...]] = {}
+
+
+@dataclass(frozen=True, slots=True)
+class _Use:
+    """A *frame* with a slash in code; *kind*: a ``look-up``, a ``message``, or a ``transform`` that tf2 is given to send."""
+
+    place: Location
+    frame: str
+    kind: str
+
+
+#: Files by path and digest with the frames in them.
+_seen: dict[tuple[str, str], tuple[_Use, ...]] = {}
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -82,7 +95,7 @@ def _broadcasters(system: System) -> Iterator[Finding]:
         if words:
             yield Finding(
                 at=node.location,
-                message=f"the frame {words[0]} of the broadcaster begins with a slash, which tf2 takes off; write {words[0].lstrip('/')}",
+                message=_stripped(words[0]),
                 about=(node,),
                 level=Level.NOTE,
             )
@@ -99,8 +112,19 @@ def _code(system: System) -> Iterator[Finding]:
         key = (file.path, file.digest)
         if key not in _seen:
             _seen[key] = tuple(_in_text(file.path, system.workspace.text(file.path)))
-        for place, frame, is_asked in _seen[key]:
-            yield _finding(place, frame, "a look-up" if is_asked else "a message", owners[file.package or ""])
+        node = owners[file.package or ""]
+        for use in _seen[key]:
+            if use.kind != "transform":
+                yield _finding(use.place, use.frame, f"a {use.kind}", node)
+        sent = [use for use in _seen[key] if use.kind == "transform"]
+        if sent:
+            yield Finding(
+                at=sent[0].place,
+                message=_stripped(*dict.fromkeys(use.frame for use in sent)),
+                about=(node.package, *sorted({use.frame for use in sent})),
+                related=tuple((use.place, f"{use.frame}, too") for use in sent[1:]),
+                level=Level.NOTE,
+            )
 
 
 def _needs_tf2(package: str, ros: int, system: System) -> bool:
@@ -108,7 +132,7 @@ def _needs_tf2(package: str, ros: int, system: System) -> bool:
     return _uses_tf2(package, ros, system) and any(name.startswith("tf2") for name in needs)
 
 
-def _in_text(path: str, text: str) -> Iterator[tuple[Location, str, bool]]:
+def _in_text(path: str, text: str) -> Iterator[_Use]:
     if "frame_id" not in text and "ransform" not in text:
         return
     for found in _IN_CODE.finditer(text):
@@ -116,8 +140,38 @@ def _in_text(path: str, text: str) -> Iterator[tuple[Location, str, bool]]:
         before = text[start : found.start()]
         if "//" in before or "#" in before or before.lstrip().startswith("*"):
             continue
-        place = Location(path, text.count("\n", 0, found.start()) + 1, found.start() - start + 1)
-        yield place, found[2] or found[4], found["ask"] is not None
+        end = re.search(r"(?:\bheader\s*\.\s*)?\b(?:child_)?frame_id", found[0])
+        at = found.start() + (end.start() if end is not None else 0)
+        line = text.rfind("\n", 0, at) + 1
+        place = Location(path, text.count("\n", 0, at) + 1, at - line + 1)
+        frame = found[3] or found[5]
+        kind = "look-up" if found["ask"] is not None else "transform" if _is_sent(found["of"], text) else "message"
+        yield _Use(place, frame, kind)
+
+
+def _is_sent(name: str | None, text: str) -> bool:
+    """Whether the variable *name* is a transform for a broadcaster: it is declared as one, or given to ``sendTransform``.
+
+    A broadcaster hands it to tf2, which takes the slash off (geometry2's BufferCore::setTransform, ``stripSlash``).
+    """
+    if not name or name in ("self", "this"):
+        return False
+    word = re.escape(name)
+    return any(
+        re.search(pattern, text) is not None
+        for pattern in (
+            rf"\bTransformStamped(?:Ptr)?\s*[&*]?\s+[&*]?{word}\b",
+            rf"\b{word}\s*(?::[^=\n]*)?=\s*(?:\w+\s*(?:\.|::)\s*)*TransformStamped\b",
+            rf"\bsendTransform\s*\([^;\n]*\b{word}\b",
+        )
+    )
+
+
+def _stripped(*frames: str) -> str:
+    """What is to be said of frames that a broadcaster sends."""
+    names = ", ".join(frames)
+    plain = ", ".join(f'"{frame.lstrip("/")}"' for frame in frames)
+    return f"frame {names} of a transform that is sent: tf2 strips the leading slash; write {plain}"
 
 
 def _finding(place: Location, frame: str, where: str, node: SystemNode) -> Finding:

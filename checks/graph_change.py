@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, End, Finding, Level, Location, Project, System
-from haros_ci.api.changes import CHANGED_ENDS, Causes, Change, Lost, both, change_said, lost_in
+from haros_ci.api.changes import CHANGED_ENDS, Causes, Change, Lost, both, change_said, has_unseen, is_unseen, lost_in
 
 #: What the ends that are left over do with a topic, service or action that nobody gives.
 DOES = {
@@ -20,6 +20,8 @@ _RVIZ = re.compile(r"^\s*(?:Topic|Value|Image Topic|Marker Topic): [\"']?(/[\w/]
 #: The largest configuration of rviz that is looked into, in characters.
 MAX_RVIZ = 500_000
 SHOWN = 10
+#: What is renamed, and not taken away, is meant to be there: whoever has the old name is an error.
+RENAMED = "renamed"
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -59,6 +61,7 @@ def _ends(project: Project) -> Iterator[Finding]:
             message=f"{said}; give both the same name, or remap one",
             about=(name, end.node.name, *nodes[:SHOWN]),
             related=(*_cause(lost.change), *list(others.values())[:SHOWN]),
+            level=Level.ERROR if lost.change.action == RENAMED and not lost.is_new_name else None,
         )
 
 
@@ -83,7 +86,7 @@ def _remaps(old: System, new: System, causes: Causes) -> Iterator[Finding]:
     before = {node.name: node for node in old.nodes}
     for node in new.nodes:
         was = before.get(node.name)
-        if was is None or not node.known:
+        if was is None or not node.known or is_unseen(node):
             continue
         names = {end.original_name for end in node.ends}
         for rule in node.raw.rules:
@@ -125,6 +128,7 @@ def _values(project: Project, causes: Causes) -> Iterator[Finding]:
             ),
             about=(key, *names[:SHOWN]),
             related=tuple(_cause(change)),
+            level=Level.ERROR if change.action == RENAMED else None,
         )
 
 
@@ -159,13 +163,14 @@ def _displays(project: Project) -> Iterator[Finding]:
     if not changes:
         return
     given = {channel.name for system in project.systems for channel in system.topics if channel.givers}
+    vague = {new.name for old, new in both(project) if has_unseen(new, old)}
     for path in sorted(project.workspace.names):
         if not path.endswith(".rviz"):
             continue
         for number, line in enumerate(project.text(path)[:MAX_RVIZ].splitlines(), 1):
             match = _RVIZ.match(line)
-            if match and match[1] in changes and match[1] not in given:
-                change = changes[match[1]]
+            change = changes.get(match[1]) if match else None
+            if match and change is not None and match[1] not in given and vague.isdisjoint(change.configurations):
                 yield Finding(
                     at=Location(path, number),
                     message=f"rviz still shows {match[1]}, which was {change_said(change, match[1])}: the display stays empty",

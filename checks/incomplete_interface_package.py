@@ -16,7 +16,6 @@ from haros_ci.api.packages import (
     add_element,
     applying,
     brings,
-    is_nested,
     needs,
     place,
     reaches,
@@ -48,7 +47,7 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         call = _call(package, "rosidl_generate_interfaces")
         old = _call(package, "generate_messages") if package.ros != 2 else None
-        if package.manifest is None or is_nested(package):
+        if package.manifest is None:
             continue
         if call is not None and not {"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"} & set(call.arguments):
             yield from _group(package, package.manifest, call)

@@ -19,6 +19,9 @@ _OF_A_LIST = {"buildtool_depend", "exec_depend", "test_depend"}
 LEAST = 3
 #: The share of the repository's packages that are on the list if it is a list of them.
 SHARE = 0.75
+#: So many missing packages are named, and so many of their manifests.
+SHOWN = 5
+RELATED = 20
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -31,11 +34,14 @@ def check(project: Project) -> Iterator[Finding]:
         wanted = [package for package in beside if not _left_out(package, known)]
         if len(known) >= LEAST and len(known) >= SHARE * len(wanted):
             brought = _brought(project, listed)
-            told = project.text(meta.manifest_path)
-            for package in wanted:
-                is_named = re.search(rf"\b{re.escape(package.name)}\b", told) is not None
-                if package.name not in brought and package.name not in everywhere and not is_named:
-                    yield _missing(meta, package)
+            text = project.text(meta.manifest_path)
+            missing = [
+                package
+                for package in wanted
+                if package.name not in brought | everywhere and not re.search(rf"\b{re.escape(package.name)}\b", text)
+            ]
+            if missing:
+                yield _missing(meta, missing)
         if len(known) >= LEAST:
             yield from _unknown(project, meta, beside, listed)
 
@@ -78,14 +84,19 @@ def _brought(project: Project, names: set[str]) -> set[str]:
     return found
 
 
-def _missing(meta: ProjectPackage, package: ProjectPackage) -> Finding:
+def _missing(meta: ProjectPackage, packages: list[ProjectPackage]) -> Finding:
+    """One finding for a list, however many packages are not on it."""
+    names = [package.name for package in packages]
+    shown = names[:SHOWN] if len(names) > SHOWN + 1 else names
+    more = f" and {len(names) - len(shown)} more" if len(shown) < len(names) else ""
+    one = len(names) == 1
     return Finding(
         at=place(meta, next(iter(needs(meta, "run_depend", "exec_depend")), None)),
-        message=f"the metapackage {meta} lists the packages of its repository, but not {package}: who installs {meta} does not"
-        f" get it; add it to the list, or say with <deprecated/> that it is left out",
-        about=(meta.name, package.name),
-        related=((place(package, None), f"{package} is not on the list"),),
-        apart=(package.name,),
+        message=f"the metapackage {meta} lists the packages of its repository, but not {', '.join(shown)}{more}: who installs {meta} does not"
+        f" get {'it' if one else 'them'}; add {'it' if one else 'them'} to the list, or write <deprecated/> into the manifest of what is to be left out",
+        about=(meta.name, *names),
+        related=tuple((place(package, None), f"{package} is not on the list") for package in packages[:RELATED]),
+        apart=(meta.name,),
     )
 
 

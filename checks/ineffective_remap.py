@@ -65,11 +65,20 @@ def _may_be(end: End, source: str) -> bool:
     base, _, last = name.rpartition("/")
     if last in TRANSPORTS and base == source:
         return True
-    while len(source) > 1:  # image/compressed, name/_action/send_goal
-        if may_be(name, source):
+    below = ""
+    while len(source) > 1:
+        if may_be(name, source) and (not below or "?" in name or _is_below(end, below)):
             return True
-        source = source.rpartition("/")[0]
+        source, _, last = source.rpartition("/")
+        below = f"{last}/{below}"
     return False
+
+
+def _is_below(end: End, rest: str) -> bool:
+    """Whether *end* may bring a name that goes on with *rest*: ``compressed/`` of an image, ``_action/send_goal/``, a parameter's parts."""
+    if end.kind in ("publishers", "subscribers"):
+        return rest.partition("/")[0] in TRANSPORTS or (end.node.ros == 1 and "image" in (end.type or "image").lower())
+    return end.kind not in ("servers", "clients") or rest.startswith("_")
 
 
 def _finding(used: _Used) -> Finding:

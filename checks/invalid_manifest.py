@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage, is_slip
-from haros_ci.api.packages import Element, drop_element, is_nested, needs, place, rename_element, set_attribute, word
+from haros_ci.api.packages import Element, drop_element, needs, place, rename_element, set_attribute, word
 
 VERSIONS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
 #: The tags of each format with their attributes (REP 127, 140, 149).
@@ -37,7 +37,7 @@ PLACEHOLDER = re.compile(r"[@{}]|\$\(|%\(|<%")
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         root = package.manifest
-        if root is not None and root.tag == "package" and not is_nested(package) and not _is_template(root):
+        if root is not None and root.tag == "package" and not _is_template(root):
             for part in (_required, _tags, _dependencies, _metapackage, _plugins):
                 yield from part(package, root)
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from haros_ci.api import Check, Finding, Level, Project
@@ -11,6 +11,7 @@ from haros_ci.api.code import (
     Call,
     Callback,
     Codebase,
+    FunctionParameter,
     Routine,
     call_place,
     callbacks,
@@ -57,7 +58,7 @@ def check(project: Project) -> Iterator[Finding]:
             or _is_bound(callback)
         ):
             continue
-        start = {parameters[0].name: frozenset([()])}
+        start = {_content(parameters).name: frozenset([()])}
         for routine, call, marks, way in followed(
             code, callback.routine, start, 2 if callback.routine.function.kind == "lambda" else 1
         ):
@@ -80,6 +81,14 @@ def check(project: Project) -> Iterator[Finding]:
                 about=(title, routine.title, call.name),
                 flow=(*flow, (call_place(routine, call), "it is run here")),
             )
+
+
+def _content(parameters: Sequence[FunctionParameter]) -> FunctionParameter:
+    """The parameter with what came: of services of rclcpp the header of the request, and the service, may stand before it
+    (any_service_callback.hpp: SharedPtrWithRequestHeaderCallback, SharedPtrDeferResponseCallback).
+    """
+    headers = [at for at, each in enumerate(parameters) if "rmw_request_id_t" in str(each.type)]
+    return parameters[headers[0] + 1] if headers and headers[0] + 1 < len(parameters) else parameters[0]
 
 
 def _advice(what: str) -> str:

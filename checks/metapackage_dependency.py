@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import Dependency, is_nested, needs, place
+from haros_ci.api.packages import Dependency, needs, place
 
 
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
-        if package.raw.is_metapackage or is_nested(package):
+        if package.raw.is_metapackage:
             continue
         found: dict[str, list[Dependency]] = {}
         for need in needs(package):

@@ -5,14 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Level, Qos, System, qos_in_words
+from haros_ci.api import Check, End, Finding, Level, Qos, System, can_meet, qos_in_words
 
 
 def check(system: System) -> Iterator[Finding]:
     for end in system.ends:
         if end.qos is None or end.implicit or not end.in_source:
             continue
-        said = [*_contradictions(end, end.qos)]
+        said = [*_contradictions(end, end.qos), *_not_kept(end, end.qos, system)]
         if said:
             yield Finding(
                 at=end.location,
@@ -24,8 +24,6 @@ def check(system: System) -> Iterator[Finding]:
 def _contradictions(end: End, qos: Qos) -> Iterator[str]:
     if qos.history == "keep_last" and qos.depth == 0:
         yield "the last 0 messages are none, so ROS 2 takes the depth of the middleware instead; say how many"
-    if qos.durability == "transient_local" and qos.reliability == "best_effort":
-        yield "what transient local keeps for late subscribers is sent again with reliable delivery only; make it reliable"
     if end.kind == "subscribers" and isinstance(qos.lifespan, float):
         yield "a lifespan is of publishers, and has no effect on a subscriber; set it there"
     if qos.liveliness == "manual_by_topic" and qos.lease is None and end.kind == "publishers":
@@ -33,6 +31,24 @@ def _contradictions(end: End, qos: Qos) -> Iterator[str]:
     if isinstance(qos.lifespan, float) and isinstance(qos.deadline, float) and qos.lifespan < qos.deadline:
         if end.kind == "publishers":
             yield "a message expires before the next one is due; let it live as long as the deadline"
+
+
+def _not_kept(end: End, qos: Qos, system: System) -> Iterator[str]:
+    """What best effort makes of transient local; a subscriber is reliable only where every publisher is, else it hears nothing."""
+    if qos.durability != "transient_local" or qos.reliability != "best_effort" or _is_of_px4(end):
+        return
+    if end.kind == "subscribers":
+        publishers = [
+            giver for topic in system.topics if end in topic.takers for giver, _ in can_meet(topic.givers, (end,))
+        ]
+        if not publishers or any(each.qos is None or each.qos.reliability != "reliable" for each in publishers):
+            return
+    yield "what transient local keeps for late subscribers is sent again with reliable delivery only; make it reliable"
+
+
+def _is_of_px4(end: End) -> bool:
+    """Whether it talks to PX4, whose guide (ROS 2 User Guide, "ROS 2 Subscriber QoS Settings") asks for this profile."""
+    return (end.type or "").startswith("px4_msgs/") or "/fmu/" in f"/{end.original_name}/{end.name}"
 
 
 CHECK = Check(

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -25,6 +26,13 @@ from haros_ci.api.code import (
 
 #: Sleeps shorter than this many seconds hold nobody up.
 SHORT = 0.02
+#: Sleeps shorter than this are a note: of a pause of a few cycles messages are seldom lost.
+BRIEF = 0.1
+#: Programs that nobody runs on a robot that moves: what brings it up or down, sets it up, and works offline.
+TOOLS = re.compile(
+    r"(?:^|[_/])(?:bring_?up|lifecycle_manager|calibrat\w*|offline|map_saver|merge\w*|replay\w*|record\w*|convert\w*|tools?|demos?|examples?|tutorials?"
+    r"|mocks?|fakes?|dummy|simulat\w*|benchmarks?)(?=[_/.]|$)"
+)
 #: Calls of a routine that ends the node: nobody waits any more.
 ENDS = frozenset(("exit", "_exit", "quick_exit", "shutdown", "destroy_node", "signal_shutdown", "requestShutdown"))
 RATES = frozenset(("ros::Rate", "ros::WallRate", "rclcpp::Rate", "rclcpp::WallRate", "rclcpp::GenericRate"))
@@ -79,7 +87,21 @@ def _finding(every: list[tuple[Reached, Call, float]]) -> Finding:
         about=(title, "sleep"),
         related=tuple((call_place(other.routine, sleep), "it sleeps here, too") for other, sleep, _ in every[1:]),
         flow=each.flow(call, "it sleeps here"),
+        level=Level.NOTE if all(_is_minor(*one) for one in every) else None,
     )
+
+
+def _is_minor(each: Reached, call: Call, seconds: float) -> bool:
+    """Whether it holds others up briefly, a known number of times, or where nobody waits."""
+    if 0 <= seconds < BRIEF or any(place.kind == "loop" and _is_bounded(place) for place in call.around):
+        return True
+    return any(TOOLS.search(routine.path.lower()) for routine in (each.callback.maker, each.routine))
+
+
+def _is_bounded(place: Place) -> bool:
+    """Whether it is a loop over things or numbers, as of retries, that ends by itself."""
+    kind, *rest = place.statement
+    return kind == "each" or (rest[0] == "for" and _condition(place) not in (None, ("none",)))
 
 
 def _depends(step: tuple[Routine, Call]) -> bool:

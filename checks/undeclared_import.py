@@ -16,6 +16,7 @@ from haros_ci.api.packages import (
     imports_of,
     is_of_ros,
     last_dependency,
+    needs_of,
     others_of,
 )
 
@@ -35,8 +36,17 @@ def check(project: Project) -> Iterator[Finding]:
             names = {_KEY.sub("", name).lower() for name in (need.what.removeprefix("import "), *need.providers)}
             if provided is not None and not names & by_pip and provisions.lacks(provided, need.providers):
                 missing.setdefault(need.providers, []).append(need)
-        for uses in missing.values():
-            yield _finding(package, uses)
+        built = _for_building(package, provisions, sources) if missing else frozenset()
+        for providers, uses in missing.items():
+            if not providers & built:
+                yield _finding(package, uses)
+
+
+def _for_building(package: ProjectPackage, provisions: Provisions, sources: Sources) -> frozenset[str]:
+    """What undeclared-dependency has *package* declare: that is there when it runs, too."""
+    provided = provisions.of(package, tests=False)
+    lacking = (need.providers for need in needs_of(package, sources) if provisions.lacks(provided, need.providers))
+    return frozenset(first_provider(providers, package) for providers in lacking)
 
 
 def _by_pip(package: ProjectPackage) -> Iterator[str]:

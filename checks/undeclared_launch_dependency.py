@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import PackageUse, included_by, owner
-from haros_ci.api.packages import Package
+from haros_ci.api.packages import Package, knowledge
 
 #: Dependencies that are there when the package runs.
 _RUN = ("depend", "exec_depend", "run_depend", "build_export_depend")
@@ -69,7 +69,11 @@ def _provided(package: Package, system: System) -> tuple[frozenset[str], bool]:
     while todo:
         name = todo.pop()
         inner = system.packages.get(name)
-        is_whole = is_whole and (inner is not None or name.startswith(_PLAIN) or name.endswith("_msgs"))
+        if inner is None:
+            outside = knowledge().depends(name, package.ros) if knowledge().is_whole(name) else None
+            is_known = outside is not None or name.startswith(_PLAIN) or name.endswith("_msgs")
+            is_whole = is_whole and is_known
+            found.update(outside or ())
         for dependency in inner.dependencies if inner is not None else ():
             if dependency.kind in _RUN and dependency.name not in found:
                 found.add(dependency.name)

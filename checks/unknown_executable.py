@@ -19,6 +19,16 @@ def check(system: System) -> Iterator[Finding]:
     for use in system.facts(ProgramUse):
         if use.is_found is not False:
             continue
+        if use.is_library:
+            yield Finding(
+                at=use.location,
+                message=f"{use.program!r} of package {use.package} is a library and no program: this node cannot start{_instead(use)}",
+                about=(f"{use.package}/{use.program}",),
+                flow=included_by(use),
+                apart=(use.program,),
+                presence=use.presence,
+            )
+            continue
         yield Finding(
             at=use.location,
             message=f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start{meant(use.similar)}",
@@ -27,6 +37,12 @@ def check(system: System) -> Iterator[Finding]:
             apart=(use.program,),
             presence=use.presence,
         )
+
+
+def _instead(use: ProgramUse) -> str:
+    if use.similar:
+        return meant(use.similar)
+    return "; name the program that uses it, or load its component into a container"
 
 
 CHECK = Check(

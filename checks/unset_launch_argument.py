@@ -12,11 +12,17 @@ from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, i
 def check(system: System) -> Iterator[Finding]:
     yield from _missing(system)
     needs = any(each.is_top and each.default is None and each.ros == 2 for each in system.facts(ArgumentDeclaration))
+    places: dict[str, set[str]] = {}
+    for each in system.facts(ArgumentDeclaration):
+        places.setdefault(each.name, set()).add(each.location.path)
     for read in system.facts(ArgumentRead):
         # A launch file of ROS 2 that cannot be launched by itself is there to be included, and inherits what is set around it.
         if read.ros == 2 and needs:
             continue
         how = f"$(arg {read.name})" if read.ros == 1 else f"launch configuration {read.name!r}"
+        if read.ros == 2 and read.name in places:
+            yield _undeclared(read, how, read.location.path in places[read.name])
+            continue
         yield Finding(
             at=read.location,
             message=f"{how} is read, but nothing declares or sets it: launch stops here{meant(read.similar)}",
@@ -25,6 +31,26 @@ def check(system: System) -> Iterator[Finding]:
             flow=included_by(read),
             presence=read.presence,
         )
+
+
+def _undeclared(read: ArgumentRead, how: str, is_here: bool) -> Finding:
+    """A name that is declared, but not yet: further down in the file, or only in a file that this one includes (launch/actions/declare_launch_argument.py).
+
+    Who starts the latter by hand gives the argument, as launch sets what the command line gives, declared or not.
+    """
+    if is_here:
+        message = f"{how} is read before the file declares it: launch stops here; declare it first"
+    else:
+        message = f"{how} is declared in an included file only: launch stops here, unless '{read.name}:=…' is given; declare it in this file, too"
+    return Finding(
+        at=read.location,
+        message=message,
+        about=(read.name,),
+        apart=(read.name,),
+        flow=included_by(read),
+        presence=read.presence,
+        level=None if is_here else Level.NOTE,
+    )
 
 
 def _missing(system: System) -> Iterator[Finding]:

@@ -3,11 +3,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, System
-from haros_ci.api.launch import ArgumentDeclaration, ConstructUse, IncludeUse, included_by, meant
+from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, included_by, meant
+
+#: A declaration is this many lines long at most.
+LINES = 12
+_NEXT = re.compile(r"Declare\w*Launch\w*Arg|<arg\b|<include\b|<node\b|<!--|^\s*- \w+:|^\s*\w+ = |^\s*\w+\(", re.M)
+_COMMENT = re.compile(r"\s*(?:#|<!--.*-->\s*$)")
+_KEPT = re.compile(
+    r"compat(?:ib|\b)|\bdeprecated\b|\blegacy\b|\bobsolete\b|\b(?:is|are|currently|now) (?:ignored|unused)\b|\bno longer\b|\bnot (?:\w+ )?used\b"
+    r"|\bunused\b(?!-)|\bhas no effect\b|\breserved\b|\bplaceholder\b",
+    re.I,
+)
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -28,9 +39,8 @@ def check(system: System) -> Iterator[Finding]:
                 level=Level.ERROR if use.ros == 1 else None,
                 presence=use.presence,
             )
-    refused = {use.location.path for use in system.facts(ConstructUse) if use.kind == "foreign"}
     for argument in system.facts(ArgumentDeclaration):
-        if argument.is_used is False and argument.location.path not in refused and not _stands_in(argument, system):
+        if argument.is_used is False and not any(why(argument, system) for why in (_stands_in, _is_passed, _is_kept)):
             yield Finding(
                 at=argument.location,
                 message=f"launch argument {argument.name!r} is declared, but nothing reads it: setting it has no effect",
@@ -47,6 +57,29 @@ def _stands_in(argument: ArgumentDeclaration, system: System) -> bool:
         return False
     folder = argument.location.path.rpartition("/")[0]
     return (folder, argument.name) in system.whole.used_arguments
+
+
+def _is_passed(argument: ArgumentDeclaration, system: System) -> bool:
+    """Whether an include of the workspace passes *argument* to the file, or one that may be of it does: then it is an interface."""
+    path = argument.location.path
+    places = (path, path.rpartition("/")[2], "")
+    return any((place, argument.name) in system.whole.passed_arguments for place in places)
+
+
+def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:
+    """Whether its description, or a comment beside or above it, says that it is there although nothing reads it."""
+    if system.workspace is None:
+        return False
+    lines = system.workspace.text(argument.location.path).splitlines()
+    at = (argument.location.line or 1) - 1
+    start = at
+    while start > 0 and _COMMENT.match(lines[start - 1]):
+        start -= 1
+    first, *rest = lines[at : at + LINES] or [""]
+    after = "\n".join(rest)
+    following = _NEXT.search(after)
+    text = "\n".join((*lines[start:at], first, after[: following.start()] if following is not None else after))
+    return _KEPT.search(text) is not None
 
 
 CHECK = Check(

@@ -14,7 +14,6 @@ from haros_ci.api.packages import (
     add_export,
     build_types,
     exports,
-    is_nested,
     needs,
     place,
     set_text,
@@ -30,7 +29,7 @@ CATKIN = ("catkin_package", "catkin_metapackage")
 def check(project: Project) -> Iterator[Finding]:
     bringing = _bringing(project)
     for package in project.packages:
-        if package.manifest is not None and not is_nested(package):
+        if package.manifest is not None:
             yield from _build_type(package)
             yield from _build_tool(package, bringing)
 

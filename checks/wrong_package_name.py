@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import CMakeCommand, is_nested
+from haros_ci.api.packages import CMakeCommand
 
 #: The macros that compare the name in the manifest with that of project(), and stop.
 COMPARING = (
@@ -27,7 +27,7 @@ OF_INTERFACES = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
-        if package.manifest is None or is_nested(package):
+        if package.manifest is None:
             continue
         yield from _allowed(package)
         yield from _of_project(package)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +12,7 @@ from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.element import Element
-from haros_ci.model.workspace import Problem, Store, Workspace
+from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Run
@@ -65,6 +65,8 @@ def inspected(
     chosen = chosen_checks(workspace, selection, known)
     from haros_ci.checking.run import Assigned, run_checks, run_on_project
     from haros_ci.checking.system import System, systems
+    from haros_ci.launch_faults import refused
+    from haros_ci.unmodelled import unmodelled
 
     if progress is not None:
         progress("architecture")
@@ -82,16 +84,20 @@ def inspected(
     project = project_of(made, workspace, all_systems, _past(base, architectures), base.renames if base else None)
     said_once = run_on_project(chosen, project, own.TOOL)
     failures = (*said.notifications, *said_once.notifications)
+    faults = tuple(refused(workspace))
+    as_findings = {(fault.path, fault.line) for fault in faults}
     run = replace(
         run,
-        results=(*run.results, *own.launch_results(malformed(workspace)), *said.results, *said_once.results),
+        results=(*run.results, *own.launch_results(faults), *said.results, *said_once.results),
         notifications=(
             *run.notifications,
             *failures,
             *(
                 Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line)
                 for p in (*found.problems, *project.problems)
+                if (p.path, p.line) not in as_findings
             ),
+            *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in unmodelled(found, made.builds)),
         ),
         graphs=said.graphs,
         architecture=not failures,
@@ -165,20 +171,6 @@ def project_of(
     )
 
 
-def malformed(workspace: Workspace) -> Iterator[Problem]:
-    """The launch files that begin as XML and are none; a template, by its path, is to become one."""
-    from haros_ci.architecture import launch_reader
-
-    read = launch_reader(workspace)
-    for file in workspace.files:
-        if file.language != "launch" or "template" in file.path.lower():
-            continue
-        if workspace.text(file.path).lstrip().startswith("<"):
-            launch = read(file.path)
-            if launch is not None and launch.root is None:
-                yield from (Problem(file.path, message, line) for line, message in launch.problems[:1])
-
-
 def queried(run: Run, found: Architecture, workspace: Workspace, settings: Settings, selection: Selection) -> Run:
     """*run* with the matches of the project file's queries."""
     from haros_ci.query import queries
@@ -191,7 +183,6 @@ def queried(run: Run, found: Architecture, workspace: Workspace, settings: Setti
         run,
         results=(*run.results, *asked.results),
         notifications=(*run.notifications, *asked.notifications),
-        successful=run.successful and not asked.failed,
         architecture=run.architecture and not asked.failed,
     )
 

@@ -155,3 +155,48 @@ def test_an_executable_that_is_not_installed(code: str, more: str, expected: Lev
     files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format(cmake), "n.cpp": code}
     files["launch/a.launch.xml"] = more or "<launch/>\n"
     assert levels("target-not-installed", files, tmp_path) == [expected]
+
+
+SLEEPER = """import time
+import rclpy
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+class Arm(Node):
+    def __init__(self):
+        super().__init__("arm")
+        self.create_service(Trigger, "home", self.home)
+
+    def home(self, request, response):
+        {}
+        return response
+
+rclpy.init()
+rclpy.spin(Arm())
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "expected"),
+    [
+        ("arm.py", "time.sleep(0.5)", [Level.WARNING]),
+        ("arm.py", "time.sleep(self.pause)", [Level.WARNING]),
+        ("arm.py", "while not self.ready:\n            time.sleep(0.5)", [Level.WARNING]),
+        ("stool.py", "time.sleep(0.5)", [Level.WARNING]),
+        ("arm.py", "time.sleep(0.1)", [Level.WARNING]),
+        ("arm.py", "time.sleep(0.05)", [Level.NOTE]),
+        ("arm.py", "time.sleep(0.05)\n        time.sleep(0.5)", [Level.WARNING]),
+        ("arm.py", "for i in range(3):\n            time.sleep(0.5)", [Level.NOTE]),
+        ("arm_calibration.py", "time.sleep(0.5)", [Level.NOTE]),
+        ("arm_bringup.py", "time.sleep(0.5)", [Level.NOTE]),
+        ("map_saver.py", "time.sleep(0.5)", [Level.NOTE]),
+        ("arm.py", "time.sleep(0.01)", []),
+    ],
+)
+def test_sleeps_in_callbacks(path: str, body: str, expected: list[Level], tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "rclpy"),
+        "CMakeLists.txt": CMAKE.format(f"install(PROGRAMS {path} DESTINATION lib/demo)"),
+        path: "#!/usr/bin/env python3\n" + SLEEPER.format(body),
+    }
+    assert levels("sleep-in-callback", files, tmp_path) == expected

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from commandline import cache_home
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 WORKSPACES = ("warehouse_ws", "legacy_ws")
@@ -46,8 +47,9 @@ def example(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 
 
 def check(workspace: Path, *arguments: str) -> tuple[int, dict[str, Any]]:
-    command = [sys.executable, "-m", "haros_ci", "check", "--no-cache", "--output", "json", "--ignore", OPTIONAL_TOOLS]
+    command = [sys.executable, "-m", "haros_ci", "check", "--output", "json", "--ignore", OPTIONAL_TOOLS]
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("HAROS_CI_", "GITHUB_"))}
+    environment["XDG_CACHE_HOME"] = cache_home()
     done = subprocess.run([*command, *arguments], cwd=workspace, env=environment, capture_output=True, text=True)
     assert done.stdout, done.stderr
     report: dict[str, Any] = json.loads(done.stdout)

@@ -17,11 +17,13 @@ MANIFEST = """<package format="3"><name>demo</name><version>1.0.0</version><desc
 """
 
 
-def found(root: Path, name: str, text: str) -> list[tuple[str, int | None]]:
+def found(root: Path, name: str, text: str, ros: int = 2) -> list[tuple[str, int | None]]:
     place = root / "launch" / name
     place.parent.mkdir(parents=True)
     place.write_text(text, encoding="utf-8")
-    (root / "package.xml").write_text(MANIFEST, encoding="utf-8")
+    (root / "package.xml").write_text(
+        MANIFEST if ros == 2 else MANIFEST.replace("ament_cmake", "catkin"), encoding="utf-8"
+    )
     report, _ = analyse(Settings(root=root, profile="architecture"), MemoryCache())
     return [(r.location.path, r.location.line) for r in report.results if r.rule == "malformed-launch-file"]
 
@@ -41,7 +43,21 @@ def test_fires(name: str, text: str, tmp_path: Path) -> None:
         ("a.launch.xml", '<launch><arg name="a" default="a &amp; b"/></launch>\n'),
         ("a.launch", "<!-- nothing yet -->\n<launch>\n</launch>\n"),
         ("a.launch.yaml", "launch: []\n"),
-        ("a.launch.py", "def generate_launch_description(:\n"),
+        ("a.launch.py", "def generate_launch_description():\n    return 1\n"),
+        ("helper.py", "def generate_launch_description(:\n"),
+        ("template/a.launch.py", "{% for x in y %}\n"),
+        (
+            "a.launch",
+            '<launch><node pkg="p" exec="e" name="n" if="$(var x)" respawn="true" output="screen"/></launch>\n',
+        ),
+        (
+            "a.launch",
+            '<launch><arg name="a"/><let name="b" value="$(var a)"/><group><push_ros_namespace namespace="n"/></group></launch>',
+        ),
+        ("a.launch", '<launch><node pkg="p" type="t" name="n" bogus="1"/></launch>\n'),
+        ("a.launch", '<launch><arg name="a"/><node pkg="p" exec="$(arg a)" nmae="n"/></launch>\n'),
+        ("a.launch", '<launch><rosparam file="$(find p)/a.yaml"/></launch>\n'),
+        ("a.launch.yaml", "launch:\n- node: {pkg: p, exec: e, name: n}\n"),
         ("a.launch", ""),
         ("template/a.launch", "<launch>\n  [NODES]<arg [NAME]/>\n</launch>\n"),
         ("a.launch", "launch:\n  - arg: {name: a}\n"),
@@ -49,3 +65,58 @@ def test_fires(name: str, text: str, tmp_path: Path) -> None:
 )
 def test_stays_quiet(name: str, text: str, tmp_path: Path) -> None:
     assert found(tmp_path, name, text) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "line"),
+    [
+        ("a.launch.py", "def generate_launch_description(:\n", 1),
+        ("arm_launch.py", "import launch\n\nprint 'a'\n", 3),
+        ("a.launch", '<launch>\n<node pkg="p" exec="e" typ="x"/>\n</launch>\n', 2),
+        ("a.launch.xml", '<launch>\n<node pkg="p" name="x"/>\n</launch>\n', 2),
+        ("a.launch.xml", "<launch>\n<nod/>\n</launch>\n", 2),
+        ("a.launch.xml", '<launch>\n<let name="b" value="$(var a"/>\n</launch>\n', 2),
+        ("a.launch.yaml", "launch:\n- node: {pkg: p, exec: e, nmae: n}\n", 2),
+        ("a.launch.yaml", "launch:\n- node: {pkg: p\n", 3),
+    ],
+)
+def test_what_ros2_launch_refuses(name: str, text: str, line: int, tmp_path: Path) -> None:
+    assert found(tmp_path, name, text) == [(f"launch/{name}", line)]
+
+
+NODE = '<node pkg="p" type="t" name="n"/>'
+
+
+@pytest.mark.parametrize(
+    "tag",
+    [
+        '<node pkg="p" type="t"/>',
+        '<node pkg="p" type="t" name="a/b"/>',
+        '<node pkg="p" type="t" name="$(arg ns)/b"/>',
+        "<include/>",
+        '<group><param value="1"/></group>',
+        '<node pkg="p" type="t" name="n"><remap from="a"/></node>',
+        '<arg default="1"/>',
+    ],
+)
+def test_what_roslaunch_refuses(tag: str, tmp_path: Path) -> None:
+    assert found(tmp_path, "a.launch", f"<launch>\n{tag}\n</launch>\n", ros=1) == [("launch/a.launch", 2)]
+
+
+@pytest.mark.parametrize(
+    "tag",
+    [
+        NODE,
+        '<node pkg="p" type="t" name="$(anon a)"/>',
+        '<node pkg="p" type="t" name="$(arg a)_b" bogus="1"/>',
+        '<node pkg="p" type="t" name="$(eval str(4/2))"/>',
+        '<group if="$(arg a)"><node pkg="p" type="t"/></group>',
+        '<node pkg="p" type="t" unless="$(arg a)"/>',
+        "<bogus><node/></bogus>",
+        '<rosparam param="a">1</rosparam>',
+        '<test pkg="p" type="t" test-name="n"/>',
+        '<!-- <node pkg="p"/> -->',
+    ],
+)
+def test_what_roslaunch_takes_or_may_never_read(tag: str, tmp_path: Path) -> None:
+    assert found(tmp_path, "a.launch", f'<launch>\n<arg name="a" default="1"/>\n{tag}\n</launch>\n', ros=1) == []

@@ -186,7 +186,9 @@ class TestNoBase:
 
     @pytest.mark.parametrize("flag", ["--baseline-rev=nowhere", "--baseline-rev=HEAD~1", "--baseline-rev=@base"])
     def test_all_counts_and_it_is_said(self, shallow: History, flag: str) -> None:
-        arguments = ("check", *shallow.options, flag.replace("@base", shallow.base), "--fail-on=note")
+        asked = ("check", *shallow.options, flag.replace("@base", shallow.base), "--fail-on=note")
+        assert haros(*asked, cwd=shallow.root).returncode == 2
+        arguments = (*asked, "--no-require-baseline")
         done = haros(*arguments, cwd=shallow.root)
         assert done.returncode == 1
         assert "No baseline: " in done.stdout
@@ -202,5 +204,7 @@ class TestNoBase:
         commit(root)
         arguments = ("check", *lab.history(("cpplint",)).options, "--baseline-rev=HEAD~1", "--fail-on=note")
         done = haros(*arguments, cwd=root)
+        assert (done.returncode, "no baseline" in done.stderr) == (2, True)
+        done = haros(*arguments, "--no-require-baseline", cwd=root)
         assert (done.returncode, "No baseline: " in done.stdout) == (1, True)
         assert haros(*arguments, "--require-baseline", cwd=root).returncode == 3

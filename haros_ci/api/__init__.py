@@ -21,6 +21,7 @@ from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import named_at, rule_of, way_to
+from haros_ci.checking.run import command
 from haros_ci.checking.system import (
     Channel,
     End,
@@ -28,6 +29,7 @@ from haros_ci.checking.system import (
     SystemNode,
     can_meet,
 )
+from haros_ci.checking.whole_graph import WholeGraph, is_opaque
 from haros_ci.model.architecture import (
     Condition,
     Endpoint,
@@ -70,10 +72,13 @@ __all__ = [
     "System",
     "SystemNode",
     "Whole",
+    "WholeGraph",
     "can_meet",
+    "command",
     "incompatible",
     "is_mentioned",
     "is_moved",
+    "is_opaque",
     "is_slip",
     "may_be",
     "misplaced",

@@ -10,12 +10,15 @@ from haros_ci.checking.changed import (
     Causes,
     Lost,
     both,
+    has_unseen,
+    is_unseen,
     lost_in,
     same_end,
 )
 from haros_ci.checking.changed import (
     in_words as change_said,
 )
+from haros_ci.checking.left_behind import LeftBehind, left_behind
 from haros_ci.model.changes import Change, Changes
 
 __all__ = [
@@ -23,9 +26,13 @@ __all__ = [
     "Causes",
     "Change",
     "Changes",
+    "LeftBehind",
     "Lost",
     "both",
     "change_said",
+    "has_unseen",
+    "is_unseen",
+    "left_behind",
     "lost_in",
     "same_end",
 ]

@@ -59,6 +59,7 @@ from haros_ci.code.transforms import ASKED, is_caught, is_lookup
 from haros_ci.code.uses import Use, uses
 from haros_ci.code.ways import Reached, in_callbacks
 from haros_ci.code.ways import place as call_place
+from haros_ci.model.program import Parameter as FunctionParameter
 from haros_ci.model.program import Program
 
 __all__ = [
@@ -68,6 +69,7 @@ __all__ = [
     "Call",
     "Callback",
     "Codebase",
+    "FunctionParameter",
     "Made",
     "Place",
     "Program",

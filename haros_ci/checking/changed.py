@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from haros_ci.changes.names import may_be_same
 from haros_ci.checking.project import Project
-from haros_ci.checking.system import Channel, End, System
+from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.changes import REMOVED, RENAMED, Change
 
 #: How changes name the ends of kinds.
@@ -107,6 +107,8 @@ def _channels(system: System) -> tuple[Channel, ...]:
 
 def _may_have(system: System, old: System, kind: str, name: str, types: tuple[str, ...]) -> bool:
     """Whether a node may have an end of that name, of one of *types*, whose name was known in the *old* system and is not any more."""
+    if has_unseen(system, old):
+        return True
     before = {(end.node.name, end.name, end.type) for node in old.nodes for end in node.of(kind)}
     vague = (end for node in system.nodes for end in node.of(kind) if not end.known)
     return any(
@@ -115,6 +117,21 @@ def _may_have(system: System, old: System, kind: str, name: str, types: tuple[st
         and may_be_same(end.name, name)
         for end in vague
     )
+
+
+def is_unseen(node: SystemNode) -> bool:
+    """Whether nothing is known of what *node* has: its program is misspelt, or not in the workspace."""
+    is_open = any(unknown.field == "endpoints" for unknown in node.raw.unknowns)
+    return is_open and all(end.implicit for end in node.ends)
+
+
+def has_unseen(system: System, old: System) -> bool:
+    """Whether *system* has a node that may have anything, which the *old* one did not have.
+
+    A program that is not found is a finding of its own, not the removal of what it had.
+    """
+    before = {(node.name, node.type) for node in old.nodes if is_unseen(node)}
+    return any(is_unseen(node) and (node.name, node.type) not in before for node in system.nodes)
 
 
 class Causes:

@@ -65,6 +65,7 @@ class Check:
 
     *catalogue* is its short id in the catalogue of ROS checks (``G06``); *aliases* are further names, HAROS's for example. *profiles*
     says where it is on if not where its *status* says: stable ones in all but ``google``, of them errors in ``bugs-only``, too.
+    *of_refused*: it looks at launch files that launch refuses as a whole, too; all others are silent there.
     """
 
     id: str
@@ -78,6 +79,7 @@ class Check:
     aliases: tuple[str, ...] = ()
     tags: tuple[str, ...] = ()
     profiles: tuple[str, ...] | None = None
+    of_refused: bool = False
 
     def rule(self, page: str, help_uri: str | None) -> Rule:
         """The rule of its results; *page* is the text of its page."""

@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.model.architecture import Condition, Parameter, Unknown
-from haros_ci.model.launch_facts import ArgumentDeclaration, ParameterFileUse
+from haros_ci.model.launch_facts import ArgumentDeclaration, IncludeUse, ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence, together
 
@@ -202,6 +202,17 @@ class Whole:
         return frozenset((fact.location.path.rpartition("/")[0], fact.name) for fact in every)
 
     @cached_property
+    def passed_arguments(self) -> frozenset[tuple[str, str]]:
+        """The launch arguments that includes pass, each with the file's path, or its name alone where the path is not known.
+
+        Of an include of which not even the name is known it is "": it may be any file.
+        """
+        every = (
+            (use, passed.name) for system in self.systems for use in system.facts(IncludeUse) for passed in use.passed
+        )
+        return frozenset((use.path or _file_name(use.text), name) for use, name in every)
+
+    @cached_property
     def names(self) -> Mapping[str, frozenset[str]]:
         """The last parts of the names that the nodes of a program have, by ``package/executable``."""
         found: dict[str, set[str]] = {}
@@ -239,6 +250,12 @@ def near(key: str, known: Iterable[str], *, dot: str = ".") -> str | None:
         found = get_close_matches(key[:200], names[:1000], n=1, cutoff=0.84)
         return found[0] if found else None
     return None
+
+
+def _file_name(text: str) -> str:
+    """The name of the file that an include names; "" if a part of it is not known."""
+    last = text.rpartition("/")[2]
+    return "" if any(sign in last for sign in "?$(*") else last
 
 
 def _plain(name: str) -> str:

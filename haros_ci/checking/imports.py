@@ -22,14 +22,16 @@ _PYTHON = frozenset(
 )
 #: Modules of Python's library that systems have as packages of their own (Debian's python3-tk), and their keys of rosdep.
 _APART = dict.fromkeys("tkinter Tkinter tkFileDialog tkMessageBox ttk".split(), frozenset(("python3-tk", "python-tk")))
-#: What runs launch files brings these (ros2launch, roslaunch).
+#: What runs launch files brings these (ros2launch, roslaunch), some as dependencies of launch_ros (its package.xml).
 _LAUNCHING = frozenset(
-    "launch launch_ros launch_xml launch_yaml ament_index_python roslaunch rospkg ros2launch osrf_pycommon".split()
+    "launch launch_ros launch_xml launch_yaml ament_index_python roslaunch rospkg ros2launch osrf_pycommon yaml lifecycle_msgs "
+    "composition_interfaces rclpy".split()
 )
 #: Commands that run Python files as tests, and what they run of a folder.
 _TESTING = ("ament_add_pytest_test", "ament_add_nose_test", "add_launch_test", "catkin_add_nosetests")
 _RUN = re.compile(r"/(test_[^/]*|[^/]*_test)\.py$")
-_TEST = re.compile(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(test_[^/]*|[^/]*_test|conftest|setup)\.py$")
+_ASIDE = re.compile(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(conftest|setup)\.py$")
+_TEST = re.compile(r"(^|/)(test_[^/]*|[^/]*_test)\.py$")
 
 
 def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Need]:
@@ -83,7 +85,12 @@ def _installed(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
         inner = path if package.path == "." else path[len(package.path) + 1 :]
         is_launch = path in launch or ".launch." in path or "launch" in inner.split("/")[:-1]
         places = share if is_launch else folders
-        if not _TEST.search(inner) and (path in wanted or any(each == "." or path.startswith(f"{each}/") for each in places)):
+        if _ASIDE.search(inner):
+            continue
+        # a program that is installed by its name is no test, whatever it is called; of a whole folder the tests are left out
+        if path in wanted or (
+            not _TEST.search(inner) and any(each == "." or path.startswith(f"{each}/") for each in places)
+        ):
             yield path, is_launch
 
 

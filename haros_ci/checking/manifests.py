@@ -68,7 +68,7 @@ def place(package: ProjectPackage, element: Element | Dependency | None) -> Loca
 
 
 def is_nested(package: ProjectPackage) -> bool:
-    """Whether it lies inside another package: catkin and colcon do not look there, so it is nothing that is built."""
+    """Whether it lies inside another package. Never in a run: what lies inside a package is part of it, as for catkin and colcon."""
     parts = package.path.split("/")
     above = {"/".join(parts[:end]) for end in range(1, len(parts))} | {"."}
     return not package.project.roots.isdisjoint(above - {package.path})

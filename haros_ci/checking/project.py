@@ -150,7 +150,8 @@ class Project:
     ) -> None:
         self.workspace = workspace
         self.programs = programs
-        self.systems = tuple(systems)
+        #: The configurations that launch takes; what it refuses is one finding each, and shows nothing of the workspace.
+        self.systems = tuple(system for system in systems if not system.is_refused)
         self.renames = renames or {}
         self._base = base
         self._revision = revision

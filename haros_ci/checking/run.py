@@ -16,6 +16,8 @@ from haros_ci.results.fix import is_counted_alike
 from haros_ci.results.result import Graph, Notification, Related, Result, Vertex
 from haros_ci.results.rule import Level
 
+#: So many other names of which the same is to be said are named.
+SHOWN = 5
 #: Launch arguments that have to be set, with their values.
 Assigned = tuple[tuple[str, str], ...]
 #: The system of the same configuration under other launch arguments; None if it cannot be had.
@@ -55,7 +57,7 @@ class _Told:
 def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, under: Under | None = None) -> Checked:
     """Run *checks* on every system.
 
-    A finding that holds only in contradictory contexts is dropped. One that needs other launch arguments than the defaults names
+    In launch files that launch refuses as a whole only the checks made for that are heard. A finding that holds only in contradictory contexts is dropped. One that needs other launch arguments than the defaults names
     them, and is confirmed by running its check *under* them, where that can be done: else it is dropped, too. A check that
     fails is a notification, and loses no other check's findings.
     """
@@ -65,8 +67,12 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
     ones = [(check, check.run) for check in checks if check.run is not None]
     for system in found:
         for check, run in ones:
+            if system.is_refused and not check.of_refused:
+                continue
             try:
                 for finding in run(system):
+                    if finding.at.path in system.refused and not check.of_refused:
+                        continue
                     each = _told(check, finding, system)
                     if each is None or (each.arguments and not confirm(each)):
                         continue
@@ -77,7 +83,7 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
             except Exception as err:  # a fault of one check must not lose the others
                 said = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
                 failures.setdefault(check.id, Notification(Level.ERROR, said, tool=tool))
-    chosen = [(min(alike.values(), key=lambda each: each.rank), len(alike) - 1) for alike in told.values()]
+    chosen = [(best, _other_names(best, alike)) for alike in told.values() for best in [_best(alike.values())]]
     used = {
         each.system.name: each.system for each, _ in chosen if each.system is not None and _edges(each.finding.about)
     }
@@ -96,7 +102,7 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
         try:
             for finding in check.project(project):
                 each = _Told(check, _mendable(finding, project.text), None, ())
-                results.setdefault((*each.key, subject(finding.about)), _result(each, 0, tool))
+                results.setdefault((*each.key, subject(finding.about)), _result(each, (), tool))
         except Exception as err:  # a fault of one check must not lose the others
             said = f"the check {check.id} failed: {type(err).__name__}: {err}"
             failures.append(Notification(Level.ERROR, said, tool=tool))
@@ -185,8 +191,19 @@ def command(system: System, arguments: Assigned) -> str:
     return " ".join(part for part in (start, package, path.rpartition("/")[2], in_words(arguments)) if part)
 
 
-def _result(told: _Told, more: int, tool: str) -> Result:
-    """*more* is the number of other names of which the same is to be said at the same places."""
+def _best(alike: Iterable[_Told]) -> _Told:
+    return min(alike, key=lambda each: each.rank)
+
+
+def _other_names(best: _Told, alike: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
+    """The names of which the same is to be said at the same places as of those that *best* is about."""
+    own = subject(best.finding.about)
+    others = [each for each in alike if each != own]
+    return tuple(sorted({name for names in others for name in names} - {*own})) or tuple(sorted(map(", ".join, others)))
+
+
+def _result(told: _Told, others: tuple[str, ...], tool: str) -> Result:
+    """*others* are the names of which the same is to be said at the same places."""
     check, finding, system = told.check, told.finding, told.system
     message = finding.message.rstrip(". ")
     about_system = any(isinstance(each, (End, SystemNode, Channel)) for each in finding.about)
@@ -196,8 +213,9 @@ def _result(told: _Told, more: int, tool: str) -> Result:
         message += f"; seen with {command(system, told.arguments)}"
     elif about_system and system.is_launched:
         message += f"; in {system.name}"
-    if more:
-        message += f"; likewise for {more} other name{'s' if more > 1 else ''}"
+    if others:
+        more = f" and {len(others) - SHOWN} more" if len(others) > SHOWN else ""
+        message += f"; likewise for {', '.join(others[:SHOWN])}{more}"
     edges = _edges(finding.about)
     return Result(
         tool=tool,

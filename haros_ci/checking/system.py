@@ -19,6 +19,7 @@ from haros_ci.model.architecture import (
     Parameter,
     Qos,
 )
+from haros_ci.model.launch_facts import ConstructUse
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.presence import Presence, together
@@ -329,6 +330,16 @@ class System:
     def facts(self, kind: type[Fact]) -> tuple[Fact, ...]:
         """What the launch files of this configuration say, of one kind (haros_ci/model/launch_facts.py)."""
         return tuple(fact for fact in getattr(self.raw, "launch_facts", ()) if isinstance(fact, kind))
+
+    @cached_property
+    def refused(self) -> frozenset[str]:
+        """The launch files of this configuration that launch refuses: they have constructs of the other ROS version."""
+        return frozenset(use.location.path for use in self.facts(ConstructUse) if use.kind == "foreign")
+
+    @cached_property
+    def is_refused(self) -> bool:
+        """Whether launch refuses the launched file itself: a leftover of the other ROS version, of which nothing starts."""
+        return any(use.kind == "foreign" and not use.included for use in self.facts(ConstructUse))
 
     def _channels(self, kind: str, kinds: tuple[str, str]) -> tuple[Channel, ...]:
         found: dict[str, tuple[list[End], list[End]]] = {}

@@ -5,19 +5,20 @@ from __future__ import annotations
 
 import os
 import pickle
-import shutil
 import sys
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from haros_ci.errors import RunFailure, UserError
 from haros_ci.haros_plugins.manifest import HarosPlugin
 from haros_ci.linters.conversation import Conversation, Ended
 from haros_ci.linters.linter import Command
 from haros_ci.linters.process import TimedOut, Unstartable, search_path
+from haros_ci.scratch import scratch_directory
+from haros_ci.writing import put_below
 
 #: Violations, values and log messages of one plug-in that are kept.
 MOST, MOST_LOGGED = 200_000, 50
@@ -87,9 +88,7 @@ def run(
     told: list[Told] = []
     open_ones: list[tuple[Told, Conversation, Path]] = []
     with ExitStack() as stack:
-        directory = Path(
-            stack.enter_context(tempfile.TemporaryDirectory(prefix="haros-ci-", ignore_cleanup_errors=True))
-        )
+        directory = stack.enter_context(scratch_directory("haros-ci-"))
         model = directory / "model"
         model.write_bytes(pickle.dumps(scene.model))
         for plugin in plugins:
@@ -217,9 +216,10 @@ def _exported(told: Told, scratch: Path, export: Path | None) -> None:
         if left < 0:
             told.logged.append(("warning", f"exported more than {MOST_EXPORTED:,} bytes; the rest is not kept"))
             break
-        target = export / told.plugin.name / source.relative_to(scratch.resolve())
+        target = f"{told.plugin.name}/{source.relative_to(scratch.resolve()).as_posix()}"
         try:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, target)
+            put_below(export, {target: source.read_bytes()})
         except OSError as err:
-            told.failures.append(f"{target.name} cannot be exported: {err.strerror}")
+            told.failures.append(f"{source.name} cannot be exported: {err.strerror}")
+        except (RunFailure, UserError) as err:
+            told.failures.append(f"{source.name} cannot be exported: {err.message}")

@@ -182,5 +182,3 @@ def library_files(index: Index, builds: Mapping[str, Build]) -> list[frozenset[s
 
 def _is_test(path: str) -> bool:
     return any(part in ("test", "tests") for part in path.split("/"))
-
-

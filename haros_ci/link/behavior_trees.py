@@ -131,9 +131,7 @@ def _read(factory: Object, value: Value, is_text: bool) -> None:
         factory.fields.setdefault(f"{READ}{text}", Cell(Known(text)))
 
 
-def _create(
-    run: Run, frame: Frame, factory: Object, name: str, args: tuple[Argument, ...], location: Location
-) -> None:
+def _create(run: Run, frame: Frame, factory: Object, name: str, args: tuple[Argument, ...], location: Location) -> None:
     """Construct the nodes of a tree, once at each place for each blackboard."""
     given = (argument.value for argument in args if isinstance(argument.value, Object))
     board = next((each for each in given if each.name == BLACKBOARD), None)

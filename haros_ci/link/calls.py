@@ -73,7 +73,9 @@ def call(run: Run, frame: Frame, expression: Expression) -> Value:
                 for option in receiver.options
                 for cell in [receiver_cell if isinstance(option, (Known, Text)) else None]
             ]
-            settle = partial(alternatives.certain, receiver.options) if alternatives.are(run, receiver.options) else None
+            settle = (
+                partial(alternatives.certain, receiver.options) if alternatives.are(run, receiver.options) else None
+            )
             return run.either_way(ways, "it is called on one of several objects", settle)
         return method_call(run, frame, receiver, receiver_cell, name, args, targs, location)
     callee, targs = static_types.member_called(run, frame, callee, targs)

@@ -22,6 +22,7 @@ from haros_ci.link.values import (
     concatenate,
     printed,
 )
+from haros_ci.model.digits import whole_number
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -121,9 +122,9 @@ def braces(run: Run, frame: Frame, text: str, args: tuple[Argument, ...]) -> Val
         key = found[1]
         value: Value | None = named.get(key)
         if key.isdecimal() or not key:
-            index = int(key) if key else count
+            index = whole_number(key) if key else count
             count += 1
-            value = positional[index] if index < len(positional) else None
+            value = positional[index] if index is not None and index < len(positional) else None
         for step in _STEP.findall(found[2]):
             value = _step(run, frame, value, step) if value is not None else None
         if value is None:
@@ -139,9 +140,8 @@ def _step(run: Run, frame: Frame, value: Value, step: str) -> Value | None:
             cell = members.member(run, value, step[1:], frame)
             return cell.value if cell is not None else None
         return None
-    key: Any = step[1:-1]
-    if key.isdecimal():
-        key = int(key)
+    index = whole_number(step[1:-1])
+    key: Any = step[1:-1] if index is None else index
     content: Any = value.content.value if isinstance(value, (Sequence, Mapped)) else None
     if isinstance(value, Known) and isinstance(value.value, (list, dict)):
         content = value.value

@@ -256,7 +256,9 @@ def _links(
                     reading.say(f"{here} needs a {name_key!r}: a ROS name as text")
                 continue
             full = _full(name, node)
-            fits = [n for n, pair in enumerate(names) if pair == (kind, full)] or _known_now(ends, kind, full, fields, node)
+            fits = [n for n, pair in enumerate(names) if pair == (kind, full)] or _known_now(
+                ends, kind, full, fields, node
+            )
             misfit = _misfit(noun, full, len(fits), [other for own, other in names if own == kind])
             is_wanted = bool(given.get("create")) or is_new
             there = [n for n in fits if ends[n].type in (None, fields.get(type_key, ends[n].type))] if is_wanted else []
@@ -296,7 +298,12 @@ def _completed(
     end: Endpoint, kind: str, fields: Mapping[str, Any], reading: Reading, packages: Sequence[Package], at: str
 ) -> Endpoint:
     """*end* with those values of a hint that were not known."""
-    have = {LINKS[kind][1]: end.type, "queue_size": end.queue_size, "latched": end.latched, "traceability": end.location}
+    have = {
+        LINKS[kind][1]: end.type,
+        "queue_size": end.queue_size,
+        "latched": end.latched,
+        "traceability": end.location,
+    }
     new = {key: value for key, value in fields.items() if key in have and have[key] is None}
     return edited(end, new, reading, packages, at)
 

@@ -303,7 +303,10 @@ def _data(
                 run.state.write(args[0].cell, run.opaque("it is swapped", frame, None, args[0].cell.type))
             changed = text_methods.changed(data, name, args)
             run.state.write(
-                cell, Known(changed) if changed is not None else run.opaque(f"it is changed by {name}", frame, None, cell.type)
+                cell,
+                Known(changed)
+                if changed is not None
+                else run.opaque(f"it is changed by {name}", frame, None, cell.type),
             )
             return cell.value
         return None

@@ -11,6 +11,7 @@ from typing import Any
 from haros_ci.link.qos_profiles import ALIASES, CLASSES, CONSTANTS, DEFAULT, NUMBERS, PROFILES, UNITS, WORDS
 from haros_ci.link.values import Cell, Choice, Known, Library, Object, Opaque, Pointer, Sequence, Text, Value, opaque_of
 from haros_ci.model.architecture import Qos
+from haros_ci.model.digits import whole_number
 from haros_ci.model.location import Location
 
 Why = tuple[str, Location | None]
@@ -146,7 +147,8 @@ def _of_data(data: Any) -> tuple[Qos, Why | None]:
         name, colon, depth = data.partition(":") if "::" not in data else (data, "", "")
         profile = _profile(name)
         if profile is not None:
-            profile = replace(profile, depth=int(depth)) if colon and depth.isdigit() else profile
+            kept = whole_number(depth) if colon else None
+            profile = replace(profile, depth=kept) if kept is not None else profile
             return profile, _blank(profile)
     return UNKNOWN, ("it is no quality of service", None)
 

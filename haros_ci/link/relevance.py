@@ -247,7 +247,11 @@ class Relevance:
                 continue
             seen.add(id(item))
             names = self._of(where, item)
-            if isinstance(item, Function) and any(n in self._api and n != CALLED for n in names) and counts(item, where):
+            if (
+                isinstance(item, Function)
+                and any(n in self._api and n != CALLED for n in names)
+                and counts(item, where)
+            ):
                 return True
             waiting += [found for name in names for found in self._named(name)]
         return False

@@ -166,7 +166,11 @@ def _arguments(run: Run, each: Library, function: Function, given: RosNode | Non
     for number, parameter in enumerate(function.parameters):
         kind = each.nodes.get(number) if given is not None else None
         if kind is not None:
-            found.append(Argument(Object(kind[0], (), run.class_of(kind[0], each.source), node=given), None, kind, parameter.name))
+            found.append(
+                Argument(
+                    Object(kind[0], (), run.class_of(kind[0], each.source), node=given), None, kind, parameter.name
+                )
+            )
         elif parameter.type[0].rpartition("::")[2] == "NodeOptions":
             found.append(Argument(ros2_nodes.options_for(run), None, (OPTIONS, (), ""), parameter.name))
     return tuple(found)

@@ -13,7 +13,13 @@ from haros_ci.model.program import Class, Type
 
 #: What is a node in rclpy.
 NODES = frozenset(
-    ("rclpy.node.Node", "rclpy.Node", "rclpy.lifecycle.Node", "rclpy.lifecycle.node.Node", "rclpy.lifecycle.LifecycleNode")
+    (
+        "rclpy.node.Node",
+        "rclpy.Node",
+        "rclpy.lifecycle.Node",
+        "rclpy.lifecycle.node.Node",
+        "rclpy.lifecycle.LifecycleNode",
+    )
 )
 
 
@@ -82,6 +88,4 @@ def _takes_node(kinds: Mapping[str, Iterable[str]], source: Source, name: str, k
 
 
 def _is_node(name: str, kinds: Mapping[str, Iterable[str]], depth: int = 0) -> bool:
-    return name in NODES or (
-        depth < DEEPEST and any(_is_node(base, kinds, depth + 1) for base in kinds.get(name, ()))
-    )
+    return name in NODES or (depth < DEEPEST and any(_is_node(base, kinds, depth + 1) for base in kinds.get(name, ())))

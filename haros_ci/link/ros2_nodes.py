@@ -49,7 +49,17 @@ HOLDING = ("node", "node_")
 #: The field of a node that holds the options that it was constructed with.
 GIVEN = "(options)"
 #: Libraries that declare no parameters on nodes but those of every node.
-DECLARING_NOTHING = ("rclcpp::", "rclcpp_", "rclpy.", "std::", "boost::", "tf2_ros", "message_filters", "launch", "threading.")
+DECLARING_NOTHING = (
+    "rclcpp::",
+    "rclcpp_",
+    "rclpy.",
+    "std::",
+    "boost::",
+    "tf2_ros",
+    "message_filters",
+    "launch",
+    "threading.",
+)
 UNKNOWN_NODE = "which node it belongs to is not known"
 
 
@@ -123,7 +133,9 @@ def made(
     switches = {switch: flag for switch in SWITCHES if (flag := _flag(options, switch)) is not None}
     if not is_contained and not is_global:
         switches[ALONE] = True
-    if isinstance(options, Opaque) or any(_field(options, each) not in (None, NONE, Known(False)) for each in _UNDECLARED):
+    if isinstance(options, Opaque) or any(
+        _field(options, each) not in (None, NONE, Known(False)) for each in _UNDECLARED
+    ):
         switches[UNDECLARED] = True
     given = {**_parameters(local, full, location), **_overrides(options)}
     sim_time = given.get(SIM_TIME)

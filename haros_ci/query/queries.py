@@ -18,7 +18,7 @@ from haros_ci.query.machine import STEPS
 from haros_ci.query.source import World
 from haros_ci.query.system import System
 from haros_ci.query.values import Listing, Value
-from haros_ci.results.own import TOOL
+from haros_ci.results.own import FAILED_QUERY, TOOL
 from haros_ci.results.result import Notification, Result
 from haros_ci.results.rule import Level, Rule
 
@@ -27,12 +27,13 @@ ALL_STEPS = 50_000_000
 #: Matches of one query that are reported.
 MOST_MATCHES = 2_000
 
-#: The variables of each scope; of ``configuration``, those after ``parameters`` are ours.
+#: The variables of each scope; of ``configuration``, those after ``parameters`` are ours. ``c`` is ``config`` by the name that it has in
+#: HAROS's own tutorials (``haros_tutorials/projects/queries.yaml``).
 VARIABLES = {
     "global": ("files", "packages", "nodes", "configs"),
     "package": ("package", "files", "nodes"),
     "configuration": (
-        "config", "nodes", "topics", "services", "parameters", "actions", "files", "packages", "configs",
+        "config", "c", "nodes", "topics", "services", "parameters", "actions", "files", "packages", "configs",
     ),
 }  # fmt: skip
 Variables = dict[str, Value]
@@ -40,7 +41,7 @@ Variables = dict[str, Value]
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What the queries gave. *failed* are the ids of those that could not be read or evaluated; *notifications* say why.
+    """What the queries gave. *failed* are the ids of those that could not be read or evaluated, of which the *results* say why.
 
     *matches* are what the *results* tell of.
     """
@@ -63,13 +64,14 @@ def run(
 ) -> Asked:
     """Ask the queries of the *project* file *where* of the architecture *found*; of them, those whose rule is *wanted*.
 
-    A query that is wrong is an error notification and stops no other. *scenes* are those of *found*, if they have been made.
+    A query that is wrong is a result of its own and stops no other; what is no query at all is an error notification. *scenes* are those of *found*, if they have been made.
     """
     every, said = declared(project)
     chosen = [query for query in every if wanted(query.rule())]
     notifications = [Notification(Level.ERROR, text, TOOL, where, configuration=True) for text in said]
     matches: list[Match] = []
     failed = []
+    faults: list[Result] = []
     scenes = scenes or (Scenes(found, files, project) if chosen else None)
     left = ALL_STEPS
     for query in chosen:
@@ -82,7 +84,7 @@ def run(
                 own += (Match(query, value, configuration) for value in asked.matches(variables))
         except QueryError as err:
             failed.append(query.id)
-            notifications.append(_fault(query, err, where))
+            faults.append(_fault(query, err, where))
         left -= asked.taken if asked is not None else 0
         if len(own) > MOST_MATCHES:
             text = f"{query.id} has {len(own)} matches; the first {MOST_MATCHES} are reported"
@@ -91,7 +93,7 @@ def run(
         notifications += _notes(query, asked, where)
     return Asked(
         rules=tuple(query.rule() for query in every),
-        results=results(matches, Location(where)),
+        results=(*results(matches, Location(where)), *faults),
         notifications=tuple(notifications),
         failed=tuple(failed),
         matches=tuple(matches),
@@ -127,7 +129,8 @@ class Scenes:
             for system in self.systems:
                 if chosen is None or system.name in chosen:
                     own = ("nodes", "topics", "services", "parameters", "actions")
-                    yield system.name, {**everything, "config": system, **{name: system.part(name) for name in own}}
+                    parts = {name: system.part(name) for name in own}
+                    yield system.name, {**everything, "config": system, "c": system, **parts}
 
 
 def _properties(entries: object, name: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -141,9 +144,9 @@ def _properties(entries: object, name: str) -> tuple[tuple[str, ...], tuple[str,
     return found[0], found[1]
 
 
-def _fault(query: Declared, err: QueryError, where: str) -> Notification:
-    text = f"the query {query.id} ({query.place}) has no result: {err.told(query.text)}"
-    return Notification(Level.ERROR, text, TOOL, where, configuration=True)
+def _fault(query: Declared, err: QueryError, where: str) -> Result:
+    text = f"The query {query.id} ({query.place}) has no result: {err.told(query.text)}"
+    return Result(TOOL, FAILED_QUERY.id, FAILED_QUERY.level, text, Location(where))
 
 
 def _notes(query: Declared, asked: Query | None, where: str) -> Iterator[Notification]:

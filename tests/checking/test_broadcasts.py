@@ -3,11 +3,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from haros_ci.api.testing import said
 from haros_ci.checking.broadcasts import Frame, sent
+from haros_ci.checking.page import Example
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.python.read import read_python
+from haros_ci.registry import checks
 
 
 def frames(program: object) -> list[tuple[object, object]]:
@@ -90,3 +95,19 @@ def test_python(child: str, call: str, expected: object) -> None:
 def test_tf_of_ros_1() -> None:
     program = read_python('br = tf.TransformBroadcaster()\nbr.sendTransform(a, b, now(), "c", "p")\n')
     assert frames(program) == [(Frame("c"), Frame("p"))]
+
+
+PAIR = (
+    '<launch><group ns="x"><node pkg="tf2_ros" type="static_transform_publisher" name="a" args="0 0 0 0 0 0 map laser"/></group>\n'
+    '<node pkg="tf2_ros" type="static_transform_publisher" name="b" args="0 0 0 0 0 0 base laser"/></launch>\n'
+)
+
+
+def test_a_conflict_names_file_and_command_and_no_place_twice(tmp_path: Path) -> None:
+    manifest = '<package format="2"><name>demo</name><buildtool_depend>catkin</buildtool_depend></package>'
+    files = {"package.xml": manifest, "launch/robot.launch": PAIR}
+    check = next(check for check in checks() if check.id == "conflicting-transforms")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.message.endswith("; in demo/launch/robot.launch (`roslaunch demo robot.launch`)")
+    places = [result.location, *(each.location for each in result.related)]
+    assert len(places) == len(set(places)) == 2

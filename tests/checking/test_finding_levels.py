@@ -51,4 +51,10 @@ def test_the_settings_beat_it(workspace: Workspace) -> None:
 
 
 def test_a_linter_has_the_level_of_its_rule(workspace: Workspace) -> None:
-    assert level_of(workspace, "cppcheck", "theirs", Level.ERROR) is Level.WARNING
+    assert level_of(workspace, "cpplint", "theirs", Level.ERROR) is Level.WARNING
+
+
+@pytest.mark.parametrize("tool", ["cppcheck", "pylint", "catkin_lint"])
+def test_a_linter_that_weighs_its_findings_has_their_level(workspace: Workspace, tool: str) -> None:
+    assert level_of(workspace, tool, "theirs", Level.ERROR) is Level.ERROR
+    assert level_of(workspace, tool, "theirs", Level.NOTE, Policy(select=(f"{tool}:theirs",))) is Level.NOTE

@@ -6,10 +6,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+import pytest
+
 from haros_ci.checking.check import Check, Finding
 from haros_ci.checking.run import Assigned, graph_of, run_checks
 from haros_ci.checking.system import System
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node
+from haros_ci.model.launch_facts import ConstructUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Choice
 from haros_ci.results.rule import Level
@@ -77,7 +80,7 @@ def test_the_same_in_two_configurations_is_told_once() -> None:
 def test_other_names_at_the_same_places_are_counted() -> None:
     other = [replace(each, name="/left" + each.name) for each in (TALKER, LISTENER)]
     assert messages(system(TALKER, LISTENER), system(*other, name="b")) == [
-        "/left/talker meets /left/listener; in b; likewise for 1 other name"
+        "/left/talker meets /left/listener; in b; likewise for /listener, /talker"
     ]
 
 
@@ -139,3 +142,32 @@ class TestOtherArguments:
 
     def test_needs_no_argument_that_is_the_default(self) -> None:
         assert messages(self.variant(self.off, self.off)) == ["/talker meets /listener; in demo/launch/all.launch.py"]
+
+
+def refused(path: str = "a.launch", *included: Location) -> ConstructUse:
+    return ConstructUse(location=Location(path, 2), included=included, kind="foreign", text="type= of <node>")
+
+
+def located(path: str) -> Check:
+    def run(found: System) -> Iterator[Finding]:
+        yield Finding(at=Location(path, 3), message="wrong", about=(found.nodes[0],))
+
+    return Check(id="located", summary="Nothing is wrong.", level=Level.WARNING, run=run)
+
+
+@pytest.mark.parametrize(
+    ("facts", "place", "is_heard"),
+    [
+        ((), "a.launch", True),
+        ((refused(),), "a.launch", False),
+        ((refused(),), "node.cpp", False),  # nothing of it starts
+        ((refused("b.launch", Location("a.launch", 4)),), "b.launch", False),
+        ((refused("b.launch", Location("a.launch", 4)),), "a.launch", True),
+        ((refused("b.launch", Location("a.launch", 4)),), "node.cpp", True),
+        ((replace(refused(), kind="deprecated"),), "a.launch", True),
+    ],
+)
+def test_what_launch_refuses_is_one_finding(facts: tuple[ConstructUse, ...], place: str, is_heard: bool) -> None:
+    found = system(TALKER, launch_facts=facts)
+    assert len(run_checks((located(place),), (found,), "haros-ci").results) == is_heard
+    assert len(run_checks((replace(located(place), of_refused=True),), (found,), "haros-ci").results) == 1

@@ -68,6 +68,11 @@ def test_who_has_a_cmake_package(name: str, provider: str) -> None:
     assert provider in (KNOWN.provider_of_cmake(name) or ())
 
 
+@pytest.mark.parametrize(("name", "other"), [("Eigen3", "cmake_modules"), ("PROJ4", "cmake_modules")])
+def test_who_does_not_have_a_cmake_package(name: str, other: str) -> None:
+    assert other not in (KNOWN.provider_of_cmake(name) or ())
+
+
 @pytest.mark.parametrize("name", ["Threads", "OpenMP", "Python3", "our_company", ""])
 def test_nobody_is_said_to_have_a_cmake_package(name: str) -> None:
     assert KNOWN.provider_of_cmake(name) is None

@@ -53,7 +53,9 @@ def workspace(texts: Mapping[str, str], ros: int | None = None) -> Workspace:
         language = language_of(path.rpartition("/")[2]) or ("python" if text.startswith("#!") else None)
         if language is not None:
             files.append(SourceFile(path, language, len(text), "", path.partition("/")[0]))
-    return Workspace(Path("/nowhere"), tuple(Package(p, p, ros=ros) for p in sorted(packages)), tuple(files), Texts(whole))
+    return Workspace(
+        Path("/nowhere"), tuple(Package(p, p, ros=ros) for p in sorted(packages)), tuple(files), Texts(whole)
+    )
 
 
 def follow(texts: Mapping[str, str], ros: int | None = None) -> Architecture:

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from haros_ci.errors import UserError
 from haros_ci.link.expectation import Difference, compare, may_be, problems
-from haros_ci.model.architecture import Condition, Configuration, Endpoint, Node, Parameter, Unknown
+from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.model_command import expected
 
 CPP = "src/base/src/odometry.cpp"
 PACKAGES = (Package("base", "src/base"),)
@@ -471,3 +474,15 @@ def test_hostile_names_are_only_text() -> None:
     found = compare(replace(ROBOT, nodes=(node,)), {"robot": {"nodes": {name: {}}}}, PACKAGES)
     assert short(found) == [("unexpected", "node", name, "")]
     assert len(problems({"robot": {"nodes": {name: {}}}}, "r.yaml", ["robot"])) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a: [", "a: !!bool x", "a: !!int ''", "a: !!timestamp x", "a: 2020-13-01", "? [a]\n: b", "[" * 5000],
+)
+def test_a_file_that_is_no_yaml_is_refused_with_its_name(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "expected.yaml"
+    file.write_text(text)
+    with pytest.raises(UserError, match="expected.yaml cannot be read: .") as caught:
+        expected(Architecture(), str(file))
+    assert caught.value.help

@@ -38,7 +38,7 @@ def made(body: str, path: str = SHARE, xml: str = XML) -> list[str]:
             '{ make(j->Attribute("topic")); }',
             ["/first", "/second"],
         ),
-        ('make(root->Attribute(argv[1]));', ["/?"]),
+        ("make(root->Attribute(argv[1]));", ["/?"]),
     ),
 )
 def test_elements(body: str, names: list[str]) -> None:

@@ -194,7 +194,12 @@ IN_PYTHON = (
         param("depth", 3, "qos_overrides./t.publisher_left."),
         last(3),
     ),
-    ("a list", "QoSOverridingOptions([QoSPolicyKind.DURABILITY])", param("durability", KEPT), last(10, "reliable", KEPT)),
+    (
+        "a list",
+        "QoSOverridingOptions([QoSPolicyKind.DURABILITY])",
+        param("durability", KEPT),
+        last(10, "reliable", KEPT),
+    ),
     ("a tuple", "QoSOverridingOptions((QoSPolicyKind.DEPTH,))", param("depth", 3), last(3)),
     ("another policy", "QoSOverridingOptions((QoSPolicyKind.DEPTH,))", param("durability", KEPT), last(10)),
     ("none", "None", param("depth", 3), last(10)),

@@ -13,8 +13,7 @@ from haros_ci.model.architecture import Architecture
 HEAD = '#include "behaviortree_cpp/bt_factory.h"\n' + ROS2_HEAD
 NODE = 'config().blackboard->get<rclcpp::Node::SharedPtr>("node")'
 #: Publishes in its constructor what its port says, on the blackboard's node.
-SAY = (
-    """
+SAY = """
 class Say : public BT::SyncActionNode {
 public:
   Say(const std::string & name, const BT::NodeConfig & conf) : BT::SyncActionNode(name, conf) {
@@ -27,7 +26,6 @@ public:
   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
 };
 """.replace("NODE", NODE)
-)
 PORT = 'BT::InputPort<std::string>("topic", "which topic")'
 MAIN = """
 int main(int argc, char ** argv) {
@@ -266,9 +264,7 @@ def test_a_subtree_that_is_elsewhere() -> None:
     assert told(made) == {"p/n": [("/a", [])], "p/n (behaviour trees)": [("/a", [])]}
     assert [unknown.field for unknown in made.configurations[0].nodes[0].unknowns] == ["endpoints"]
     before = 'factory.registerBehaviorTreeFromText(R"(%s)");' % tree('<Say topic="b"/>', "Inner")  # noqa: UP031
-    assert told(found(SAY % PORT + MAIN % (REGISTER + before + FROM_TEXT % outer))) == {
-        "p/n": [("/a", []), ("/b", [])]
-    }
+    assert told(found(SAY % PORT + MAIN % (REGISTER + before + FROM_TEXT % outer))) == {"p/n": [("/a", []), ("/b", [])]}
 
 
 def test_several_trees_of_which_none_is_said_to_be_executed() -> None:
@@ -382,7 +378,9 @@ def test_one_of_two_registrations() -> None:
 
 
 def test_each_blackboard_has_its_own_nodes() -> None:
-    body = REGISTER + """
+    body = (
+        REGISTER
+        + """
   for (const auto & name : std::vector<std::string>{"one", "two"}) {
     auto board = BT::Blackboard::create();
     board->set<rclcpp::Node::SharedPtr>("node", std::make_shared<rclcpp::Node>(name));
@@ -390,6 +388,7 @@ def test_each_blackboard_has_its_own_nodes() -> None:
     auto again = factory.createTreeFromText(R"(SECOND)", board);
   }
 """
+    )
     body = body.replace("FIRST", tree('<Say topic="~/a"/>')).replace("SECOND", tree('<Say topic="~/b"/>'))
     made = told(found(SAY % PORT + MAIN % body))
     assert made == {"p/n": [("/one/a", []), ("/one/b", []), ("/two/a", []), ("/two/b", [])]}

@@ -12,7 +12,7 @@ CHILD = (
     'declare_parameter("a", "code"); child_->declare_parameter("a", "code"); declare_parameter("b", "code");\n}\n'
     "std::shared_ptr<rclcpp::Node> child_;\n};\n"
 )
-YAML = 'n:\n  ros__parameters: {a: of_file, b: of_file}\nchild:\n  ros__parameters: {a: of_file}\n'
+YAML = "n:\n  ros__parameters: {a: of_file, b: of_file}\nchild:\n  ros__parameters: {a: of_file}\n"
 LAUNCH = (
     '<launch><node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">'
     '<param from="$(find-pkg-share p)/launch/y.yaml"/>'

@@ -36,7 +36,9 @@ def started(body: str, config: str = BY_MANAGER) -> list[Node]:
         "p/launch/l.launch.xml": f"<launch>{body}</launch>",
         "p/config/c.yaml": config,
     }
-    found = architecture(workspace(texts, 2), Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=True)
+    found = architecture(
+        workspace(texts, 2), Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=True
+    )
     return [node for node in only(found).nodes if node.type != "ros2_control_node"]
 
 
@@ -65,7 +67,9 @@ def test_functions_that_launch_spawners(call: str, expected: list[str]) -> None:
         "p/launch/l.launch.py": PYTHON.format(call),
         "p/config/c.yaml": BY_SECTION,
     }
-    found = architecture(workspace(texts, 2), Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=True)
+    found = architecture(
+        workspace(texts, 2), Settings(root=Path("/nowhere")), Nothing(), environment={}, known_nodes=True
+    )
     assert sorted(node.name for node in only(found).nodes if node.kind == "lifecycle") == expected
     assert found.problems == ()
 
@@ -210,7 +214,9 @@ def test_a_package_in_words_is_one_word() -> None:
 
 
 def test_a_controller_of_the_workspace_is_not_followed() -> None:
-    (node,) = (node for node in started(MANAGER.format("", "") + SPAWNER.format("own -t p/Own", "")) if node.type == "p/Own")
+    (node,) = (
+        node for node in started(MANAGER.format("", "") + SPAWNER.format("own -t p/Own", "")) if node.type == "p/Own"
+    )
     assert [unknown.reason for unknown in node.unknowns] == [
         "p/Own is in the workspace, but what calls it is not: it is not followed"
     ]

@@ -234,9 +234,7 @@ public:
     ),
 )
 def test_what_threads_run_is_followed(started: str) -> None:
-    found = component(
-        started, f'void run() {{ p_ = {PUB}("out", 1); }}\nstd::thread t_;\nstd::future<void> f_;'
-    )
+    found = component(started, f'void run() {{ p_ = {PUB}("out", 1); }}\nstd::thread t_;\nstd::future<void> f_;')
     assert [end.name for end in explicit(found)] == ["/out"]
 
 

@@ -153,6 +153,8 @@ def test_a_parameter_that_is_read_into_an_object(declared: str, read: str, names
     body = f'declare_parameter("p", {declared}); rclcpp::Parameter param("p", {declared}); get_parameter("p", param);'
     found = component(f"{body} {read} {{ {PUB}(name, 1); }}".replace("; {", f"; {PUB}(name, 1); if (false) {{"))
     assert sorted({end.name for end in explicit(found)}) == names
+
+
 LIST = 'for (const auto & each : list_parameters({%s}, %s).%s) { create_publisher<String>("/" + each, 1); }'
 
 

@@ -54,7 +54,9 @@ def test_names_in_the_node_of_whoever_uses_the_class() -> None:
         "namespace p { class Tool { public: Tool(const rclcpp::Node::SharedPtr & node, const std::string & prefix,"
         ' const std::string & last = "end"); rclcpp::Node::SharedPtr node_; }; }',
         "namespace p { Tool::Tool(const rclcpp::Node::SharedPtr & n, const std::string & prefix, const std::string & last)"
-        " : node_(n) {\n" + "".join("node_->" + PUB % name for name in ('"a"', '"/b"', '"~/c"', "prefix", "last")) + "}}",
+        " : node_(n) {\n"
+        + "".join("node_->" + PUB % name for name in ('"a"', '"/b"', '"~/c"', "prefix", "last"))
+        + "}}",
     )
     assert told(found) == ["p/p::Tool (library)"]
     node = brought(found)
@@ -62,8 +64,14 @@ def test_names_in_the_node_of_whoever_uses_the_class() -> None:
     assert ("name", USER) in [(unknown.field, unknown.reason) for unknown in node.unknowns]
     assert sorted(end.name for end in explicit(node)) == ["/?", "/?/c", "/a", "/b", "/end"]
     assert {end.type for end in explicit(node)} == {"std_msgs/msg/String"}
-    reasons = {end.name: [unknown.reason for unknown in end.unknowns if unknown.field == "name"] for end in node.endpoints}
-    assert reasons["/?/c"] == [USER] and reasons["/a"] == [] and reasons["/?"] == ["an argument that is given from outside"]
+    reasons = {
+        end.name: [unknown.reason for unknown in end.unknowns if unknown.field == "name"] for end in node.endpoints
+    }
+    assert (
+        reasons["/?/c"] == [USER]
+        and reasons["/a"] == []
+        and reasons["/?"] == ["an argument that is given from outside"]
+    )
     assert [end for end in node.endpoints if end.implicit] == []
 
 
@@ -84,7 +92,9 @@ def test_how_a_node_is_taken(parameter: str, body: str) -> None:
 
 
 def test_templates_over_nodes() -> None:
-    one = made_by('template<typename NodeT> explicit Tool(NodeT node) { node->template create_publisher<String>("a", 1); }')
+    one = made_by(
+        'template<typename NodeT> explicit Tool(NodeT node) { node->template create_publisher<String>("a", 1); }'
+    )
     other = brought(
         built(
             "template<class NodeT> class Tool { public:\n"
@@ -96,7 +106,7 @@ def test_templates_over_nodes() -> None:
 
 def test_other_template_parameters_stand_for_nothing_that_is_known() -> None:
     node = made_by(
-        'template<typename NodeT, class Other> Tool(NodeT & node, Other other) {\n'
+        "template<typename NodeT, class Other> Tool(NodeT & node, Other other) {\n"
         'node.template create_publisher<Message>("a", 1); node.template create_publisher<Other>("b", 1);\n'
         'node.template create_publisher<String>("c", 1); }',
         "using Message = std_msgs::msg::Bool; using Other = std_msgs::msg::Bool; class NodeT {};\ntemplate<class Message>",
@@ -117,7 +127,7 @@ def test_of_several_constructors_the_one_of_which_most_is_known() -> None:
     node = made_by(
         "Tool(const rclcpp::Node::SharedPtr & node, const Names & names) {"
         " node->create_publisher<String>(names.first, 1); }\n"
-        "Tool(const rclcpp::Node::SharedPtr & node, const std::string & group, const std::string & x = \"b\")"
+        'Tool(const rclcpp::Node::SharedPtr & node, const std::string & group, const std::string & x = "b")'
         " : Tool(node, Names(group, x)) {}",
         'struct Names { Names(std::string group, std::string x) : first("a/" + x), group(group) {}'
         " std::string first; std::string group; };",
@@ -151,7 +161,7 @@ def test_a_method_that_takes_the_node() -> None:
 def test_a_node_of_its_own() -> None:
     node = brought(
         built(
-            "class Tool { public: explicit Tool(const std::string & space = \"\"); class Impl; Impl * impl_; };",
+            'class Tool { public: explicit Tool(const std::string & space = ""); class Impl; Impl * impl_; };',
             "class Tool::Impl { public: explicit Impl(const std::string & space) {\n"
             'node_ = std::make_shared<rclcpp::Node>("helper", space); node_->create_publisher<String>("a", 1); }\n'
             "rclcpp::Node::SharedPtr node_; };\n"
@@ -238,7 +248,7 @@ def test_nodes_of_libraries_beside_the_one_that_is_given() -> None:
     assert [sorted(names(node, "subscribers"))[-2:] for node in one.nodes[1:]] == [["/tf", "/tf_static"]]
 
 
-MAIN = "int main() { rclcpp::Node node(\"n\"); }"
+MAIN = 'int main() { rclcpp::Node node("n"); }'
 QUIET = {
     "made by a process": (
         'class Tool { public: explicit Tool(rclcpp::Node & node) { node.create_publisher<String>("a", 1); } };',
@@ -249,14 +259,17 @@ QUIET = {
         "class Tool { public: explicit Tool(rclcpp::Node & node) : part_(node) {}\nPart part_; };",
         'int main() { rclcpp::Node node("n"); Part part(node); }',
     ),
-    "nothing is made": ("class Tool { public: explicit Tool(rclcpp::Node & node) : n_(&node) {}\nrclcpp::Node * n_; };", ""),
+    "nothing is made": (
+        "class Tool { public: explicit Tool(rclcpp::Node & node) : n_(&node) {}\nrclcpp::Node * n_; };",
+        "",
+    ),
     "inside another class": (
         "class Outer { public:\nclass Tool { public: explicit Tool(rclcpp::Node & node) {"
         ' node.create_publisher<String>("a", 1); } };\n};',
         "",
     ),
     "for one node of the workspace": (
-        "class N : public rclcpp::Node { public: N() : rclcpp::Node(\"n\") {} };\n"
+        'class N : public rclcpp::Node { public: N() : rclcpp::Node("n") {} };\n'
         'class Tool { public: explicit Tool(N & node) { node.create_publisher<String>("a", 1); } };',
         "int main() { N node; }",
     ),
@@ -293,7 +306,8 @@ TOOL = 'class Tool { public: explicit Tool(rclcpp::Node & node) { node.create_pu
 
 
 @pytest.mark.parametrize(
-    "path", ["p/src/tools.hpp", "p/test/include/p/tools.hpp", "p/examples/include/tools.hpp", "p_tests/include/p/tools.hpp"]
+    "path",
+    ["p/src/tools.hpp", "p/test/include/p/tools.hpp", "p/examples/include/tools.hpp", "p_tests/include/p/tools.hpp"],
 )
 def test_headers_that_are_not_for_others(path: str) -> None:
     package = path.partition("/")[0]
@@ -315,7 +329,7 @@ def test_code_that_no_library_has() -> None:
 
 def test_components_and_plug_ins_have_configurations_of_their_own() -> None:
     node = (
-        "class N : public rclcpp::Node { public: explicit N(const rclcpp::NodeOptions & o) : rclcpp::Node(\"n\", o) {"
+        'class N : public rclcpp::Node { public: explicit N(const rclcpp::NodeOptions & o) : rclcpp::Node("n", o) {'
         ' create_publisher<String>("a", 1); } };\n'
     )
     found = built(node, cmake='rclcpp_components_register_node(tools PLUGIN "N" EXECUTABLE n)\n')

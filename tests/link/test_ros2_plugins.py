@@ -81,7 +81,7 @@ def test_each_plug_in_is_loaded_once_at_each_place() -> None:
 
 
 def test_no_loader_no_configuration_of_plug_ins() -> None:
-    text = ROS2_HEAD + "int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::Node node(\"n\"); }"
+    text = ROS2_HEAD + 'int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::Node node("n"); }'
     cmake = ROS2_CMAKE.format("p") + "ament_auto_add_executable(n src/n.cpp)\nament_auto_package()\n"
     assert list(told(follow({"p/CMakeLists.txt": cmake, "p/src/n.cpp": text}, 2))) == ["p/n"]
 

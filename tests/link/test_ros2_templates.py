@@ -40,7 +40,7 @@ MADE = (
     "struct Foo { RCLCPP_SMART_PTR_DEFINITIONS(Foo) explicit Foo(rclcpp::Node * n) "
     '{ n->create_publisher<String>("foo", 1); } };\n'
     "namespace a { template <class T> struct Bar { RCLCPP_SMART_PTR_DEFINITIONS(Bar) explicit Bar(rclcpp::Node * n) "
-    '{ n->create_publisher<T>(T::name, 1); } };\n'
+    "{ n->create_publisher<T>(T::name, 1); } };\n"
     "template <class T> typename Bar<T>::SharedPtr make(rclcpp::Node * n) { return Bar<T>::make_shared(n); } }\n"
     'struct Spec { static constexpr char name[] = "spec"; };\n'
     'struct Other : public rclcpp::Node { Other() : Node("other") { create_publisher<String>("other", 1); } };\n'

@@ -160,9 +160,9 @@ def test_a_hostile_query_does_not_stop_the_others() -> None:
     )
     project = {"rules": {name: {**rule, "query": query} for name, query in zip(names, queries, strict=True)}}
     found = run(ROBOT, project, "haros.yaml")
-    assert [result.rule for result in found.results] == ["user:right"]
+    assert [result.rule for result in found.results] == ["user:right", *["failed-query"] * 4]
     assert found.failed == ("user:endless", "user:deep", "user:typo", "user:broken")
-    assert all(note.path == "haros.yaml" and note.level.value == "error" for note in found.notifications)
+    assert all(one.location.path == "haros.yaml" and one.level.value == "error" for one in found.results[1:])
 
 
 @pytest.mark.parametrize(

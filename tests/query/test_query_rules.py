@@ -186,14 +186,29 @@ def test_only_wanted_queries_are_asked() -> None:
 
 def test_a_wrong_query_is_an_error_with_its_place_and_a_suggestion() -> None:
     found = asked(
-        of_plugin(walk=[{"name": "Q7", "query": "for p in\n <c/nodes> return p"}, {"name": "Q8", "query": Q}])
+        of_plugin(walk=[{"name": "Q7", "query": "for p in\n <confg/nodes> return p"}, {"name": "Q8", "query": Q}])
     )
     assert found.failed == ("user:q7",)
-    assert [note.message for note in found.notifications] == [
-        "the query user:q7 (configurations.walk.user_data.haros_plugin_pyflwor[0]) has no result: "
-        "line 2, column 3: there is no variable 'c'; did you mean 'config'?"
+    assert [one.message for one in found.results if one.rule == "failed-query"] == [
+        "The query user:q7 (configurations.walk.user_data.haros_plugin_pyflwor[0]) has no result: "
+        "line 2, column 3: there is no variable 'confg'; did you mean 'config'?"
     ]
-    assert [result.rule for result in found.results] == ["user:q8"]
+    assert [result.rule for result in found.results] == ["user:q8", "failed-query"]
+    assert found.notifications == ()
+
+
+@pytest.mark.parametrize(
+    ("query", "same"),
+    [
+        ("c/nodes/publishers", "config/nodes/publishers"),
+        ("for n in <c/nodes> return n", "for n in <config/nodes> return n"),
+        ("for c in <nodes> return c", "for n in <nodes> return n"),
+    ],
+)
+def test_c_is_the_configuration_unless_the_query_has_a_c_of_its_own(query: str, same: str) -> None:
+    found = [asked(of_plugin(walk=[{"name": "q", "query": text}])) for text in (query, same)]
+    assert [one.location for one in found[0].results] == [one.location for one in found[1].results]
+    assert found[0].results and not found[0].failed
 
 
 def test_a_step_that_leads_nowhere_is_a_note() -> None:

@@ -62,6 +62,19 @@ def tree_of(text: str) -> tuple[ast.Module, Source] | Program:
     return tree, source_of(text, parsed, edits)
 
 
+def syntax_error(text: str) -> tuple[int, str] | None:
+    """Line and message of what makes *text* no Python 3; None if nothing does, or it is too much for the parser."""
+    if not _BOUNDS_DEPTH and len(text) > _SMALL_TEXT and longest_chain(text) > _LONGEST_CHAIN:
+        return None
+    try:
+        _parse(text)
+    except SyntaxError as error:
+        return error.lineno or 1, error.msg
+    except _UNREADABLE:
+        return None
+    return None
+
+
 def _parse(text: str) -> ast.Module:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

@@ -37,28 +37,45 @@ class Programs:
     finder: Finder
     builds: Mapping[str, Build]
     known: Collection[tuple[str, str]]
-    _found: dict[tuple[str, str, str, int], tuple[bool | None, tuple[str, ...]]] = field(default_factory=dict)
+    _found: dict[tuple[str, str, str, int], tuple[bool | None, tuple[str, ...], bool]] = field(default_factory=dict)
 
     def completed(self, use: ProgramUse) -> ProgramUse:
         key = (use.kind, use.package, use.program, use.ros)
         if key not in self._found:
             self._found[key] = self._look_up(use)
-        is_found, similar = self._found[key]
-        return replace(use, is_found=is_found, similar=similar)
+        is_found, similar, is_library = self._found[key]
+        return replace(use, is_found=is_found, similar=similar, is_library=is_library)
 
-    def _look_up(self, use: ProgramUse) -> tuple[bool | None, tuple[str, ...]]:
+    def _look_up(self, use: ProgramUse) -> tuple[bool | None, tuple[str, ...], bool]:
         build = self.builds.get(use.package)
         start = self.finder.files.directories.get(use.package)
         if start is None or build is None:
-            return None, ()
+            return None, (), False
         if (use.package, use.program) in self.known:
-            return True, ()
+            return True, (), False
         names = self._classes(build, use) if use.kind != "executable" else self._executables(build)
         if use.program in names:
-            return True, ()
+            return True, (), False
+        if use.kind == "executable" and self._is_library(use, build, start):
+            return False, _running(build, use.program), True
         if self._may_be_made(use, start):
-            return None, ()
-        return False, tuple(get_close_matches(use.program, sorted(names), 3, 0.6))
+            return None, (), False
+        return False, tuple(get_close_matches(use.program, sorted(names), 3, 0.6)), False
+
+    def _is_library(self, use: ProgramUse, build: Build, start: str) -> bool:
+        """Whether the package builds a library of this name, and nothing else of it: targets of CMake have one kind (add_library(7))."""
+        targets = [each for each in build.targets if use.program in (each.name, each.output)]
+        if not targets or any(each.kind != "library" or each.is_conditional for each in targets):
+            return False
+        if self.finder.steps < 0 or self.finder.is_doubled(use.package):
+            return False
+        text = self.finder.script(use.package, start)
+        if any(match[1].lower() not in _KNOWN_MAKERS for match in _MAKERS.finditer(text)):
+            return False
+        if re.search(rf"(?i)\b(?:RENAME|OUTPUT_NAME)\s+\"?{re.escape(use.program)}\b", text):
+            return False
+        prefix = "" if start == "." else f"{start}/"
+        return all(posixpath.basename(path) != use.program for path in self.finder.below(prefix))
 
     def _classes(self, build: Build, use: ProgramUse) -> set[str]:
         if use.kind == "nodelet":
@@ -87,3 +104,11 @@ class Programs:
         suffixes = (".cpp", ".cc", ".cxx", ".hpp", ".h", *((".xml",) if use.kind == "nodelet" else ()))
         paths = (p for p in self.finder.below(prefix) if p.endswith(suffixes) and ".launch" not in p)
         return any(last in self.finder.workspace.text(path) for path in paths)
+
+
+def _running(build: Build, library: str) -> tuple[str, ...]:
+    """The programs of the package that are linked with *library*, or that a component of it is registered as."""
+    programs = [each for each in build.targets if each.kind == "executable" and not each.is_test]
+    classes = {each.type for each in build.plugins if each.library == library}
+    linked = [each for each in programs if library in each.links or (each.component and each.component in classes)]
+    return tuple(sorted({each.output or each.name for each in linked}))[:3]

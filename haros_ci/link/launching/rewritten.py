@@ -8,6 +8,7 @@ from typing import Any
 
 from haros_ci.link.launching.parameter_yaml import Items, Map, Scalar, Tree, dumped, python_value
 from haros_ci.link.roslaunch_names import Text
+from haros_ci.model.digits import whole_number
 
 MAX_PATHS = 50_000
 
@@ -93,15 +94,15 @@ def _put(tree: Tree, keys: list[str], value: Scalar) -> None:
     for key in keys[:-1]:
         if isinstance(tree, Map):
             tree = tree.entries.setdefault(key, Map({}, tree.line))
-        elif isinstance(tree, Items) and key.isdigit() and int(key) < len(tree.items):
-            tree = tree.items[int(key)]
+        elif isinstance(tree, Items) and (index := whole_number(key)) is not None and index < len(tree.items):
+            tree = tree.items[index]
         else:
             return
     last = keys[-1]
     if isinstance(tree, Map):
         tree.entries[last] = value
-    elif isinstance(tree, Items) and last.isdigit() and int(last) < len(tree.items):
-        tree.items[int(last)] = value
+    elif isinstance(tree, Items) and (index := whole_number(last)) is not None and index < len(tree.items):
+        tree.items[index] = value
 
 
 def _rename(top: Map, names: Mapping[str, Text]) -> None:

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Dependencies of a manifest that only the other ROS has (the distributions of rosdistro; the migration guide of ROS 2)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import Dependency, holds, is_nested
+
+#: Packages that are the other ROS itself, so that nobody has a port of that name, with what takes their place ("" for none).
+CORE = {
+    2: {
+        "roscpp": "rclcpp",
+        "rospy": "rclpy",
+        "roslib": "ament_index_cpp",
+        "rosconsole": "rcutils",
+        "message_generation": "rosidl_default_generators",
+        "message_runtime": "rosidl_default_runtime",
+        "nodelet": "rclcpp_components",
+        "roslaunch": "launch_ros",
+        "rostest": "launch_testing_ros",
+        "rosunit": "ament_cmake_gtest",
+        "dynamic_reconfigure": "",
+        "tf": "tf2_ros",
+        "actionlib": "rclcpp_action",
+        "rosbag": "rosbag2",
+        "roslint": "ament_lint_auto",
+    },
+    1: {
+        "rclcpp": "roscpp",
+        "rclpy": "rospy",
+        "rclcpp_action": "actionlib",
+        "rclcpp_components": "nodelet",
+        "rclcpp_lifecycle": "",
+        "rosidl_default_generators": "message_generation",
+        "rosidl_default_runtime": "message_runtime",
+        "launch_ros": "roslaunch",
+        "ament_index_cpp": "roslib",
+        "ament_index_python": "rospkg",
+        "builtin_interfaces": "std_msgs",
+    },
+}
+#: What builds a package; of another one wrong-build-type tells.
+_TOOLS = ("buildtool_depend", "buildtool_export_depend", "doc_depend")
+_SHOWN = 5
+
+
+#: Files that bring sources of other repositories into the workspace.
+_SOURCES = re.compile(
+    r"\.(?:repos|rosinstall)$|(?:^|/)\.gitmodules$|(?:^|/)[^/]*(?:dependencies|upstream)[^/]*\.ya?ml$"
+)
+
+
+def check(project: Project) -> Iterator[Finding]:
+    brings_sources = any(_SOURCES.search(name) for name in project.workspace.names)
+    for package in project.packages:
+        if package.manifest is None or package.ros is None or is_nested(package) or _is_for_both(package):
+            continue
+        found: dict[str, Dependency] = {}
+        for need in package.raw.dependencies:
+            if need.kind not in _TOOLS and _is_foreign(package, need):
+                if need.name in CORE[package.ros] or not brings_sources:
+                    found.setdefault(need.name, need)
+        if found:
+            yield _finding(package, package.ros, list(found.values()))
+
+
+def _is_for_both(package: ProjectPackage) -> bool:
+    """Whether the package may be built for either ROS: by conditions, by both build tools, or by CMake for the other one."""
+    tools = {need.name for need in package.raw.dependencies if need.kind in _TOOLS}
+    if any(need.condition for need in package.raw.dependencies) or {"catkin", "ament_cmake"} <= tools:
+        return True
+    if package.ros == 2:
+        return "catkin" in tools or bool(package.commands("catkin_package")) or "ros1" in package.name
+    return bool(package.commands("ament_package")) or any(name.startswith("ament") for name in tools)
+
+
+def _is_foreign(package: ProjectPackage, need: Dependency) -> bool:
+    project, ros = package.project, package.ros
+    if ros is None or project.package(need.name) is not None or holds(package, need.condition) is False:
+        return False
+    knowledge = project.knowledge
+    if knowledge.is_key(need.name) or knowledge.is_package(need.name) is not True or knowledge.is_in(need.name, ros):
+        return False
+    return knowledge.is_in(need.name, 3 - ros)
+
+
+def _finding(package: ProjectPackage, ros: int, found: list[Dependency]) -> Finding:
+    found.sort(key=lambda need: (need.name not in CORE[ros], need.line or 0))
+    names = [need.name for need in found]
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    instead = [f"{CORE[ros][name]} for {name}" for name in names[:_SHOWN] if CORE[ros].get(name)]
+    remedy = (
+        f"; write {', '.join(instead)}"
+        if instead
+        else "; depend on what takes their place, or put their sources beside it"
+    )
+    return Finding(
+        at=_at(package, found[0]),
+        message=(
+            f"{package.name} is a package of ROS {ros} and depends on {', '.join(names[:_SHOWN])}{more}, which no distribution "
+            f"of ROS {ros} has: rosdep stops there{remedy}"
+        ),
+        about=(package.name,),
+        related=tuple((_at(package, need), f"depends on {need.name}, too") for need in found[1:20]),
+        level=None if names[0] in CORE[ros] else Level.WARNING,
+    )
+
+
+def _at(package: ProjectPackage, need: Dependency) -> Location:
+    return Location(package.manifest_path, need.line or 1)
+
+
+CHECK = Check(
+    id="foreign-dependency",
+    summary="A manifest depends on packages that only the other ROS has.",
+    level=Level.ERROR,
+    tags=("packages",),
+    project=check,
+)

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages that CMake uses, and that no find_package() finds before (ament_target_dependencies.cmake, genmsg's generate_messages)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import CMakeCommand, brings, insert_line
+
+#: Commands that may find packages besides find_package(), and those of such names that do not.
+_FINDING = re.compile(r"find|depend|package|auto|catkin_simple|import|require|setup|common")
+_TAME = frozenset(
+    (
+        *("find_package", "find_library", "find_path", "find_program", "find_file", "add_dependencies", "project"),
+        *("ament_target_dependencies", "ament_export_dependencies", "ament_package", "ament_auto_package", "catkin_package"),
+        *("ament_python_install_package", "ament_auto_add_executable", "ament_auto_add_library", "ament_find_gtest"),
+        *("pluginlib_export_plugin_description_file", "ament_lint_auto_find_test_dependencies", "configure_package_config_file"),
+        *("write_basic_package_version_file", "nav2_package", "cmake_minimum_required", "set_package_properties"),
+    )
+)  # fmt: skip
+#: Commands that find all that the manifest declares for the build.
+_AUTO = ("ament_auto_find_build_dependencies", "ament_auto_find_test_dependencies", "autoware_package")
+_SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"))
+_TARGET = re.compile(r"([a-z]\w*)::\w+")
+_GENERATED = re.compile(r"(\w+)/(?:msg|srv|action)/\w+\.hp?p?")
+#: Packages whose headers have a directory of their own since Humble: include/rclcpp/rclcpp/rclcpp.hpp.
+_CLIENTS = frozenset(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle", "tf2", "tf2_ros"))
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        if not package.cmake.is_whole or package.ros is None or _may_find_more(package):
+            continue
+        told: set[str] = set()
+        for name, finding in _ament(package) if package.ros == 2 else _catkin(package):
+            if name not in told:
+                told.add(name)
+                yield finding
+
+
+def _may_find_more(package: ProjectPackage) -> bool:
+    """Whether something else may find packages, or what is found is not known."""
+    commands = package.build.commands
+    if any(each.name not in (*_TAME, *_AUTO) and _FINDING.search(each.name) for each in commands):
+        return True
+    return any("$" in word for each in package.commands("find_package") for word in each.arguments[:1])
+
+
+def _ament(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
+    found: dict[str, CMakeCommand] = {}
+    uses: list[tuple[str, CMakeCommand]] = []
+    for command in package.build.commands:
+        if command.name == "find_package" and command.arguments:
+            found.setdefault(command.arguments[0], command)
+        elif command.name in _AUTO:
+            found |= {name: command for name in package.declared if name not in found}
+        elif command.name == "ament_target_dependencies" and not command.is_conditional:
+            for name in command.arguments[1:]:
+                if name not in _SCOPES and _is_lacking(package, found, name):
+                    yield name, _unfound(package, command, name, found)
+        elif command.name == "target_link_libraries" and not command.is_conditional:
+            matches = (_TARGET.fullmatch(word) for word in command.arguments[1:])
+            uses += [(match[1], command) for match in matches if match is not None]
+    for name, command in uses:
+        if _is_lacking(package, found, name):
+            yield name, _linked(package, command, name, found)
+    for name, header, place in _headers(package):
+        if _is_lacking(package, found, name):
+            yield name, _included(package, name, header, place, found)
+
+
+def _is_lacking(package: ProjectPackage, found: Iterable[str], name: str) -> bool:
+    """Whether *name* is a package of ROS or of the workspace, and none of those *found* is it, or may find it in its turn."""
+    project = package.project
+    is_here = project.package(name) is not None
+    if name in found or name == package.name or not (is_here or project.knowledge.is_in(name, package.ros)):
+        return False
+    if project.knowledge.is_key(name) and not is_here:
+        return False  # a library of the system that is called like a package
+    others = {each for each in found if not each.startswith("ament_")}
+    ros = {each for each in others if not _is_of_the_system(package, each)}
+    return brings(package, ros, name) is False
+
+
+def _is_of_the_system(package: ProjectPackage, name: str) -> bool:
+    """Whether find_package(*name*) finds a library of the system, which finds no package of ROS; one that nobody knows may."""
+    project = package.project
+    if project.package(name) is not None or project.knowledge.is_package(name) is not False:
+        return False
+    return (
+        name != name.lower()
+        or "-" in name
+        or project.knowledge.is_key(name)
+        or bool(project.knowledge.provider_of_cmake(name))
+    )
+
+
+def _unfound(package: ProjectPackage, use: CMakeCommand, name: str, found: dict[str, CMakeCommand]) -> Finding:
+    later = next((each for each in package.commands("find_package") if each.arguments[:1] == (name,)), None)
+    if later is not None:
+        said = f"ament_target_dependencies({use.arguments[0]}) uses {name}, which find_package() finds later, in line {later.location.line}"
+        return _made(package, use.location, name, f"{said}: CMake stops; move find_package({name} REQUIRED) before it")
+    said = f"ament_target_dependencies({use.arguments[0]}) uses {name}, which no find_package() finds"
+    return _made(package, use.location, name, f"{said}: CMake stops; {_remedy(package, name)}", found)
+
+
+def _linked(package: ProjectPackage, use: CMakeCommand, name: str, found: dict[str, CMakeCommand]) -> Finding:
+    word = next(word for word in use.arguments if word.startswith(f"{name}::"))
+    said = f"{use.arguments[0]} is linked with {word}, but no find_package() finds {name}: CMake stops, as there is no such target"
+    return _made(package, use.location, name, f"{said}; {_remedy(package, name)}", found)
+
+
+def _included(
+    package: ProjectPackage, name: str, header: str, place: Location, found: dict[str, CMakeCommand]
+) -> Finding:
+    said = f"{package.name} includes {header}, but its CMake never finds {name}: the compiler does not find the header"
+    return _made(package, place, name, f"{said}; {_remedy(package, name)}, and link the target with it")
+
+
+def _remedy(package: ProjectPackage, name: str) -> str:
+    return f"add find_package({name} REQUIRED)" + (
+        "" if name in package.declared else f", and <depend>{name}</depend> in package.xml"
+    )
+
+
+def _made(
+    package: ProjectPackage, at: Location, name: str, message: str, found: dict[str, CMakeCommand] | None = None
+) -> Finding:
+    fix = _fix(package, at, name, found) if found and name in package.declared else None
+    return Finding(
+        at=at,
+        message=message,
+        about=(package.name, name),
+        apart=(name,),
+        fixes=() if fix is None else (fix,),
+    )
+
+
+def _fix(package: ProjectPackage, at: Location, name: str, found: dict[str, CMakeCommand]) -> Fix | None:
+    """find_package() on a line after the last one before *at*, where that is one line of the package's own file."""
+    text = package.project.text(package.cmake_path)
+    lines = text.splitlines()
+    for command in reversed(list(found.values())):
+        number = command.location.line or 0
+        if (
+            command.is_conditional
+            or command.is_test
+            or command.location.path != package.cmake_path
+            or at.path != package.cmake_path
+        ):
+            continue
+        if number < (at.line or 0) and re.fullmatch(r"find_package\([^()#$]*\)[ \t]*", lines[number - 1]):
+            return Fix(
+                f"find {name}", (insert_line(package.cmake_path, text, number + 1, f"find_package({name} REQUIRED)"),)
+            )
+    return None
+
+
+def _headers(package: ProjectPackage) -> Iterator[tuple[str, str, Location]]:
+    """Headers of packages that the manifest declares, each in a directory that only its own package brings."""
+    for target in package.cmake.targets.values():
+        is_code = target.kind in ("executable", "library", "object") and target.sources
+        if not is_code or target.is_conditional or target.is_test or package.cmake.may_change(target.name):
+            continue
+        for header, place in package.included.of(target).items():
+            name = header.partition("/")[0]
+            if name in package.declared and _is_its_own(package, name, header):
+                yield name, header, place
+
+
+def _is_its_own(package: ProjectPackage, name: str, header: str) -> bool:
+    if _GENERATED.fullmatch(header) is not None or name in _CLIENTS:
+        return True
+    other = package.project.package(name)
+    if other is None or other.ros != 2 or f"{other.path}/include/{header}" not in package.project.workspace.names:
+        return False
+    path = other.inside(f"include/{header}")
+    rows = [row for row in other.build.installed if row.kind == "directory" and path.startswith(f"{row.path}/")]
+    return bool(rows) and all(
+        row.destination.startswith(f"include/{name}") and not row.path.endswith(f"include/{name}") for row in rows
+    )
+
+
+def _catkin(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
+    """generate_messages(DEPENDENCIES) of ROS 1."""
+    found: set[str] = set()
+    for command in package.build.commands:
+        if command.name == "find_package":
+            found.update(command.arguments)
+        elif command.name == "generate_messages" and not command.is_conditional:
+            for name in command.after("DEPENDENCIES", "LANGS"):
+                if "$" not in name and _is_lacking(package, found, name):
+                    said = (
+                        f"generate_messages() depends on {name}, which find_package() does not find before: CMake stops"
+                    )
+                    yield (
+                        name,
+                        _made(
+                            package,
+                            command.location,
+                            name,
+                            f"{said}; add {name} to the COMPONENTS of find_package(catkin)",
+                        ),
+                    )
+
+
+CHECK = Check(
+    id="package-not-found",
+    summary="CMake uses a package that no find_package() finds.",
+    level=Level.ERROR,
+    catalogue="",
+    tags=("build", "packages"),
+    project=check,
+)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that a program opens below the share directory of a package, and that are not there once the package is installed."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import landings, may_appear
+
+#: What gives the directory of a package: ament_index_cpp, ament_index_python, roslib, rospkg.
+_DIRECTORY = (
+    r"(?:(?:\w+(?:::|\.))*(?:get_package_share_directory|get_package_share_path|getPath)|(?:\w+\.RosPack\(\)|\w*rospack\w*)\.get_path)"
+    r"\(\s*[\"'](\w+)[\"']\s*,?\s*\)"
+)
+_ASSIGNED = re.compile(
+    rf"(?m)^[ \t]*(?:(?:const[ \t]+)?(?:(?:std::)?string|auto)[ \t]+)?((?:self\.)?\w+)[ \t]*=[ \t]*(?:Path\()?{_DIRECTORY}\)?[ \t]*;?[ \t]*$"
+)
+_LITERALS = r"((?:\s*,\s*[\"'][^\"'\n{}%]+[\"'])+)\s*,?\s*\)"
+_ADDED = r"\s*\+\s*(?:std::string\()?[\"']/([^\"'\n{}%]+)[\"']\)?(?!\s*(?:\+|%|\.format))"
+_SLASHED = r"((?:\s*/\s*[\"'][^\"'\n{}%]+[\"'])+)(?!\s*(?:/|\+))"
+#: Files that somebody wrote by hand, which nodes read.
+_READ = re.compile(r"\.(?:ya?ml|json|csv|urdf|xacro|sdf|srdf|rviz|xml|world|pgm)$")
+#: Code that may make the file, or asks whether it is there.
+_MAKES = re.compile(
+    r"[\"'][wa]b?\+?[\"']|ofstream|\bdump\(|\.write\(|write_text|to_csv|savetxt|imwrite|makedirs|mkdir|create_director|exists\(|is_?file\(|"
+    r"isdir\(|touch\(|saveMap|save_|writeFile"
+)
+#: A line that says what is used where nothing else is given.
+_DEFAULT = re.compile(r"default|param|declare|argument", re.IGNORECASE)
+_ASIDE = re.compile(r"(?:^|[/_])(?:tests?|launch|examples?|deprecated|old)(?:[/_.]|$)")
+#: Commands of CMake that make no file.
+_QUIET = ("install", "find_package", "project", "add_executable", "add_library", "target_link_libraries")
+
+
+@dataclass(frozen=True, slots=True)
+class _Use:
+    package: str
+    inner: str
+    at: Location
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for file in project.workspace.files:
+        if file.language not in ("cpp", "python") or _ASIDE.search(file.path):
+            continue
+        text = project.text(file.path)
+        if ("get_package_share" not in text and "getPath" not in text and "get_path" not in text) or _MAKES.search(
+            text
+        ):
+            continue
+        for use in _uses(file.path, text):
+            package = project.package(use.package)
+            if package is not None and not use.inner.startswith(".."):
+                yield from _finding(package, use)
+
+
+def _uses(path: str, text: str) -> Iterator[_Use]:
+    for match in re.finditer(_DIRECTORY + _ADDED, text):
+        yield from _use(path, text, match, match[1], match[2])
+    for match in re.finditer(rf"os\.path\.join\(\s*{_DIRECTORY}{_LITERALS}", text):
+        yield from _use(path, text, match, match[1], _joined(match[2]))
+    for match in re.finditer(rf"(?:Path\()?{_DIRECTORY}\)?{_SLASHED}", text):
+        yield from _use(path, text, match, match[1], _joined(match[2]))
+    for assigned in _ASSIGNED.finditer(text):
+        name = re.escape(assigned[1])
+        if len(re.findall(rf"(?<![\w.]){name}\s*\+?=(?!=)", text)) != 1:
+            continue
+        for match in re.finditer(rf"os\.path\.join\(\s*{name}{_LITERALS}", text):
+            yield from _use(path, text, match, assigned[2], _joined(match[1]))
+        for match in re.finditer(rf"(?<![\w.]){name}{_ADDED}", text):
+            yield from _use(path, text, match, assigned[2], match[1])
+        for match in re.finditer(rf"(?<![\w.]){name}{_SLASHED}", text):
+            yield from _use(path, text, match, assigned[2], _joined(match[1]))
+
+
+def _joined(words: str) -> str:
+    return "/".join(re.findall(r"[\"']([^\"']+)[\"']", words))
+
+
+def _use(path: str, text: str, match: re.Match[str], package: str, inner: str) -> Iterator[_Use]:
+    line = text.rfind("\n", 0, match.start()) + 1
+    before = text[line : match.start()]
+    inner = posixpath.normpath(inner.strip("/"))
+    if _DEFAULT.search(before):
+        return
+    if _READ.search(inner) and "//" not in before and "#" not in before and not before.lstrip().startswith("*"):
+        number = text.count("\n", 0, match.start()) + 1
+        yield _Use(package, inner, Location(path, number, match.start() - line + 1))
+
+
+def _finding(package: ProjectPackage, use: _Use) -> Iterator[Finding]:
+    project, path = package.project, package.inside(use.inner)
+    is_there = path in project.workspace.names
+    if package.ros == 1 and is_there:
+        return  # in a devel space it is found, and directory-not-installed tells of the rest
+    if not _is_known(package) or may_appear(package, path, _QUIET):
+        return
+    place = posixpath.normpath(f"share/{package.name}/{use.inner}")
+    sources = [each.path for each in package.build.installed if f"{each.destination}/{each.name}" == place]
+    sources += [
+        name
+        for name in project.workspace.names
+        if name.endswith(f"/{posixpath.basename(use.inner)}") and place in landings(package, name)
+    ]
+    if sources:
+        return
+    if is_there:
+        said = f"but {package.name} does not install it: an installed package has no such file, and opening it fails; install it to share/{package.name}"
+    else:
+        prefix = "" if package.path == "." else f"{package.path}/"
+        own = sorted(name[len(prefix) :] for name in project.workspace.names if name.startswith(prefix))[:2000]
+        same = [name for name in own if posixpath.basename(name) == posixpath.basename(use.inner)]
+        near = same or get_close_matches(use.inner, own, 1, 0.8)
+        said = f"but {package.name} has no such file: opening it fails" + (
+            f"; did you mean {near[0]!r}?" if near else ""
+        )
+    yield Finding(
+        at=use.at,
+        message=f"the program uses {use.inner} of {package.name}, {said}",
+        about=(f"{package.name}/{use.inner}",),
+        apart=(use.inner,),
+    )
+
+
+def _is_known(package: ProjectPackage) -> bool:
+    """Whether all that the package installs is known."""
+    if package.ros is None or package.build.problems:
+        return False
+    if any("${" in row.path + row.destination + row.name for row in package.build.installed):
+        return False
+    if package.build.commands:
+        return package.cmake.is_whole
+    return package.ros == 2 and package.has("setup.py")
+
+
+CHECK = Check(
+    id="share-file-missing",
+    summary="A program opens a file of a package that is not there once the package is installed.",
+    level=Level.WARNING,
+    tags=("packages", "code"),
+    project=check,
+)

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sources that no target compiles, though what is compiled calls what they define."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.packages import Target
+
+SUFFIXES = (".cpp", ".cc", ".cxx", ".c++")
+_ASIDE = re.compile(
+    r"(?:^|[/_-])(?:tests?|gtest|testing|examples?|demos?|samples?|benchmarks?|old|deprecated|unused|backup|windows|win32)(?:$|[/_.-])"
+)
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
+#: Commands that may compile files that they do not name.
+_FETCHING = (
+    "aux_source_directory",
+    "externalproject_add",
+    "fetchcontent_declare",
+    "ament_vendor",
+    "include_external_msproject",
+)
+#: The classes of one package that are looked for, and the largest file.
+MAX_CLASSES, MAX_TEXT = 200, 500_000
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for package in project.packages:
+        if package.cmake.is_whole and not package.commands(*_FETCHING):
+            yield from _of(package)
+
+
+def _of(package: ProjectPackage) -> Iterator[Finding]:
+    compiled = {path for target in package.build.targets for path in (*target.sources, *target.conditional_sources)}
+    loose = [file.path for file in package.files if file.path.endswith(SUFFIXES) and file.path not in compiled]
+    loose = [path for path in loose if not _ASIDE.search(path.removeprefix(package.path).lower())]
+    if not loose or len(loose) > MAX_CLASSES:
+        return
+    script = "\n".join(
+        package.project.text(p)
+        for p in package.project.workspace.names
+        if p.endswith(("CMakeLists.txt", ".cmake")) and (package.path == "." or p.startswith(f"{package.path}/"))
+    )
+    every = frozenset(file.path for file in package.files if file.language == "cpp")
+    for path in loose:
+        base = posixpath.basename(path)
+        if posixpath.splitext(base)[0] in script and base in script:
+            continue
+        if any(
+            f'/{base}"' in text or f'"{base}"' in text or f"/{base}>" in text
+            for text in map(package.project.text, every)
+        ):
+            continue  # it is included
+        yield from _needed(package, path, every)
+
+
+def _needed(package: ProjectPackage, path: str, every: frozenset[str]) -> Iterator[Finding]:
+    """A target that calls a method which *path* alone defines, by the header that is called like it."""
+    project = package.project
+    program = project.programs.get(path)
+    stem = posixpath.splitext(posixpath.basename(path))[0]
+    headers = {
+        each
+        for each in every
+        if posixpath.splitext(posixpath.basename(each))[0] == stem and not each.endswith(SUFFIXES)
+    }
+    if program is None or len(headers) != 1:
+        return
+    defined = {
+        (each.owner.replace("::", ".").rpartition(".")[2], each.name.replace("::", ".").rpartition(".")[2])
+        for each in program.functions
+        if each.body is not None and each.owner
+    }
+    elsewhere = {
+        (each.owner.replace("::", ".").rpartition(".")[2], each.name.replace("::", ".").rpartition(".")[2])
+        for other, facts in project.programs.items()
+        if other != path and other in every
+        for each in facts.functions
+        if each.body is not None and each.owner
+    }
+    own = sorted(defined - elsewhere)
+    header = headers.pop()
+    for target in package.build.targets if own else ():
+        found = _caller(package, target, header, own)
+        if found is not None:
+            place, name = found
+            yield Finding(
+                at=target.location,
+                message=f"{target.name} uses {name}, which {path} defines, but no target compiles this file: the linker finds no {name}; "
+                f"add {posixpath.relpath(path, posixpath.dirname(target.location.path))} to the sources of {target.name}, or of a library that it is linked with",
+                about=(package.name, path),
+                apart=(path,),
+                related=((Location(path, 1), "no target compiles it"), (place, f"{name} is used here")),
+            )
+            return
+
+
+def _caller(
+    package: ProjectPackage, target: Target, header: str, own: list[tuple[str, str]]
+) -> tuple[Location, str] | None:
+    """Where a source of an executable that includes *header* makes an object of a class of it, or calls a method by its full name."""
+    if target.kind != "executable" or target.is_test or target.is_conditional:
+        return None
+    for source in target.sources:
+        if source in target.conditional_sources or not _includes(package, source, header):
+            continue
+        text = package.project.text(source)[:MAX_TEXT]
+        plain = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+        for owner, name in own:
+            made = rf"(?:new\s+|make_shared<\s*|make_unique<\s*|^\s*)(?:\w+::)*{re.escape(owner)}\b\s*(?:>\s*\(|\(|\w+\s*[;({{])"
+            used = made if name == owner else rf"\b{re.escape(owner)}::{re.escape(name)}\s*\("
+            match = re.search(used, plain, re.MULTILINE)
+            if match is not None:
+                return Location(source, plain.count("\n", 0, match.end()) + 1), f"{owner}::{name}"
+    return None
+
+
+def _includes(package: ProjectPackage, source: str, header: str) -> bool:
+    program = package.project.programs.get(source)
+    names = (each.strip('<>"') for each in program.includes) if program is not None else ()
+    return any(package.included.own(name, source) == header for name in names)
+
+
+CHECK = Check(
+    id="source-not-built",
+    summary="A source is in no target, though what is compiled uses what it defines.",
+    level=Level.ERROR,
+    tags=("build", "code"),
+    project=check,
+)

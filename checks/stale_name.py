@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A name that a change gives up on one side, and that the other side still uses, in whatever launch file it runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, End, Finding, Level, Location, Project, named_at
+from haros_ci.api.changes import LeftBehind, left_behind
+
+#: What an end that is alone does, who is missing, and what comes of it.
+ALONE = {
+    "subscribers": ("subscribes to", "publishes", "it gets no messages"),
+    "publishers": ("publishes", "subscribes to", "nobody gets its messages"),
+    "clients": ("calls", "serves", "its calls get no answer"),
+    "servers": ("serves", "calls", "nobody calls it"),
+    "action_clients": ("sends goals to", "serves", "its goals are never accepted"),
+    "action_servers": ("serves", "sends goals to", "it gets no goals"),
+}
+SHOWN = 10
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for left in left_behind(project):
+        places: dict[object, list[End]] = {}
+        for end in left.ends:
+            places.setdefault(_at(left, end), []).append(end)
+        for ends in places.values():
+            yield _finding(left, ends)
+
+
+def _finding(left: LeftBehind, ends: list[End]) -> Finding:
+    end = min(ends, key=lambda each: (len(each.node.name), each.node.name))
+    does, missing, result = ALONE[end.kind]
+    others = len({each.node.name for each in ends}) - 1
+    who = f"{end.node}{f' and {others} more' if others else ''}"
+    at = _at(left, end)
+    place = _at(left, left.now) if left.now is not None else None
+    if left.now is None:
+        said = f"which this change removes from {left.before.node} ({left.before.node.type}): nothing else here {missing} it"
+        remedy = f"remove the {end.word}, or give it the name of one that is there"
+    elif left.action == "moved away":
+        return _moved_away(left, end)
+    elif left.action == "retyped":
+        said = f"as {end.type}, but this change makes {left.now.node} ({place}) use {left.now.type}: the two do not connect"
+        result, remedy = "no data passes", f"use {left.now.type} here, too"
+    else:
+        said = f"but this change renames the {left.before.word} of {left.now.node} to {left.now.name} ({place}): nothing else here {missing} {left.name}"
+        remedy = f"write {left.now.name} here, too, or remap one of the two"
+    related = (
+        ((place, f"{left.now} is {left.now.name} here now"),) if left.now is not None and place is not None else ()
+    )
+    shown = {each.location: (each.location, str(each)) for each in ends if each.location != at}
+    return Finding(
+        at=at,
+        message=f"{who} still {does} {left.name}, {said}, so {result}; {remedy}",
+        about=(left.name, end.kind, *sorted({each.node.type for each in ends})[:SHOWN]),
+        related=(*related, *list(shown.values())[:SHOWN]),
+        level=Level.ERROR if left.action != "removed" and (left.together or left.certain) else Level.WARNING,
+    )
+
+
+def _moved_away(left: LeftBehind, end: End) -> Finding:
+    """The end that has the new name is the one without anybody: its partner has others, or is in another launch file."""
+    does, missing, result = ALONE[end.kind]
+    partner = left.now if left.now is not None else left.before
+    return Finding(
+        at=named_at(end),
+        message=(
+            f"{end.node} {does} {end.name} since this change, and {left.name} before: nothing here {missing} {end.name}, while "
+            f"{partner.node} still has {left.name} ({named_at(partner)}), so {result}; write {left.name}, or rename both"
+        ),
+        about=(left.name, end.kind, end.node.type),
+        related=((named_at(partner), f"{partner.word} {partner.name} of {partner.node}"),),
+        level=Level.ERROR if left.together else Level.WARNING,
+    )
+
+
+def _at(left: LeftBehind, end: End) -> Location:
+    """Where the name is given to *end*, or its type."""
+    return end.location if left.action == "retyped" else named_at(end)
+
+
+CHECK = Check(
+    id="stale-name",
+    summary="A topic, service or action is used under a name or type that a change gives up elsewhere.",
+    level=Level.ERROR,
+    tags=("topics", "services", "actions", "change"),
+    project=check,
+)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages of plug-ins that the model shows nothing of."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.model.architecture import Architecture, Configuration, Node
+from haros_ci.model.build import Build, PluginClass
+from haros_ci.model.location import Location
+from haros_ci.unmodelled import unmodelled
+
+HERE = Location("plugins.xml", 1)
+
+
+def build(package: str, base: str, name: str = "arm/Stiff", type_: str = "arm::Stiff") -> dict[str, Build]:
+    return {
+        package: Build(
+            package=package,
+            plugins=(PluginClass(name=name, type=type_, base=base, library="lib", package=package, location=HERE),),
+        )
+    }
+
+
+def architecture(*nodes: Node) -> Architecture:
+    return Architecture(configurations=(Configuration(name="all", nodes=nodes),))
+
+
+def test_a_controller_that_no_node_loads_is_said() -> None:
+    (said,) = unmodelled(architecture(), build("arm", "controller_interface::ControllerInterface"))
+    assert said.startswith(
+        "Not modelled: plug-ins of 1 package (arm: controller_interface::ControllerInterface). No node"
+    )
+
+
+def test_of_many_packages_five_are_named() -> None:
+    builds: dict[str, Build] = {}
+    for number in range(7):
+        builds |= build(f"p{number}", "nav2_core::Controller")
+    (said,) = unmodelled(architecture(), builds)
+    assert "of 7 packages" in said and "p4: nav2_core::Controller; and 2 more)" in said and "p5" not in said
+
+
+@pytest.mark.parametrize(
+    ("builds", "nodes"),
+    [
+        ({}, ()),
+        ({"arm": Build(package="arm")}, ()),
+        (build("arm", "nodelet::Nodelet"), ()),
+        (build("arm", "rclcpp_components::NodeFactory"), ()),
+        (
+            build("arm", "controller_interface::ControllerInterface"),
+            (Node(name="/stiff", kind="node", package="arm", type="Stiff"),),
+        ),
+        (
+            build("arm", "controller_interface::ControllerInterface"),
+            (Node(name="/s", kind="node", package="arm", type="arm/Stiff"),),
+        ),
+        (
+            build("arm", "nav2_core::Controller"),
+            (Node(name="/s", kind="library", package="arm", type="x", class_name="arm::Stiff"),),
+        ),
+    ],
+)
+def test_nothing_is_said_where_nothing_is_missing(builds: dict[str, Build], nodes: tuple[Node, ...]) -> None:
+    assert unmodelled(architecture(*nodes), builds) == ()
