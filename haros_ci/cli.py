@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import os
 import sys
+from contextlib import suppress
 from typing import Any
 
 import click
 
 from haros_ci import __version__
-from haros_ci.errors import UserError
+from haros_ci.errors import RunFailure, UserError
 from haros_ci.flags import (
     analysis_options,
     completion_of,
@@ -20,7 +21,9 @@ from haros_ci.flags import (
     what_options,
     workspace_options,
 )
+from haros_ci.interruption import Interrupted, listening
 from haros_ci.manual import EXIT_CODES, Group
+from haros_ci.streams import flushed, prepare_streams, say
 
 EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
 
@@ -28,34 +31,51 @@ EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
 def main(argv: list[str] | None = None) -> int:
     """Run the command line; returns the exit code and never raises (design: exit codes)."""
     try:
-        outcome = haros_ci.main(args=argv, prog_name="haros-ci", standalone_mode=False)
-        sys.stdout.flush()
-        return outcome if isinstance(outcome, int) else 0
-    except click.exceptions.Abort:
-        return EXIT_INTERRUPTED
+        with listening():
+            prepare_streams()
+            return flushed(_outcome(argv))
+    except Interrupted as err:
+        say(f"error: ended by {err.name} before the run was complete")
+        return flushed(err.code)
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
+
+
+def _outcome(argv: list[str] | None) -> int:
+    try:
+        return _invoked(sys.argv[1:] if argv is None else argv)
+    except click.exceptions.Exit as err:
+        return err.exit_code
+    except click.exceptions.Abort:
+        return EXIT_INTERRUPTED
     except click.ClickException as err:
-        err.show()
+        with suppress(OSError):
+            err.show()
         return EXIT_USAGE
-    except UserError as err:
+    except (UserError, RunFailure) as err:
         from haros_ci.report.escape import terminal
 
-        click.echo(f"error: {terminal(err.message)}", err=True)
-        if err.help:
-            click.echo(f"help: {terminal(err.help)}", err=True)
-        return EXIT_USAGE
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        say(f"error: {terminal(err.message)}", *([f"help: {terminal(err.help)}"] if err.help else []))
+        return EXIT_USAGE if isinstance(err, UserError) else EXIT_TOOL_TROUBLE
+    except BrokenPipeError:  # who has read enough need not be told
         return EXIT_TOOL_TROUBLE
     except Exception as err:
         if os.environ.get("HAROS_CI_DEBUG"):
             raise
-        from haros_ci.report.escape import terminal
+        from haros_ci.trouble import told
 
-        click.echo(f"internal error: {type(err).__name__}: {terminal(str(err))[:500]}", err=True)
-        click.echo("help: this is a fault of haros-ci; set HAROS_CI_DEBUG=1 for the trace and report it", err=True)
-        return EXIT_TOOL_TROUBLE
+        code, *lines = told(err)
+        say(*lines)
+        return code
+
+
+def _invoked(argv: list[str]) -> int:
+    """What the command returns. Not click's own ``main``, to which a closed pipe is exit code 1: that of a finding."""
+    if "_HAROS_CI_COMPLETE" in os.environ:
+        haros_ci.main(args=argv, prog_name="haros-ci")
+    with haros_ci.make_context("haros-ci", list(argv)) as context:
+        outcome = haros_ci.invoke(context)
+    return outcome if isinstance(outcome, int) else 0
 
 
 @click.group(
@@ -118,8 +138,9 @@ file_option = click.option(
 @baseline.command()
 @what_options
 @file_option
+@click.option("--force", is_flag=True, help="Write an existing FILE anew.")
 def create(**flags: Any) -> int:
-    """Record today's findings as known."""
+    """Record today's findings as known, in a new file."""
     from haros_ci import baseline_command
 
     return baseline_command.create(flags)

@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -16,10 +17,13 @@ import click
 from haros_ci.baselines import COMPACT_NAME
 from haros_ci.cli import EXIT_TOOL_TROUBLE
 from haros_ci.config.settings import Settings
+from haros_ci.errors import RunFailure, UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.output import FOLDERS, SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered, write
+from haros_ci.output import FOLDERS, SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered
 from haros_ci.results.result import Report
+from haros_ci.streams import say
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
+from haros_ci.writing import write
 
 Flags = Mapping[str, Any]
 Progress = Callable[[str], None]
@@ -44,7 +48,9 @@ def check(flags: Flags) -> int:
 
         click.echo(describe(settings), nl=False)
         return 0
+    demand_base(settings)
     report, workspace = run(settings, flags)
+    demand_baseline(report, settings)
     if flags["diff"]:
         return show_patch(report, workspace, settings)
     if flags["fix"] and mend(report, workspace, settings):
@@ -56,6 +62,7 @@ def reported(
     report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
 ) -> int:
     """Write every output, and give the exit code."""
+    warn_of_missing_base(settings, outputs)
     is_whole = written(report, workspace, outputs, renderers, settings, flags)
     on_stdout = [format for format, path in outputs if path is None]
     if flags["statistics"]:
@@ -73,6 +80,8 @@ def written(
     report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
 ) -> bool:
     """Write every output; False if one could not be made or not whole, which is said."""
+    from haros_ci.report.escape import terminal
+
     is_whole = True
     folders = [path for format, path in outputs if format in FOLDERS and path is not None]
     if folders:
@@ -87,13 +96,46 @@ def written(
         try:
             text = rendered(report, format, view, renderers)
         except RendererError as err:
-            from haros_ci.report.escape import terminal
-
             click.echo(f"error: {terminal(str(err))}", err=True)
             is_whole = False
             continue
-        write(text, path)
+        try:
+            write(text, path)
+        except RunFailure as err:  # no room for this one; the others are written all the same
+            say(f"error: {terminal(err.message)}", f"help: {terminal(err.help or '')}")
+            is_whole = False
     return is_whole
+
+
+def demand_base(settings: Settings) -> None:
+    """Refuse to begin where the base revision that was asked for cannot be had, unless ``--no-require-baseline`` says to go on.
+
+    Without it every old finding would be reported as new. UserError (2), or RunFailure (3) under ``--require-baseline``.
+    """
+    if settings.base_missing:
+        _refuse_without(settings.base_missing, settings)
+
+
+def demand_baseline(report: Report, settings: Settings) -> None:
+    """The same of a baseline of which only the analysis shows that it cannot be had."""
+    if report.baseline is not None and not report.baseline.available:
+        _refuse_without(report.baseline.message or report.baseline.source, settings)
+
+
+def _refuse_without(why: str, settings: Settings) -> None:
+    if settings.require_baseline is False:
+        return
+    message = f"no baseline, so nothing is reported: {why.rstrip('.')}"
+    help = "with --no-require-baseline every finding is reported as new"
+    raise (RunFailure if settings.require_baseline else UserError)(message, help=help)
+
+
+def warn_of_missing_base(settings: Settings, outputs: Outputs = ()) -> None:
+    """Say on stderr that the base revision cannot be had, unless one of *outputs* is text to be read there and then."""
+    if settings.base_missing and ("text", None) not in outputs:
+        from haros_ci.report.escape import terminal
+
+        click.echo(f"warning: No baseline: {terminal(settings.without_base)}", err=True)
 
 
 def renderers_of(settings: Settings) -> Mapping[str, Callable[[Report], str]]:
@@ -110,6 +152,7 @@ def show_patch(report: Report, workspace: Workspace, settings: Settings) -> int:
     from haros_ci.fixing import patch, plan
     from haros_ci.report.escape import patch as shown
 
+    warn_of_missing_base(settings)
     made = plan(report.shown(), workspace.text)
     text = patch(made)
     read_here = sys.stdout.isatty() or os.environ.get(
@@ -139,7 +182,9 @@ def exit_code(report: Report, settings: Settings) -> int:
     """3 before 1 before 0 (design.md: tool trouble is never green)."""
     if set(report.failed_tools()) - settings.allow_tool_failure:
         return EXIT_TOOL_TROUBLE
-    if settings.require_baseline and (report.baseline is None or not report.baseline.available):
+    if settings.require_baseline and (
+        settings.base_missing or report.baseline is None or not report.baseline.available
+    ):
         return EXIT_TOOL_TROUBLE
     return 1 if report.failing() else 0
 
@@ -218,36 +263,41 @@ def settings_from(flags: Flags) -> Settings:
         "baseline": flags.get("baseline"),
         "baseline_rev": flags.get("baseline_rev"),
         "no_baseline": flags.get("no_baseline") or False,
-        "require_baseline": flags.get("require_baseline") or False,
+        "require_baseline": flags.get("require_baseline"),
         "allow_tool_failure": frozenset(flags.get("allow_tool_failure") or ()),
         "cache_dir": cache_dir(flags, place.root),
     }
-    settings = load(
+    loaded = partial(
+        load,
         place.root,
         start=place.start,
         project=Path(flags["project"]) if flags.get("project") else None,
         isolated=flags.get("isolated") or False,
-        read=reader_at(place.root, flags.get("baseline_rev")),
         trust_config=flags.get("trust_config") or False,
         command_line=command_line,
     )
+    settings = settings_at(place.root, flags.get("baseline_rev"), loaded)
     unnamed = settings.baseline is None and settings.baseline_rev is None and not flags.get("no_baseline")
     if unnamed and (place.root / COMPACT_NAME).is_file():
         settings = replace(settings, baseline=COMPACT_NAME)
     return settings
 
 
-def reader_at(root: Path, rev: str | None) -> Callable[[Path], bytes | None] | None:
-    """How to read a project file at the base revision; None to read from disk (no revision, or it cannot be had)."""
+def settings_at(root: Path, rev: str | None, loaded: Callable[..., Settings]) -> Settings:
+    """What *loaded* makes of the project file: of that on disk, or, with *rev*, of the base revision's and no other.
+
+    If that cannot be had, no file that a change could have brought counts.
+    """
     if rev is None:
-        return None
-    from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at
+        return loaded()
+    from haros_ci.workspace.base_commit import base_commit
+    from haros_ci.workspace.git import BaselineUnavailable
 
     try:
-        base = merge_base(root, rev)
-    except BaselineUnavailable:  # said loudly by the comparison; only what the head says is left
-        return None
-    return lambda path: read_at(root, base, path.relative_to(root).as_posix()) if path.is_relative_to(root) else None
+        base = base_commit(root, rev)
+        return loaded(base=base)
+    except BaselineUnavailable as err:
+        return loaded(base_missing=str(err))
 
 
 def plugins_of(flags: Flags) -> tuple[str, ...]:

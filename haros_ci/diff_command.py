@@ -18,10 +18,10 @@ from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.changes import Changes
 from haros_ci.model.workspace import Store
-from haros_ci.output import write
 from haros_ci.report.escape import terminal
 from haros_ci.workspace.git import BaselineUnavailable
 from haros_ci.workspace.revision import Revisions, revisions
+from haros_ci.writing import write
 
 FORMATS = ("text", "markdown", "json")
 
@@ -51,6 +51,8 @@ def diff(flags: Mapping[str, Any]) -> int:
     trouble = store.flush()
     if trouble:
         click.echo(f"warning: {trouble}", err=True)
+    if settings.base_missing:
+        click.echo(f"warning: {terminal(settings.without_base)}", err=True)
     for note in settings.notes:
         click.echo(f"note: {terminal(note)}", err=True)
     write(rendered(changes, flags["format"], *sides), Path(flags["output"]) if flags["output"] else None)

@@ -4,18 +4,20 @@
 from __future__ import annotations
 
 import sys
-import tempfile
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 
 from haros_ci.config.settings import Settings
 from haros_ci.extract.cpp.exact import ExactCall, ExactFile, Place, default_headers, failures, parse, requests
-from haros_ci.linters.compile_db import flags_by_file
+from haros_ci.linters import footing
+from haros_ci.linters.compile_db import directories, flags_by_file
 from haros_ci.linters.linter import Command, LintOptions
 from haros_ci.linters.process import Processes, TimedOut, Unstartable
+from haros_ci.linters.sandbox import Confinement
+from haros_ci.linters.view import of_cpp
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.scratch import scratch_directory
 
 #: Seconds that one file may take.
 PATIENCE = 90.0
@@ -41,38 +43,46 @@ def ask(
 ) -> tuple[Mapping[Place, tuple[ExactCall, ...]], tuple[Problem, ...]]:
     """What libclang tells of the calls at *places*, and which files it could not look at."""
     options = LintOptions(compile_database=settings.compile_database, root=settings.root)
-    known = flags_by_file(workspace, options)
-    files = [
-        ExactFile(path, known.get(path) or _flags(workspace, path), tuple(sorted(calls)))
-        for path, calls in sorted(places.items())
-    ]
     told: dict[Place, tuple[ExactCall, ...]] = {}
     problems: list[Problem] = []
-    asked = requests(str(workspace.root), files, default_headers())
     processes = Processes()
-    with tempfile.TemporaryDirectory(prefix="haros-ci-") as scratch:
+    with scratch_directory("haros-ci-") as scratch:
+        view = of_cpp(workspace, scratch / "view")
+        known = flags_by_file(view, options)
+        files = [
+            ExactFile(path, known.get(path) or _flags(view, path), tuple(sorted(calls)))
+            for path, calls in sorted(places.items())
+        ]
+        headers = default_headers()
+        asked = requests(str(view.root), files, headers)
+        program = (sys.executable, "-I", "-X", "utf8", "-m", "haros_ci.extract.cpp.exact_worker")
+        named = dict.fromkeys(place for file in files for place in directories(file.flags))
+        reads = (str(view.root), *footing.of_program(program), *footing.HEADERS, *headers, *named)
 
         def one(item: tuple[int, str]) -> tuple[str, int]:
             number, request = item
-            program = (sys.executable, "-I", "-X", "utf8", "-m", "haros_ci.extract.cpp.exact_worker")
+            home = scratch / str(number)
+            confinement = Confinement(reads, (str(home), *footing.WRITTEN))
             command = Command(program, stdin=request.encode())
+            home.mkdir()
             try:
-                output = processes.run(
-                    command, root=workspace.root, scratch=Path(scratch, str(number)), timeout=PATIENCE
-                )
+                output = processes.run(command, root=view.root, scratch=home, timeout=PATIENCE, confinement=confinement)
             except (TimedOut, Unstartable):
                 return "", 1
             return output.stdout.decode("utf-8", "replace"), output.code
 
-        with ThreadPoolExecutor(max(settings.jobs, 1)) as pool:
-            for file, (answer, code) in zip(files, pool.map(one, enumerate(asked)), strict=False):
-                if code == MISSING:
-                    said = "libclang is not installed, so nothing was asked of it: pip install 'haros-ci[exact]'"
-                    return {}, (Problem(".", said),)
-                if code:
-                    problems.append(Problem(file.path, "libclang did not get through the file; its blanks stay"))
-                told.update(parse(answer))
-                problems += failures(answer)
+        try:
+            with ThreadPoolExecutor(max(settings.jobs, 1)) as pool:
+                for file, (answer, code) in zip(files, pool.map(one, enumerate(asked)), strict=False):
+                    if code == MISSING:
+                        said = "libclang is not installed, so nothing was asked of it: pip install 'haros-ci[exact]'"
+                        return {}, (Problem(".", said),)
+                    if code:
+                        problems.append(Problem(file.path, "libclang did not get through the file; its blanks stay"))
+                    told.update(parse(answer))
+                    problems += failures(answer)
+        finally:
+            processes.stop()
     return told, tuple(dict.fromkeys(problems))
 
 

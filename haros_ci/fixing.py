@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import re
+import stat
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from difflib import unified_diff
@@ -13,6 +14,7 @@ from pathlib import Path
 from haros_ci.results.fix import Edit, Fix, applied
 from haros_ci.results.result import Result
 from haros_ci.workspace.files import TooLarge, Tree, read_regular
+from haros_ci.writing import replace
 
 #: A file larger than this is left as it is; manifests, CMake and launch files are far smaller.
 MAX_BYTES = 4_000_000
@@ -96,8 +98,8 @@ def _named(path: str) -> str:
 def write(root: Path, made: Plan) -> dict[str, str]:
     """Write the plan below *root*; the paths of files that are left as they are, and why.
 
-    Files are written in place, as they are no others': no symbolic link is followed, nothing but UTF-8 is touched, and nothing
-    that has changed since it was read.
+    A file is replaced as a whole, with its permissions: no symbolic link is followed, nothing but UTF-8 is touched, and nothing that has
+    changed since it was read.
     """
     tree = Tree(root)
     return {file.path: said for file in made.files if (said := _write(tree, file))}
@@ -110,25 +112,14 @@ def _write(tree: Tree, file: Mended) -> str:
         mark = b"\xef\xbb\xbf" if data is not None and data.startswith(b"\xef\xbb\xbf") else b""
         if data is None or data[len(mark) :] != file.before.encode():
             return "it is not UTF-8, or has changed meanwhile"
-        descriptor = os.open(place, os.O_WRONLY | os.O_NOFOLLOW | os.O_CLOEXEC)
-    except (OSError, ValueError, TooLarge) as err:
-        return str(err) or "it is too large"
-    try:
+        known = os.lstat(place)
+        mode = known.st_mode | ((known.st_mode & 0o444) >> 2 if file.is_executable else 0)
         if file.after != file.before:
-            _put(descriptor, mark + file.after.encode())
-        if file.is_executable:
-            mode = os.fstat(descriptor).st_mode
-            os.fchmod(descriptor, mode | (mode & 0o444) >> 2)
-    except OSError as err:
-        return str(err)
-    finally:
-        os.close(descriptor)
+            if not os.access(place, os.W_OK):
+                return "it is read-only"
+            replace(place, mark + file.after.encode(), known, stat.S_IMODE(mode))
+        elif mode != known.st_mode:
+            os.chmod(place, stat.S_IMODE(mode))
+    except (OSError, ValueError, TooLarge) as err:
+        return getattr(err, "strerror", None) or str(err) or "it is too large"
     return ""
-
-
-def _put(descriptor: int, data: bytes) -> None:
-    """The whole file becomes *data*."""
-    at = 0
-    while at < len(data):
-        at += os.write(descriptor, data[at:])
-    os.ftruncate(descriptor, len(data))

@@ -107,7 +107,12 @@ report_options = options(
         "--baseline-rev", metavar="REV", help="Known findings: those of the merge-base with this git revision."
     ),
     click.option("--no-baseline", is_flag=True, help="Ignore the workspace's own baseline file."),
-    click.option("--require-baseline", is_flag=True, help="Exit with 3 if there is no baseline to compare with."),
+    click.option(
+        "--require-baseline/--no-require-baseline",
+        default=None,
+        help="Exit with 3 if there is no baseline to compare with, or report every finding where the base revision cannot be had; "
+        "default: report nothing then, and exit with 2.",
+    ),  # fmt: skip
     click.option("--import", "imports", metavar="FILE.sarif", multiple=True, help="Take in another tool's log."),
     click.option("--fail-on", type=LEVELS, help="Lowest level of a new result that fails the run; default: warning."),
     click.option(

@@ -16,8 +16,9 @@ from haros_ci.haros_json.documents import PROJECTS, added
 from haros_ci.haros_json.gather import gathered
 from haros_ci.inspection import Architectures
 from haros_ci.model.workspace import Store, Workspace
-from haros_ci.output import text_in, write_folder
+from haros_ci.output import text_in
 from haros_ci.results.result import Report
+from haros_ci.writing import put_below
 
 
 def fill(folders: Sequence[Path], report: Report, workspace: Workspace, settings: Settings, flags: Flags) -> bool:
@@ -36,5 +37,5 @@ def fill(folders: Sequence[Path], report: Report, workspace: Workspace, settings
         except ValueError as err:
             message = f"{folder / PROJECTS}: is no list of projects"
             raise UserError(message, help="remove it, or name another --output directory") from err
-        write_folder(whole, folder)
+        put_below(folder, whole)
     return not set(failed) - settings.allow_tool_failure

@@ -9,11 +9,14 @@ from __future__ import annotations
 
 import os
 import pickle
+import signal
 import sys
 import threading
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import suppress
-from typing import Any, TypeVar
+from typing import Any, BinaryIO, TypeVar
+
+from haros_ci.interruption import held, release
 
 T = TypeVar("T")
 #: A place in the queue as bytes: so few are read from a pipe at once or not at all (pipe(7)).
@@ -43,21 +46,34 @@ def _forked(jobs: Sequence[Callable[[], T]], batches: list[list[int]], count: in
     queue, tail = os.pipe()
     os.write(tail, b"".join(number.to_bytes(WIDTH, "big") for number in range(len(batches))))
     os.close(tail)
-    children: list[tuple[int, int]] = []
+    life = os.pipe()
+    children: list[tuple[int, BinaryIO]] = []
     try:
         for _ in range(count - 1):
-            with suppress(OSError):  # no more processes: those that are there do the work
-                children.append(_child(jobs, batches, queue))
+            with suppress(OSError), held():  # no more processes: those that are there do the work
+                children.append(_child(jobs, batches, queue, life))
         found = dict(_done(jobs, batches, queue))
-    finally:
-        os.close(queue)
         brought = [_brought(child, pipe) for child, pipe in children]
-    for each in brought:
-        found.update(each)
+    except BaseException:
+        for child, _ in children:
+            with suppress(ProcessLookupError):
+                os.kill(child, signal.SIGKILL)
+        for child, pipe in children:
+            pipe.close()
+            with suppress(ChildProcessError):
+                os.waitpid(child, 0)
+        raise
+    finally:
+        for each in (queue, *life):
+            os.close(each)
+    for more in brought:
+        found.update(more)
     return found
 
 
-def _child(jobs: Sequence[Callable[[], Any]], batches: list[list[int]], queue: int) -> tuple[int, int]:
+def _child(
+    jobs: Sequence[Callable[[], Any]], batches: list[list[int]], queue: int, life: tuple[int, int]
+) -> tuple[int, BinaryIO]:
     """A process that works through the queue; its number, and where what it finds can be read."""
     reading, writing = os.pipe()
     try:
@@ -68,9 +84,12 @@ def _child(jobs: Sequence[Callable[[], Any]], batches: list[list[int]], queue: i
         raise
     if child:
         os.close(writing)
-        return child, reading
+        return child, open(reading, "rb")
     code = 1
     try:
+        release()
+        os.close(life[1])
+        threading.Thread(target=_die_with_parent, args=(life[0],), daemon=True).start()
         os.close(reading)
         data = pickle.dumps(dict(_done(jobs, batches, queue)), pickle.HIGHEST_PROTOCOL)
         with open(writing, "wb") as stream:
@@ -80,16 +99,23 @@ def _child(jobs: Sequence[Callable[[], Any]], batches: list[list[int]], queue: i
         os._exit(code)  # nothing of the parent's is flushed, closed or raised here
 
 
+def _die_with_parent(life: int) -> None:
+    """Nobody writes into this pipe, and the parent alone holds its other end: it is at its end when the parent is gone, killed or not."""
+    with suppress(OSError):
+        os.read(life, 1)
+    os._exit(1)
+
+
 def _done(jobs: Sequence[Callable[[], T]], batches: list[list[int]], queue: int) -> Iterator[tuple[int, T]]:
     while place := os.read(queue, WIDTH):
         for number in batches[int.from_bytes(place, "big")]:
             yield number, jobs[number]()
 
 
-def _brought(child: int, pipe: int) -> dict[int, Any]:
+def _brought(child: int, pipe: BinaryIO) -> dict[int, Any]:
     """What a process has found; nothing if it did not come to its end."""
-    with open(pipe, "rb") as stream:
-        data = stream.read()
+    with pipe:
+        data = pipe.read()
     _, status = os.waitpid(child, 0)
     if status != 0:
         return {}

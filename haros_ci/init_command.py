@@ -20,6 +20,7 @@ from haros_ci.workspace.discover import discover
 from haros_ci.workspace.files import TooLarge, Tree, decode
 from haros_ci.workspace.git import GitError, Repository, provenance, run_git
 from haros_ci.workspace.roots import locate, work_tree
+from haros_ci.writing import create
 
 WORKFLOWS = ".github/workflows"
 WORKFLOW = f"{WORKFLOWS}/haros-ci.yml"
@@ -143,15 +144,7 @@ class _Top:
 
 def _write(root: Path, plan: Plan) -> None:
     """Creates the file; UserError if anything is in its place, or a link on the way would lead elsewhere."""
-    path = root / plan.path
     try:
-        for directory in reversed(path.relative_to(root).parents[:-1]):
-            if (root / directory).is_symlink():
-                raise UserError(
-                    f"{directory}: a symbolic link, which could lead out of the workspace", help="make it a directory"
-                )
-            (root / directory).mkdir(exist_ok=True)
-        with path.open("x", encoding="utf-8", newline="") as file:
-            file.write(plan.text)
+        create(root, plan.path, plan.text)
     except OSError as err:
         raise UserError(f"{plan.path}: cannot be written: {err.strerror}", help="what stands above was done") from err

@@ -10,11 +10,11 @@ import click
 
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
-from haros_ci.output import write
 from haros_ci.report import model_interface_table, model_nodl
 from haros_ci.report.model_json import Places
 from haros_ci.report.node_interface import interfaces
 from haros_ci.report.readme_tables import rows
+from haros_ci.writing import keep_inside, write
 
 SUFFIXES = {"nodl": ".nodl.xml", "readme": ".md"}
 _FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,200}")
@@ -42,6 +42,7 @@ def put(found: Architecture, format: str, path: Path | None, root: Path) -> None
 
 
 def _file(found: Architecture, format: str, path: Path, package: str | None) -> None:
+    keep_inside(path)
     if format != "readme" or not path.is_file() or not path.stat().st_size:
         write(_rendered(found, format, package), path)
         return

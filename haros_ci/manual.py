@@ -12,17 +12,19 @@ EXIT_CODES = """
 Exit codes:
   0    clean, or nothing new
   1    a new, unsuppressed result at or above --fail-on
-  2    wrong usage or configuration
-  3    a tool was missing, crashed or timed out; or no baseline under --require-baseline
-  130  interrupted
+  2    wrong usage or configuration; a base revision that cannot be had, unless --no-require-baseline
+  3    a tool was missing, crashed or timed out; no baseline under --require-baseline; an output had no room
+  130  interrupted; 128+N where signal N ended it: 129 SIGHUP, 131 SIGQUIT, 143 SIGTERM
 
 \b
 Environment:
   HAROS_CI_CACHE       where the cache lies, unless --cache-dir says it
   HAROS_CI_PLUGINS     plug-ins, separated by commas, before those of --plugin
+  HAROS_CI_SANDBOX     off: linters run without the sandbox of the kernel
   HAROS_CI_DEBUG       show the trace of a fault of haros-ci
   NO_COLOR             no colours
   COLUMNS              width of the text format
+  TMPDIR               where temporary files lie
   GITHUB_STEP_SUMMARY  where the format github writes the job summary
 
 \b
@@ -37,7 +39,7 @@ Every command has a --help of its own. The pages: https://github.com/haros-ci/ha
 SECTIONS: Mapping[str, tuple[str, ...]] = {
     "What is looked at": ("--project", "--isolated", "--exclude", "--compile-database", "--configuration", "--launch", "--arg", "--env", "--path", "--no-known-nodes", "--exact"),
     "What is reported": ("--profile", "--select", "--ignore", "--import", "--metric", "--level", "--scope", "--expect", "--check-readme"),
-    "What is known already": ("--baseline", "--baseline-rev", "--no-baseline", "--require-baseline", "--file", "--accept-new"),
+    "What is known already": ("--baseline", "--baseline-rev", "--no-baseline", "--require-baseline", "--file", "--accept-new", "--force"),
     "What comes out": (
         "--output", "--format", "--sarif-for", "--why", "--statistics", "--show-settings", "--fail-on", "--allow-tool-failure",
         "--exit-code", "--fail-on-match", "--fix", "--diff", "--watch", "--json", "--checks", "--standards",

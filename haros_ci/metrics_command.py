@@ -18,12 +18,12 @@ from haros_ci.measures import Measures, measure
 from haros_ci.measuring.totals import METRICS
 from haros_ci.model.measurement import Measurement
 from haros_ci.model.workspace import Store
-from haros_ci.output import write
 from haros_ci.report import measurements
 from haros_ci.report.escape import terminal
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 from haros_ci.workspace.discover import discover
+from haros_ci.writing import write
 
 #: Notes that are told one by one.
 SHOWN = 20

@@ -11,16 +11,18 @@ from typing import Any
 
 import click
 
-from haros_ci.architecture import architecture
+from haros_ci.architecture import varied
 from haros_ci.baselines import read_input
 from haros_ci.commands import cores, settings_from, store_for
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem, Workspace
-from haros_ci.output import write
 from haros_ci.report.escape import terminal
+from haros_ci.unmodelled import unmodelled
 from haros_ci.wanted import chosen
 from haros_ci.workspace.discover import discover
+from haros_ci.writing import put as put_bytes
+from haros_ci.writing import write
 
 #: Problems that are told one by one.
 SHOWN = 20
@@ -43,16 +45,18 @@ def model(flags: Mapping[str, Any]) -> int:
     wanted = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
     if arguments and wanted is None:
         raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
-    found = architecture(
+    made = varied(
         workspace,
         settings,
         store,
         wanted=wanted,
+        alternatives=False,
         environment=environment,
         known_nodes=not flags["no_known_nodes"],
         exact=flags["exact"],
         processes=cores(),
     )
+    found = made.architecture
     clock.append((time.perf_counter() - started, "linked"))
     trouble = store.flush()
     if trouble:
@@ -63,6 +67,8 @@ def model(flags: Mapping[str, Any]) -> int:
     for note in settings.notes:
         click.echo(f"note: {terminal(note)}", err=True)
     tell(found.problems)
+    for sentence in unmodelled(made.architecture, made.builds):
+        click.echo(f"note: {terminal(sentence)}", err=True)
     path = Path(flags["output"]) if flags["output"] else None
     if path is not None or not flags["check_readme"]:
         put(found, flags["format"], path, workspace.root)
@@ -89,7 +95,7 @@ def put(found: Architecture, format: str, path: Path | None, root: Path) -> None
     elif path is None:
         raise UserError("SQLite is a binary file", help="name it: --output model.db")
     else:
-        path.write_bytes(content)
+        put_bytes(content, path)
 
 
 def tell(problems: tuple[Problem, ...]) -> None:
@@ -144,10 +150,16 @@ def expected(found: Architecture, path: str) -> int:
 
     try:
         declared = yaml.safe_load(read_input(Path(path), path))
-    except (yaml.YAMLError, RecursionError) as err:
-        raise UserError(
-            f"{path} cannot be read: {str(err).splitlines()[0]}", help="it is YAML, as in docs/model.md"
-        ) from err
+    except (yaml.YAMLError, RecursionError, ValueError, OverflowError) as err:
+        said = (str(err).splitlines() or ["not YAML"])[0]
+        raise UserError(f"{path} cannot be read: {said}", help="it is YAML, as in docs/model.md") from err
+    except (
+        KeyError,
+        IndexError,
+        AttributeError,
+    ) as err:  # PyYAML's constructors, of what is not of the type of its tag
+        said = "a value is not of the type that its tag (!!bool, !!int, !!timestamp) names"
+        raise UserError(f"{path} cannot be read: {said}", help="write the value without the tag") from err
     for problem in problems(declared, path, [c.name for c in found.configurations]):
         click.echo(f"warning: {terminal(problem.path)}: {terminal(problem.message)}", err=True)
     count = 0

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 
 from haros_ci.errors import UserError
+from haros_ci.writing import cannot, create
 
 _NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)+")
 
@@ -91,8 +93,11 @@ def new_check(name: str, directory: Path) -> tuple[Path, Path]:
         raise UserError(f"no checks in {directory}", help="run this at the top of a clone of haros-ci")
     module, page = (folder / f"{name.replace('-', '_')}{ending}" for ending in (".py", ".md"))
     for path in (module, page):
-        if path.exists():
+        if os.path.lexists(path):
             raise UserError(f"{path.name} is there already", help="choose another name")
-    module.write_text(MODULE.format(id=name), encoding="utf-8")
-    page.write_text(PAGE.format(id=name), encoding="utf-8")
+    for path, text in ((module, MODULE), (page, PAGE)):
+        try:
+            create(directory, f"checks/{path.name}", text.format(id=name))
+        except OSError as err:
+            raise cannot(path, err, "check the permissions of the directory") from err
     return module, page

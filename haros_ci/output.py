@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where results go: ``--output`` read, a renderer chosen for each format, and the text written."""
+"""Where results go: ``--output`` read, and a renderer chosen for each format; writing.py writes what they make."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ from typing import Any
 
 import click
 
-from haros_ci.errors import UserError
+from haros_ci.errors import RunFailure, UserError
 from haros_ci.results.result import Report
+from haros_ci.writing import append
 
 #: What plug-ins make of a report, by the name of the format.
 Renderers = Mapping[str, Callable[[Report], str]]
@@ -42,7 +43,9 @@ class View:
 def text_style(*, to_file: bool) -> tuple[bool, int]:
     """Whether text is coloured, and how many columns it has."""
     color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
-    return color, int(os.environ.get("COLUMNS") or 0) or 120
+    said = os.environ.get("COLUMNS", "")
+    is_number = said.isascii() and said.isdecimal() and len(said) <= 5
+    return color, min(int(said), WIDEST) if is_number and int(said) else USUAL_WIDTH
 
 
 def _text(report: Report, view: View) -> str:
@@ -63,7 +66,12 @@ def _github(report: Report, view: View) -> str:
 
     page = os.environ.get("GITHUB_STEP_SUMMARY")
     if page:
-        append(Path(page), summary(report))
+        try:
+            append(Path(page), summary(report))
+        except (RunFailure, UserError) as err:
+            from haros_ci.report.escape import terminal
+
+            click.echo(f"warning: the job summary cannot be written: {terminal(err.message)}", err=True)
     return annotations(report)
 
 
@@ -125,6 +133,8 @@ FORMATS: dict[str, Callable[[Report, View], str]] = {
 FOLDERS = ("haros-json",)
 #: Bytes of a file of an earlier run that a new one adds to.
 LARGEST_READ = 50_000_000
+#: Columns of text where COLUMNS says nothing sensible, and the most that it can say.
+USUAL_WIDTH, WIDEST = 120, 1_000
 #: Formats that a person reads as they are; all others are read by programs, which nothing else on stdout may disturb.
 FOR_PEOPLE = frozenset({"text", "github"})
 #: Formats that have no place for trouble with tools: stderr says it.
@@ -181,72 +191,6 @@ def of_plugin(report: Report, render: Callable[[Report], str], *, to_file: bool)
     return shown(text) if read_here else text
 
 
-def write(text: str, path: Path | None) -> None:
-    """To stdout, or to a file that appears whole or not at all; into what is no plain file (``/dev/null``) as it is."""
-    if path is None:
-        sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
-        return
-    try:
-        keep_inside(path)
-        if path.is_symlink() or (path.exists() and not path.is_file()):
-            path.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
-            return
-        path.parent.mkdir(parents=True, exist_ok=True)
-        draft = path.with_name(f".{path.name}.{os.getpid()}")
-        draft.unlink(missing_ok=True)
-        with draft.open("x", encoding="utf-8", errors="backslashreplace", newline="") as file:
-            file.write(text)
-        draft.replace(path)
-    except OSError as err:
-        raise UserError(f"{path}: cannot be written: {err.strerror}", help="name another --output path") from err
-
-
-def keep_inside(path: Path) -> None:
-    """UserError if *path* lies below the current directory by its name, and elsewhere by the symbolic links on the way.
-
-    Whoever wrote the analysed code may have put them there.
-    """
-    here = Path.cwd()
-    if Path(os.path.abspath(path)).is_relative_to(here) and not Path(os.path.realpath(path)).is_relative_to(here):
-        raise UserError(
-            f"{path}: a symbolic link leads out of the current directory",
-            help="remove it, or name the place where it leads",
-        )
-
-
-def write_folder(documents: Mapping[str, str], folder: Path) -> None:
-    """Each of *documents* below *folder* by its path there, in their order; what else lies there stays as it is.
-
-    A file appears whole or not at all. Below *folder* no symbolic link is followed: whoever wrote the analysed code may have put it there.
-    """
-    at = folder
-    try:
-        keep_inside(folder)
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, text in documents.items():
-            *directories, own = name.split("/")
-            place = folder
-            for directory in directories:
-                place = at = place / directory
-                if place.is_symlink():
-                    raise UserError(
-                        f"{place}: is a symbolic link", help="remove it, or name another --output directory"
-                    )
-                place.mkdir(exist_ok=True)
-            at = place / own
-            draft = place / f".{os.getpid()}.tmp"
-            descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
-            try:
-                with open(descriptor, "w", encoding="utf-8", errors="backslashreplace", newline="") as file:
-                    file.write(text)
-                draft.replace(at)
-            except OSError:
-                draft.unlink(missing_ok=True)
-                raise
-    except OSError as err:
-        raise UserError(f"{at}: cannot be written: {err.strerror}", help="name another --output directory") from err
-
-
 def text_in(folder: Path, name: str) -> str | None:
     """The text of the file *name* of *folder*, None if there is none; UserError for what cannot be read as one."""
     path = folder / name
@@ -258,11 +202,3 @@ def text_in(folder: Path, name: str) -> str | None:
         return path.read_text(encoding="utf-8")
     except (OSError, ValueError) as err:
         raise UserError(f"{path}: cannot be read", help="remove it, or name another --output directory") from err
-
-
-def append(path: Path, text: str) -> None:
-    try:
-        with path.open("a", encoding="utf-8", errors="backslashreplace") as page:
-            page.write(text)
-    except OSError as err:
-        click.echo(f"warning: {path}: the job summary cannot be written: {err.strerror}", err=True)

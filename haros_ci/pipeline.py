@@ -3,28 +3,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from haros_ci import PROJECT_URL, __version__
-from haros_ci.baselines import at_base, compare, read_input, sarif_runs
+from haros_ci.baselines import at_base, compare, read_input, sarif_runs, settled
+from haros_ci.brought import before, notices, silenced
 from haros_ci.config.selection import Selection
-from haros_ci.config.selector import check_selectors
+from haros_ci.config.selector import check_selectors, slip_finder
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.hosting import hosted
-from haros_ci.inspection import Architectures, asks, inspected, is_inspected
+from haros_ci.inspection import Architectures, inspected, is_inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
-from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.metrics import STRUCTURE_RULES, keep_worst_band
+from haros_ci.linters.one_cause import one_cause
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
+from haros_ci.linters.settings_changes import notifications as changed_settings
+from haros_ci.linting import MEASURED_BY, METRICS, confinement, contradictions, lint_options, with_queries
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
 from haros_ci.results import own
+from haros_ci.results.counted import count_metrics, raise_crossings
+from haros_ci.results.coverage import coverage
 from haros_ci.results.fingerprint import fingerprint
-from haros_ci.results.result import Artifact, Coverage, Notification, Report, Result, Run, Tool
+from haros_ci.results.result import Artifact, Baseline, Notification, Report, Result, Run, Silenced, Tool
 from haros_ci.results.rule import Level, Rule
 from haros_ci.results.suppress import suppress
 from haros_ci.workspace.base import Base
@@ -32,11 +38,6 @@ from haros_ci.workspace.discover import discover
 from haros_ci.workspace.git import provenance
 
 Progress = Callable[[str], None]
-
-#: The metrics of both languages are one run, whatever measured them.
-METRICS = "metrics"
-MEASURED_BY = ("lizard", "radon", "structure")
-
 
 #: What is found out of a whole revision at once: what the checks say of its architecture, and what only all its code tells.
 ARCHITECTURE, STRUCTURE = "architecture", "structure"
@@ -59,6 +60,8 @@ def analyse(
     architectures = Architectures(settings, store, known)
     with at_base(workspace, settings) as base:
         past = base if isinstance(base, Base) else None
+        changed = changed_settings(workspace, past.workspace if past and past.settings else None)
+        workspace = settled(workspace, settings, base)
         head, old = (None, None) if told is None else told(workspace, past)
         runs = examine(workspace, selection, architectures, progress, past, head)
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
@@ -75,20 +78,25 @@ def analyse(
                 told=old,
             ),
         )
+        silence = silenced(workspace, base, compared.runs) if isinstance(base, Base) else Silenced()
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
-    runs = tuple(described(run, selection) for run in compared.runs)  # absent results bring rules of their own
+    weighed_runs = weighed(compared.runs, compared.baseline, selection)
+    runs = tuple(described(run, selection) for run in weighed_runs)  # absent results bring rules of their own
     report = Report(
         runs=runs,
         notifications=(
             *(Notification(Level.NOTE, note, configuration=True) for note in notes),
+            *changed,
             *compared.notifications,
             *(Notification(Level.WARNING, p.message, path=p.path, line=p.line) for p in workspace.problems),
+            *notices(workspace, silence),
         ),
         baseline=compared.baseline,
-        coverage=coverage(workspace),
+        coverage=coverage(workspace, confinement(runs, settings, head)),
         artifacts=tuple(Artifact(f.path, f.digest, f.size, f.language) for f in workspace.files),
         provenance=provenance(workspace.root),
         fail_on=settings.fail_on,
+        silenced=silence,
     )
     return report, workspace
 
@@ -96,15 +104,15 @@ def analyse(
 def selection_of(settings: Settings, known: Registry) -> tuple[Selection, tuple[str, ...]]:
     """Which rules are on, and sentences on selectors that name none; UserError for those that cannot be meant."""
     rules = with_queries(settings, known)
-    misfits = check_selectors(
-        settings,
-        rules,
-        known.tools,
-        linters=known.adapters,
-        unserved=catalogue.UNSERVED,
-        open_tools=known.open_ended,
-    )
-    return Selection(settings, rules, unlisted=known.unlisted), misfits
+    names: dict[str, Any] = {
+        "unserved": catalogue.UNSERVED,
+        "open_tools": known.open_ended,
+        "doubt": known.doubt,
+        "identifiers": known.identifiers,
+    }
+    misfits = check_selectors(settings, rules, known.tools, linters=known.adapters, **names)
+    slip = slip_finder(settings, rules, known.tools, **names)
+    return Selection(settings, rules, unlisted=known.unlisted, slip=slip), (*misfits, *contradictions(settings, known))
 
 
 def found(settings: Settings, selection: Selection) -> Workspace:
@@ -115,6 +123,7 @@ def found(settings: Settings, selection: Selection) -> Workspace:
         exclude=settings.exclude,
         max_file_size=settings.max_file_size,
         also=settings.claims,
+        past=before(settings),
     )
     return narrowed(workspace, settings, selection)
 
@@ -131,6 +140,10 @@ def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> 
         wanted = not settings.packages or file.package in settings.packages
         if wanted and workspace.reports_on(file.path) and not selection.ignores_file(file.package, inside):
             targets.append(file.path)
+    package_of = workspace.package_finder()
+    for problem in workspace.hiding.unread:
+        if not settings.packages or package_of(problem.path) in settings.packages:
+            targets.append(problem.path)
     return replace(workspace, targets=frozenset(targets))
 
 
@@ -161,8 +174,23 @@ def examine(
     of_plugins = hosted(workspace, selection, architectures, results, progress)
     runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace))
     return finished(
-        distribute(runs, merge_same_defects(keep_worst_band(results))), workspace, selection, architectures.settings
+        distribute(runs, merge_same_defects(keep_worst_band(one_cause(results, workspace.text)))),
+        workspace,
+        selection,
+        architectures.settings,
     )
+
+
+def weighed(runs: tuple[Run, ...], baseline: Baseline | None, selection: Selection) -> tuple[Run, ...]:
+    """*runs* with metrics at their weight: a change that crosses a limit of ``ros`` warns, what was there is a number."""
+    if baseline is None or not baseline.available:
+        return count_metrics(runs, selection.is_asked_for)
+
+    def weighs(result: Result) -> bool:
+        given = selection.given_level(result.tool, result.rule, result.location.path)
+        return given is None and "ros" in selection.rule(result.tool, result.rule).profiles
+
+    return raise_crossings(runs, weighs)
 
 
 def structured(workspace: Workspace, architectures: Architectures, progress: Progress | None) -> Run:
@@ -208,6 +236,7 @@ def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection, 
         selection.matches,
         enabled=lambda tool, path: (rule for rule in selection.rules(tool) if selection.wants(tool, rule, path)),
         mentions=lambda path: path in files and files[path].has_directive,
+        slip=selection.slip,
     )
     runs = distribute(runs, (*results_of(runs), *selected(unused, selection, workspace)))
     if settings.exemptions:
@@ -219,54 +248,30 @@ def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection, 
 
 def idle_entries(runs: tuple[Run, ...], workspace: Workspace, settings: Settings) -> tuple[str, ...]:
     """Notes on entries of the project file that are for nothing."""
-    if not settings.exemptions and not settings.per_package:
-        return ()
-    from haros_ci.config.exemptions import idle_entries
+    notes: tuple[str, ...] = ()
+    if settings.exemptions:
+        from haros_ci.config.exemptions import idle_entries
 
-    return idle_entries(runs, workspace, settings)
+        notes = idle_entries(runs, workspace, settings)
+    if settings.local or settings.exclude or settings.packages or settings.ignore_files:
+        from haros_ci.config.unmatched import unmatched
+        from haros_ci.workspace.excludes import idle
 
-
-def lint_options(settings: Settings, known: Registry) -> LintOptions:
-    """The part of the settings that the linters room sees."""
-    chosen = dict(settings.linters)
-    return LintOptions(
-        enabled=frozenset(name for name, s in chosen.items() if s.enabled) | named(settings, known),
-        disabled=frozenset(name for name, s in chosen.items() if s.enabled is False) | unheard(settings, known),
-        timeouts={name: s.timeout for name, s in chosen.items() if s.timeout is not None},
-        timeout=settings.linter_timeout,
-        jobs=settings.jobs,
-        trust_config=settings.trust_config,
-        arguments={name: s.arguments for name, s in chosen.items() if s.arguments},
-        compile_database=settings.compile_database,
-        root=settings.root,
-    )
-
-
-def named(settings: Settings, known: Registry) -> frozenset[str]:
-    """The linters that run only if asked for, and that a selector names: ``flake8``, ``flake8:E501``."""
-    words = {selector.partition(":")[0] for policy in settings.policies for selector in policy.select}
-    return frozenset(linter.NAME for linter in known.linters if linter.WHEN is When.ASKED and linter.NAME in words)
-
-
-def unheard(settings: Settings, known: Registry) -> frozenset[str]:
-    """The linters that need not run: all in the profile of the checks alone, unless the command line selects other rules."""
-    checks = known.check_rules.keys()
-    selected = {text.removeprefix(f"{own.TOOL}:") for text in settings.command_line.select}
-    has_others = not selected <= checks or any(entry.profile for entry in settings.local)
-    return frozenset(known.adapters) if settings.profile == "architecture" and not has_others else frozenset()
+        notes = (*notes, *unmatched(settings, workspace, idle))
+    return notes
 
 
 def selected(results: Iterable[Result], selection: Selection, workspace: Workspace) -> tuple[Result, ...]:
     """Those results whose rule is on for their file, at the level that the settings give them.
 
     Where they give none, a check's finding keeps its own level: it may weigh less or more than the check as a rule. So
-    does what a declared tool says, whose rules nobody has weighed.
+    does what a tool says that weighs each finding, and a declared one, whose rules nobody has weighed.
     """
     kept = []
     for result in results:
         if not workspace.reports_on(result.location.path):
             continue
-        default = result.level if result.tool not in catalogue.TOOLS else None
+        default = None if result.tool in catalogue.TOOLS and result.tool not in catalogue.WEIGHING else result.level
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
@@ -288,10 +293,11 @@ def distribute(runs: Iterable[Run], results: Iterable[Result]) -> tuple[Run, ...
 
 
 def own_run(workspace: Workspace, known: Registry) -> Run:
-    """What haros-ci itself says: manifests that cannot be read."""
+    """What haros-ci itself says: manifests that cannot be read, and changed files that are not analysed."""
     tool = Tool(own.TOOL, __version__, PROJECT_URL, f"haros-ci {__version__}", known.components)
     analysed = frozenset(f.path for f in workspace.files if workspace.reports_on(f.path))
-    return Run(tool, results=own.manifest_results(workspace.faults), analysed=analysed)
+    results = (*own.manifest_results(workspace.faults), *own.unread_results(workspace.hiding.unread))
+    return Run(tool, results=results, analysed=analysed)
 
 
 def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
@@ -312,37 +318,9 @@ def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
     return (*others, metrics)
 
 
-def with_queries(settings: Settings, known: Registry) -> Callable[[str], Mapping[str, Rule]]:
-    """The documented rules of each tool, with the queries of the project file as rules of ours."""
-    if not asks(settings):
-        return known.rules_of
-    from haros_ci.query.declared import rules
-
-    own_ones = {**known.rules_of(own.TOOL), **rules(settings.project)}
-    return lambda tool: own_ones if tool == own.TOOL else known.rules_of(tool)
-
-
 def described(run: Run, selection: Selection) -> Run:
     """The run with the rules that its results refer to."""
     if run.imported:
         return run
     ids = sorted({result.rule for result in run.results})
     return replace(run, rules=tuple(selection.rule(run.tool.name, id) for id in ids))
-
-
-def coverage(workspace: Workspace) -> Coverage:
-    """What was looked at, and in whole sentences what was not."""
-    unseen = []
-    if not workspace.packages:
-        unseen.append("No package.xml was found: files are analysed one by one, nothing is known of packages.")
-    if (count := len(workspace.problems)) == 1:
-        unseen.append("1 input could not be read as it stands.")
-    elif count:
-        unseen.append(f"{count} inputs could not be read as they stand.")
-    return Coverage(
-        packages=len(workspace.packages),
-        files=len(workspace.files),
-        lines=sum(file.lines for file in workspace.files if file.language in ("cpp", "python")),
-        targets=None if workspace.targets is None else len(workspace.targets),
-        unseen=tuple(unseen),
-    )

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
@@ -118,6 +118,18 @@ class Registry:
         if tool == own.TOOL:
             return {**own.RULES, **self.check_rules}
         return self.tool_rules[tool] if tool in self.tool_rules else catalogue.rules_of(tool)
+
+    def identifiers(self, tool: str) -> Collection[str]:
+        """The ids of a linter's rules that are known, documented or not; empty for one that a plug-in or a project file brings."""
+        from haros_ci.linters.catalogue.spelling import identifiers
+
+        return identifiers(tool)
+
+    def doubt(self, tool: str, identifier: str) -> tuple[bool, str] | None:
+        """What is to be said against *identifier* as a rule of *tool* (``catalogue.spelling.doubt``)."""
+        from haros_ci.linters.catalogue.spelling import doubt
+
+        return doubt(tool, identifier)
 
     def unlisted(self, tool: str, identifier: str) -> Rule:
         """A rule that no table has. Those of declared tools are on in every profile, as those of imported logs are."""

@@ -7,14 +7,16 @@ import gc
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
+from signal import SIGINT
 from time import monotonic, sleep
 
 import click
 
 from haros_ci.cli import EXIT_INTERRUPTED
-from haros_ci.commands import Flags, renderers_of, run, settings_from, written
+from haros_ci.commands import Flags, demand_base, renderers_of, run, settings_from, written
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
+from haros_ci.interruption import Interrupted
 from haros_ci.output import Outputs, Renderers, parse_outputs, text_style
 from haros_ci.report.escape import terminal
 from haros_ci.report.summary import notifications, plural
@@ -34,11 +36,14 @@ def watch(flags: Flags) -> int:
     """Run, wait for a change, run again, until Ctrl-C."""
     refuse(flags)
     settings = settings_from(flags)
+    demand_base(settings)
     renderers = renderers_of(settings)
     watched = Watch(flags, settings, renderers, on_files(parse_outputs(flags["output"], renderers)))
     try:
         follow(watched.look, watched.check, sleep, monotonic)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, Interrupted) as err:
+        if isinstance(err, Interrupted) and err.number != SIGINT:
+            raise
         click.echo("\nstopped", err=True)
     return EXIT_INTERRUPTED
 

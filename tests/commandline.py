@@ -3,11 +3,16 @@
 
 from __future__ import annotations
 
+import atexit
 import os
+import shutil
 import subprocess
-import sys
+import tempfile
 from collections.abc import Mapping
+from functools import lru_cache
 from pathlib import Path
+
+from forked import server
 
 GIT = {
     "GIT_CONFIG_GLOBAL": os.devnull,
@@ -26,14 +31,17 @@ def haros(*arguments: str, cwd: Path, **environment: str) -> subprocess.Complete
     kept = {
         k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "HAROS_")) and k not in ("CI", "COLUMNS")
     }
-    return subprocess.run(
-        [sys.executable, "-I", "-m", "haros_ci", *arguments],
-        cwd=cwd,
-        env={**kept, "XDG_CACHE_HOME": str(cwd.parent / "xdg"), **environment},
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
+    env = {**kept, "XDG_CACHE_HOME": cache_home(), **environment}
+    done = server().run(list(arguments), cwd=cwd, env=env, timeout=300)
+    return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
+
+
+@lru_cache(maxsize=1)
+def cache_home() -> str:
+    """A cache for all runs of this process: the same files are in many tests."""
+    place = tempfile.mkdtemp(prefix="haros-ci-tests-")
+    atexit.register(shutil.rmtree, place, ignore_errors=True)
+    return place
 
 
 def write(root: Path, files: Mapping[str, str | bytes]) -> Path:

@@ -52,7 +52,8 @@ def test_a_finding_fails_the_run(lift: Path) -> None:
         (["--profile", "bugs-only", "--select", "pylint:dangerous-default-value"], 1),
         (["--require-baseline"], 3),
         (["--baseline-rev", "HEAD", "--require-baseline"], 3),
-        (["--baseline-rev", "HEAD"], 1),
+        (["--baseline-rev", "HEAD"], 2),
+        (["--baseline-rev", "HEAD", "--no-require-baseline"], 1),
         (["--profile", "rosy"], 2),
         (["--select", "unused-imprt"], 2),
         (["--fail-on", "always"], 2),
@@ -113,7 +114,7 @@ def test_github_output_writes_the_job_summary(lift: Path, tmp_path: Path) -> Non
 
 def test_paths_are_relative_to_the_repository(lift: Path) -> None:
     commit(lift)
-    done = haros("check", "--output", "json", cwd=lift / "lift", XDG_CACHE_HOME=str(lift.parent / "xdg"))
+    done = haros("check", "--output", "json", cwd=lift / "lift")
     assert [r["path"] for r in json.loads(done.stdout)["results"]] == ["lift/doors.py"]
 
 
@@ -132,7 +133,8 @@ def test_settings_are_shown_and_nothing_runs(lift: Path) -> None:
 
 def test_the_same_bytes_from_cache_and_without(lift: Path) -> None:
     texts = {
-        haros("check", "--output", "sarif", *more, cwd=lift).stdout for more in ([], [], ["--no-cache"], ["--jobs=1"])
+        haros("check", "--output", "sarif", *more, cwd=lift).stdout
+        for more in (["--no-cache"], [], [], ["--no-cache", "--jobs=1"])
     }
     assert len(texts) == 1
 
@@ -148,6 +150,33 @@ class TestBaselineFile:
         assert "1 new finding: 1 error" in done.stdout
         assert "dangerous-default-value" not in done.stdout
         assert haros("check", "--no-baseline", "--output", "json", cwd=lift).stdout.count('"rule": "') >= 2
+
+    def test_create_leaves_what_is_known_alone(self, lift: Path) -> None:
+        haros("baseline", "create", cwd=lift)
+        file = lift / ".haros-ci-baseline.jsonl"
+        known = file.read_bytes()
+        assert haros("baseline", "create", cwd=lift).returncode == 0, "the same findings: nothing to lose"
+        file.write_bytes(known := known.replace(b'"rule"', b'"reason":"agreed","rule"'))
+        write(lift, {"lift/cabin.py": UNDEFINED, "lift/doors.py": GOOD})
+        done = haros("baseline", "create", cwd=lift)
+        assert (done.returncode, file.read_bytes()) == (2, known)
+        assert (
+            "To write it anew would add 1 finding, take away 1 finding and lose the reasons of 1 finding" in done.stderr
+        )
+        assert "the first one to be added: lift/cabin.py:" in done.stderr and "--accept-new" in done.stderr
+        assert haros("baseline", "create", "--force", cwd=lift).returncode == 0
+        assert haros("check", cwd=lift).returncode == 0 and b"agreed" not in file.read_bytes()
+
+    @pytest.mark.parametrize("text", ["# Notes\n", '{"a": 1}\n', "\x00"])
+    def test_create_overwrites_no_file_of_another_kind(self, lift: Path, text: str) -> None:
+        write(lift, {"notes.md": text})
+        done = haros("baseline", "create", "--file", "notes.md", cwd=lift)
+        assert done.returncode == 2 and "may be something else" in done.stderr
+        assert (lift / "notes.md").read_text() == text
+
+    def test_create_fills_an_empty_file(self, lift: Path) -> None:
+        write(lift, {"known.jsonl": ""})
+        assert haros("baseline", "create", "--file", "known.jsonl", cwd=lift).returncode == 0
 
     def test_update_never_adds_new_ones_unless_told(self, lift: Path) -> None:
         haros("baseline", "create", cwd=lift)
@@ -233,7 +262,7 @@ class TestPullRequest:
         haros("baseline", "create", cwd=lift)
         base = commit(lift)
         write(lift, {"lift/cabin.py": UNDEFINED})
-        haros("baseline", "create", cwd=lift)
+        haros("baseline", "create", "--force", cwd=lift)
         commit(lift)
         assert haros("check", cwd=lift).returncode == 0
         named = haros("check", "--baseline", ".haros-ci-baseline.jsonl", "--baseline-rev", base, cwd=lift)
@@ -244,9 +273,23 @@ class TestPullRequest:
     def test_a_revision_that_cannot_be_had_is_loud_and_never_green(self, lift: Path) -> None:
         commit(lift)
         done = haros("check", "--baseline-rev", "nowhere", cwd=lift)
-        assert done.returncode == 1
-        assert "No baseline: " in done.stdout
-        assert haros("check", "--baseline-rev", "nowhere", "--require-baseline", cwd=lift).returncode == 3
+        assert (done.returncode, done.stdout) == (2, "")
+        assert done.stderr.startswith("error: no baseline, so nothing is reported: unknown revision 'nowhere'")
+        assert "--no-require-baseline" in done.stderr
+        done = haros("check", "--baseline-rev", "nowhere", "--no-require-baseline", cwd=lift)
+        assert done.returncode == 1 and "No baseline: " in done.stdout
+        done = haros("check", "--baseline-rev", "nowhere", "--require-baseline", cwd=lift)
+        assert (done.returncode, done.stdout) == (3, "")
+
+    def test_a_baseline_that_the_base_does_not_have_is_the_same(self, lift: Path) -> None:
+        base = commit(lift)
+        haros("baseline", "create", cwd=lift)
+        arguments = ("check", "--baseline-rev", base, "--baseline", ".haros-ci-baseline.jsonl")
+        done = haros(*arguments, cwd=lift)
+        assert (done.returncode, done.stdout) == (2, "") and "is not in the base revision" in done.stderr
+        assert haros(*arguments, "--require-baseline", cwd=lift).returncode == 3
+        done = haros(*arguments, "--no-require-baseline", cwd=lift)
+        assert done.returncode == 1 and "No baseline: " in done.stdout
 
 
 class TestSmallCommands:
@@ -311,7 +354,7 @@ class TestSmallCommands:
 
 
 def test_a_malformed_manifest_is_a_finding_and_the_rest_goes_on(lift: Path) -> None:
-    write(lift, {"other/package.xml": "<package><name>other</name>"})
+    write(lift, {"package.xml": "<package><name>lift</name>"})
     done = haros("check", "--output", "json", cwd=lift)
     assert rules_of(done.stdout) == ["pylint:dangerous-default-value", "haros-ci:malformed-manifest"]
     assert done.returncode == 1

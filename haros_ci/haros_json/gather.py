@@ -9,9 +9,9 @@ from haros_ci.config.selection import Selection
 from haros_ci.haros_json.documents import Input, documents
 from haros_ci.inspection import Architectures, asks
 from haros_ci.linters import catalogue
+from haros_ci.linting import with_queries
 from haros_ci.measures import measure
 from haros_ci.model.workspace import Workspace
-from haros_ci.pipeline import with_queries
 from haros_ci.results import own
 from haros_ci.results.result import Report
 from haros_ci.workspace.commit_time import commit_time

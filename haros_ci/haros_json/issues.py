@@ -17,6 +17,7 @@ from haros_ci.query.findings import Match
 from haros_ci.query.links import Link
 from haros_ci.query.resources import Resource
 from haros_ci.report.message import plain
+from haros_ci.results.counted import is_set_aside
 from haros_ci.results.result import BaselineState, Result
 
 #: The kinds of the ids of a graph's vertices, in the order in which a bare name is looked for.
@@ -46,7 +47,7 @@ def asking(result: Result) -> Asking:
 
 def is_there(result: Result) -> bool:
     """Whether *result* is there now: not suppressed, not gone since the baseline. What the baseline knows is there, too."""
-    return not result.suppressions and result.state is not BaselineState.ABSENT
+    return not is_set_aside(result) and result.state is not BaselineState.ABSENT
 
 
 def issues(

@@ -2,8 +2,10 @@
 """The report as one JSON document for scripts: schema version 1, to which keys are added but never renamed.
 
 Top level: ``schemaVersion``, ``tool`` {name, version}, ``failOn`` (level or null), ``counts`` {open, errors, warnings,
-notes, failing, unchanged, updated, absent, suppressed}, ``baseline`` {kind, source, available, message} or null,
-``coverage`` {packages, files, lines, targets, unseen}, ``provenance`` {repositoryUri, revision, branch} or null,
+notes, failing, unchanged, updated, absent, suppressed, counted (metrics that are not listed)}, ``baseline`` {kind,
+source, available, message} or null, ``silenced`` by the change
+{findings, comments [{path, line, comment}]},
+``coverage`` {packages, files, lines, targets, unseen, sandbox}, ``provenance`` {repositoryUri, revision, branch} or null,
 ``runs`` [{tool, version, successful, imported, analysed, results}] (the last two are counts), ``notifications``
 [{level, message, tool, path, line, configuration}], and ``results``, one a line, in the order of every output:
 {tool, rule, level, message, path, line, column, endLine, endColumn, open, state, reason, scope, value, limit,
@@ -47,8 +49,15 @@ def render(report: Report) -> str:
             "updated": counts.updated,
             "absent": counts.absent,
             "suppressed": counts.suppressed,
+            "counted": counts.counted,
         },
         "baseline": _baseline(report),
+        "silenced": {
+            "findings": report.silenced.findings,
+            "comments": [
+                {"path": place.path, "line": place.line, "comment": name} for place, name in report.silenced.comments
+            ],
+        },
         "coverage": _coverage(report),
         "provenance": _provenance(report),
         "runs": [_run(run) for run in sorted(report.runs, key=lambda run: (run.imported, run.tool.name))],
@@ -152,6 +161,7 @@ def _coverage(report: Report) -> dict[str, Any]:
         "lines": coverage.lines,
         "targets": coverage.targets,
         "unseen": list(coverage.unseen),
+        "sandbox": coverage.sandbox or None,
     }
 
 

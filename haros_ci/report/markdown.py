@@ -9,6 +9,7 @@ from haros_ci.report import summary
 from haros_ci.report.escape import markdown, markdown_code
 from haros_ci.report.message import plain, shorten
 from haros_ci.results.result import Notification, Report, Result
+from haros_ci.results.silence_words import sentences
 
 #: A comment on GitHub has at most so many characters; here bytes, which are never fewer.
 MAX_COMMENT = 65_536
@@ -29,6 +30,9 @@ def render(report: Report, *, limit: int = MAX_COMMENT) -> str:
     head = [f"## haros-ci: {summary.headline(report, counts)}", "", summary.verdict(report, counts)]
     if known := summary.known(counts):
         head.append(f"Also {known}.")
+    if metrics := summary.metrics(report):
+        head.append(_text(metrics))
+    head += [f"\n> [!WARNING]\n> {_text(sentence)}." for sentence in sentences(report.silenced)]
     alarms = [f"\n> [!CAUTION]\n> {_text(alarm)}" for alarm in alarms_of(report)]
     top = "\n".join([*head, *_fitting(alarms, len(alarms), limit // 4, "alarm"), ""])
     tail = "\n".join(["", *_coverage(report, limit // 8), *_messages(report, limit // 8), ""])
@@ -65,9 +69,15 @@ def _row(result: Result) -> str:
 
 
 def _coverage(report: Report, room: int) -> Iterator[str]:
-    yield _text(summary.covered(report))
+    yield _text(" ".join(filter(None, (summary.covered(report), report.coverage.sandbox))))
     if given_up := summary.given_up(report):
         yield _text(given_up)
+        named = summary.given_up_on(report)
+        lines = [
+            f"- {markdown_code(shorten(place, MAX_TEXT))}: {_text(why)}" if place else f"- {_text(why)}"
+            for place, why in named
+        ]
+        yield from _fitting(lines, len(lines), room, "line")
     unseen = report.coverage.unseen
     said = [f"- Not seen: {_text(sentence)}" for sentence in unseen[:MAX_TROUBLE]]
     yield from _fitting(said, len(unseen), room, "sentence")

@@ -13,6 +13,7 @@ from typing import Any
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Node, Unknown
 from haros_ci.model.location import Location
 from haros_ci.report.model_json import Places, endpoints_of, nodes_of, parameters_of, plain
+from haros_ci.scratch import scratch_directory
 
 #: The tables. A *value* or *effective* is JSON text, null if there is none or it is unknown; booleans are 0 and 1. A
 #: policy of *qos* is null where it is the default, and ``?`` where it is unknown. A condition or an unknown belongs to
@@ -64,15 +65,8 @@ def render(architecture: Architecture) -> bytes:
         database.close()
 
 
-def write(architecture: Architecture, path: Path) -> None:
-    """The database at *path*, replacing what is there; OSError where that cannot be written."""
-    path.write_bytes(render(architecture))
-
-
 def _through_a_file(database: sqlite3.Connection) -> bytes:
-    from tempfile import TemporaryDirectory
-
-    with TemporaryDirectory() as folder:
+    with scratch_directory() as folder:
         file = Path(folder, "model.sqlite")
         copy = sqlite3.connect(file)
         try:

@@ -77,7 +77,9 @@ def interfaces(architecture: Architecture) -> tuple[Interface, ...]:
     ours = {package.name for package in architecture.packages}
     found: dict[tuple[str, str, Location | None], list[Node]] = {}
     seen: set[tuple[str, str]] = set()
-    for configuration in sorted(architecture.configurations, key=lambda item: (item.name.endswith(EVERY_PLUGIN), item.name)):
+    for configuration in sorted(
+        architecture.configurations, key=lambda item: (item.name.endswith(EVERY_PLUGIN), item.name)
+    ):
         for node in sorted(configuration.nodes, key=lambda item: item.name):
             is_theirs = configuration.name.endswith(EVERY_PLUGIN) and (node.package, node.type) in seen
             if node.package in ours and is_known(node.type) and not is_theirs:

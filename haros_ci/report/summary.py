@@ -6,11 +6,14 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
+from haros_ci.results.counted import counted, is_counted
 from haros_ci.results.result import BaselineState, Notification, Report, is_open
 from haros_ci.results.rule import Level
 
 #: More open findings than this call for a baseline.
 MANY = 50
+#: Files that a tool has given up on, of which each is named with its reason.
+MOST_GIVEN_UP = 5
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +28,7 @@ class Counts:
     updated: int
     absent: int
     suppressed: int
+    counted: int
 
     @property
     def open(self) -> int:
@@ -32,12 +36,17 @@ class Counts:
 
 
 def count(report: Report) -> Counts:
-    """Every result falls in one kind: absent, else suppressed, else open by level, else unchanged or updated."""
+    """Every result falls in one kind.
+
+    It is absent, else a metric that is only counted, else suppressed, else open by level, else unchanged or updated.
+    """
     kinds: Counter[str] = Counter()
     for run in report.runs:
         for result in run.results:
             if result.state is BaselineState.ABSENT:
                 kinds["absent"] += 1
+            elif is_counted(result):
+                kinds["counted"] += 1
             elif result.suppressions:
                 kinds["suppressed"] += 1
             elif is_open(result):
@@ -53,6 +62,7 @@ def count(report: Report) -> Counts:
         updated=kinds["updated"],
         absent=kinds["absent"],
         suppressed=kinds["suppressed"],
+        counted=kinds["counted"],
     )
 
 
@@ -83,6 +93,11 @@ def known(counts: Counts) -> str:
     parts += [f"gone: {counts.absent:,}"] if counts.absent else []
     parts += [f"suppressed: {counts.suppressed:,}"] if counts.suppressed else []
     return "; ".join(parts)
+
+
+def metrics(report: Report) -> str:
+    """How many metrics are beyond their limits, where they are counted rather than listed, else ""."""
+    return counted(result for run in report.runs for result in run.results)
 
 
 def verdict(report: Report, counts: Counts) -> str:
@@ -116,13 +131,37 @@ def covered(report: Report) -> str:
 
 
 def given_up(report: Report) -> str:
-    """How many files each tool could not analyse, else ""."""
-    files: dict[str, set[str]] = {}
+    """How many files each tool could not analyse, or not all of them, else ""."""
+    said = [f"{tool} on {plural(len(files), 'file')}" for tool, files in _given_up(report)]
+    return f"Gave up: {', '.join(said)}." if said else ""
+
+
+def given_up_on(report: Report, told: Level | None = None) -> tuple[tuple[str, str], ...]:
+    """Place and reason for the first MOST_GIVEN_UP files of each tool, then how many more; a place "" for that.
+
+    Tools are left out of which all that there is to say is *told* elsewhere: what is of that level or worse.
+    """
+    said: list[tuple[str, str]] = []
+    for tool, files in _given_up(report):
+        first = {path: min(notes, key=lambda note: note.line or 0) for path, notes in sorted(files.items())}
+        if told is not None and all(note.level.rank <= told.rank for note in first.values()):
+            continue
+        for path, note in list(first.items())[:MOST_GIVEN_UP]:
+            more = len(files[path]) - 1
+            place = f"{path}:{note.line}" if note.line else path
+            said.append((place, note.message.rstrip(".") + (f"; and {plural(more, 'more reason')}" if more else "")))
+        if len(first) > MOST_GIVEN_UP:
+            said.append(("", f"and {plural(len(first) - MOST_GIVEN_UP, 'more file')} of {tool}"))
+    return tuple(said)
+
+
+def _given_up(report: Report) -> list[tuple[str, dict[str, list[Notification]]]]:
+    """By tool, sorted, what it says of each file that it could not analyse."""
+    files: dict[str, dict[str, list[Notification]]] = {}
     for note in notifications(report):
         if note.tool and note.path and not note.configuration:
-            files.setdefault(note.tool, set()).add(note.path)
-    said = [f"{tool} on {plural(len(paths), 'file')}" for tool, paths in sorted(files.items())]
-    return f"Gave up: {', '.join(said)}." if said else ""
+            files.setdefault(note.tool, {}).setdefault(note.path, []).append(note)
+    return sorted(files.items())
 
 
 def notifications(report: Report) -> tuple[Notification, ...]:

@@ -13,6 +13,7 @@ from haros_ci.report.message import label, plain, shorten
 from haros_ci.report.source_lines import Reader, lines_of
 from haros_ci.results.result import BaselineState, Notification, Report, Result
 from haros_ci.results.rule import Level
+from haros_ci.results.silence_words import counted
 
 MAX_STEPS = 12  # of one finding's flow
 MAX_TROUBLE = 10  # of one tool and level; the rest is counted
@@ -200,10 +201,18 @@ def _summary(report: Report, counts: summary.Counts, paint: Paint) -> Iterator[s
     yield paint(loud if failed else BOLD, summary.headline(report, counts))
     if known := summary.known(counts):
         yield f"  {known}"
+    if silenced := counted(report.silenced):
+        yield f"  {silenced}"
     yield f"  {summary.verdict(report, counts)}"
+    if metrics := summary.metrics(report):
+        yield f"  {metrics}"
     yield f"  {terminal(summary.covered(report))}"
+    if report.coverage.sandbox:
+        yield f"  {report.coverage.sandbox}"
     if given_up := summary.given_up(report):
         yield f"  {terminal(given_up)}"
+        for place, reason in summary.given_up_on(report, told=Level.WARNING):
+            yield f"    {terminal(place)}: {shorten(terminal(reason), 300)}" if place else f"    {terminal(reason)}"
     for sentence in report.coverage.unseen:
         yield f"  Not seen: {terminal(sentence)}"
     if counts.open:

@@ -12,22 +12,23 @@ import pytest
 
 from haros_ci.errors import UserError
 from haros_ci.haros_json.documents import added, documents
-from haros_ci.output import parse_outputs, text_in, write_folder
+from haros_ci.output import parse_outputs, text_in
+from haros_ci.writing import put_below
 
 
 def test_whole_files_below_a_new_directory(tmp_path: Path) -> None:
     folder = tmp_path / "a" / "data"
-    write_folder({"p/x/1.json": "[]\n", "p.json": "é\n"}, folder)
+    put_below(folder, {"p/x/1.json": "[]\n", "p.json": "é\n"})
     assert (folder / "p" / "x" / "1.json").read_text() == "[]\n"
     assert sorted(path.name for path in folder.rglob("*") if path.is_file()) == ["1.json", "p.json"]
-    write_folder({"p.json": "2"}, folder)
+    put_below(folder, {"p.json": "2"})
     assert (folder / "p.json").read_text() == "2"
 
 
 def test_what_lies_there_stays(tmp_path: Path) -> None:
     (tmp_path / "p").mkdir()
     (tmp_path / "p" / "mine.json").write_text("mine")
-    write_folder({"p/a.json": "1"}, tmp_path)
+    put_below(tmp_path, {"p/a.json": "1"})
     assert (tmp_path / "p" / "mine.json").read_text() == "mine"
 
 
@@ -35,7 +36,7 @@ def test_a_link_in_the_place_of_a_file_is_replaced_and_not_followed(tmp_path: Pa
     (tmp_path / "victim").write_text("safe")
     (tmp_path / "data").mkdir()
     (tmp_path / "data" / "p.json").symlink_to(tmp_path / "victim")
-    write_folder({"p.json": "new"}, tmp_path / "data")
+    put_below(tmp_path / "data", {"p.json": "new"})
     assert (tmp_path / "victim").read_text() == "safe"
     assert (tmp_path / "data" / "p.json").read_text() == "new"
 
@@ -47,7 +48,7 @@ def test_a_directory_behind_a_link_is_refused(tmp_path: Path, place: str) -> Non
     target.parent.mkdir(parents=True)
     target.symlink_to(tmp_path / "away")
     with pytest.raises(UserError, match="is a symbolic link"):
-        write_folder({"p/compliance/a.json": "1"}, tmp_path / "data")
+        put_below(tmp_path / "data", {"p/compliance/a.json": "1"})
     assert list((tmp_path / "away").iterdir()) == []
 
 
@@ -58,7 +59,7 @@ def test_what_is_in_the_way_is_said(tmp_path: Path, path: str) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text("")
     with pytest.raises(UserError, match="cannot be written"):
-        write_folder({"p/a.json": "1"}, tmp_path / "data")
+        put_below(tmp_path / "data", {"p/a.json": "1"})
 
 
 def test_a_directory_is_needed(tmp_path: Path) -> None:

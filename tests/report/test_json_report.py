@@ -77,10 +77,11 @@ def test_counts_add_up() -> None:
         "updated": 1,
         "absent": 1,
         "suppressed": 0,
+        "counted": 0,
     }
     for report in SHAPES.values():
         counts = json.loads(json_report.render(report))["counts"]
-        kinds = ("open", "unchanged", "updated", "absent", "suppressed")
+        kinds = ("open", "unchanged", "updated", "absent", "suppressed", "counted")
         assert sum(counts[kind] for kind in kinds) == len(report.results)
 
 

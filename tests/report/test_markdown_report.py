@@ -136,3 +136,15 @@ def test_the_same_bytes() -> None:
     report = hostile("a|b")
     turned = replace(report, runs=tuple(replace(r, results=r.results[::-1]) for r in report.runs[::-1]))
     assert markdown.render(turned) == markdown.render(report)
+
+
+def test_files_given_up_on_are_named_with_their_reasons() -> None:
+    notes = tuple(
+        Notification(Level.NOTE, "it includes `<b>` of no package", "architecture", f"launch/{number}.launch", 3)
+        for number in range(6)
+    )
+    said = markdown.render(replace(PLAIN, notifications=notes))
+    head = html.unescape(html.unescape(said).partition("<details>")[0])
+    assert "Gave up: architecture on 6 files." in head
+    assert "launch/4.launch:3</code>: it includes" in head and "launch/5.launch" not in head
+    assert "- and 1 more file of architecture" in head and "<b>" not in said

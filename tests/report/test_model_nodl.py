@@ -156,7 +156,10 @@ def test_what_no_node_can_be_written_of_is_a_comment(node: Node, comments: list[
 
 
 def test_classes_of_libraries_are_no_nodes() -> None:
-    brought = (replace(RESET, name="/?/reset", original_name="/?/reset"), replace(STATUS, original_name="/vehicle/status"))
+    brought = (
+        replace(RESET, name="/?/reset", original_name="/?/reset"),
+        replace(STATUS, original_name="/vehicle/status"),
+    )
     part = replace(LANE, name="/?", kind="library", type="lane::Tool", endpoints=brought)
     text = model_nodl.render(of(part))
     assert "<node" not in text
@@ -205,7 +208,9 @@ def test_order_does_not_depend_on_the_order_of_input() -> None:
 
 def beside(name: str, source: str = "source") -> Node:
     """A node that the process of ``/lane`` makes beside it."""
-    made = replace(LANE, name=name, process="/lane", source=source, endpoints=(end("publishers", f"{name}/x", "a/msg/B"),))
+    made = replace(
+        LANE, name=name, process="/lane", source=source, endpoints=(end("publishers", f"{name}/x", "a/msg/B"),)
+    )
     return replace(made, location=Location("src/lane/src/b.cpp", 3))
 
 
@@ -240,7 +245,9 @@ def test_what_every_plugin_makes_at_once_counts_where_nothing_else_is_seen() -> 
 
 def test_two_nodes_of_one_name_in_a_process_are_one() -> None:
     main = replace(LANE, name="/lane", process="/lane", endpoints=(end("publishers", "/y", "a/msg/B"),))
-    again = replace(beside("/costmap"), location=Location("src/lane/src/b.cpp", 9), endpoints=(end("publishers", "/z", "a/msg/B"),))
+    again = replace(
+        beside("/costmap"), location=Location("src/lane/src/b.cpp", 9), endpoints=(end("publishers", "/z", "a/msg/B"),)
+    )
     same = replace(beside("/lane"), endpoints=(end("publishers", "/w", "a/msg/B"),))
     root = valid(model_nodl.render(of(main, beside("/costmap"), again, same)))
     assert [(node.get("name"), [item.get("name") for item in node]) for node in root] == [

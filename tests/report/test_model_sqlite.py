@@ -18,7 +18,7 @@ from haros_ci.report import model_sqlite
 
 
 def rows(architecture: Architecture, path: Path, query: str) -> list[tuple[Any, ...]]:
-    model_sqlite.write(architecture, path)
+    path.write_bytes(model_sqlite.render(architecture))
     database = sqlite3.connect(path)
     try:
         assert database.execute("PRAGMA integrity_check").fetchall() == [("ok",)]
@@ -103,9 +103,7 @@ def test_ros_2(tmp_path: Path) -> None:
     limited = replace(DECLARED, range=(1.0, 30.0, None))
     found = Architecture(configurations=(replace(ROBOT, nodes=(replace(LANE, endpoints=(limited,)),)),))
     query = "SELECT kind, name, value, effective, read_only, minimum, maximum, step FROM endpoints"
-    assert rows(found, path, query) == [
-        ("parameters", "/planning/lane:rate", "10.0", "20.0", 1, 1.0, 30.0, None)
-    ]
+    assert rows(found, path, query) == [("parameters", "/planning/lane:rate", "10.0", "20.0", 1, 1.0, 30.0, None)]
 
 
 def test_the_bytes_are_the_same_for_any_order_and_way() -> None:

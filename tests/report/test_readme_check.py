@@ -57,7 +57,9 @@ def test_what_classes_of_libraries_bring() -> None:
     topic = end("publishers", "/extra", "std_msgs/msg/Empty", 40)
     more = (Unknown("endpoints", "its methods"),)
     tool = replace(CLEAR, name="/?", kind="library", type="lane::Tool", endpoints=(topic,), unknowns=more)
-    text = page("Output", "| ~/output/path | nav_msgs/msg/Path | |", "| extra | std_msgs/msg/Bool | |", "| gone | a/msg/B | |")
+    text = page(
+        "Output", "| ~/output/path | nav_msgs/msg/Path | |", "| extra | std_msgs/msg/Bool | |", "| gone | a/msg/B | |"
+    )
     assert [line.partition(",")[0] for line in told(text, CLEAR, tool)] == [
         "6: warning: publisher extra has type std_msgs/msg/Bool in the document",
         "7: warning: publisher gone is documented",
@@ -271,7 +273,9 @@ def with_parameters(*given: tuple[str, object]) -> Node:
 def test_a_row_for_a_group_of_parameters() -> None:
     node = with_parameters(("slow.car.speed", 1.0), ("slow.bus.speed", 2.0))
     for name in ("slow", "slow.car", ".car"):
-        assert told(page("Parameters", "| rate | double | |", f"| {name} | struct | 3.0 |", columns=DEFAULTS), node) == []
+        assert (
+            told(page("Parameters", "| rate | double | |", f"| {name} | struct | 3.0 |", columns=DEFAULTS), node) == []
+        )
     rows = page("Parameters", "| rate | double | |", "| fast | struct | |", "| slow.speed | | |")
     assert [line.split(":")[0] for line in told(rows, node)] == ["6", "7"]
     group = page("Parameters", "| rate | double | |", "| slow | struct | |")
@@ -281,7 +285,9 @@ def test_a_row_for_a_group_of_parameters() -> None:
 def test_a_row_of_another_mode_with_its_own_default() -> None:
     one = page("Parameters", "| rate | double | 15.0 |", columns=DEFAULTS)
     assert told(one)
-    assert told(one + page("Others", "| rate | double | 10.0 |", columns=DEFAULTS)) == told(one)  # no table of parameters
+    assert told(one + page("Others", "| rate | double | 10.0 |", columns=DEFAULTS)) == told(
+        one
+    )  # no table of parameters
     assert told(one + page("Parameters of the other", "| rate | double | 10.0 |", columns=DEFAULTS)) == []
 
 

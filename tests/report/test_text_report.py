@@ -219,3 +219,22 @@ def test_hostile_texts(hostile_text: str, why: bool) -> None:
 def test_order_of_input_does_not_matter(report: Report) -> None:
     turned = replace(report, runs=tuple(replace(r, results=r.results[::-1]) for r in report.runs[::-1]))
     assert shown(turned, why=True) == shown(report, why=True)
+
+
+def test_files_given_up_on_are_named_with_their_reasons() -> None:
+    """The first five of a tool, then how many; not again what is a message of its own above."""
+    quiet = tuple(
+        Notification(Level.NOTE, f"reason {number}.", "architecture", f"launch/{number}.launch", line)
+        for number in range(7)
+        for line in (3, 9)
+    )
+    loud = Notification(Level.WARNING, "pylint could not analyse this file: it is odd", "pylint", "a.py")
+    said = shown(replace(PLAIN, notifications=(*quiet, loud)))
+    assert "  Gave up: architecture on 7 files, pylint on 1 file.\n" in said
+    lines = said.splitlines()
+    first = lines.index("  Gave up: architecture on 7 files, pylint on 1 file.") + 1
+    assert lines[first : first + 6] == [
+        *(f"    launch/{number}.launch:3: reason {number}; and 1 more reason" for number in range(5)),
+        "    and 2 more files of architecture",
+    ]
+    assert said.count("it is odd") == 1

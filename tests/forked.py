@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs of the command, each in a process of its own that is forked from one which has all modules loaded: loading is half of a small run.
+
+Not for tests of what is loaded and from where, of encodings that the environment sets, or of signals: these start the command itself.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import gc
+import importlib
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from functools import lru_cache
+from pathlib import Path
+from typing import IO, Any
+
+#: A workspace that makes a run load what most runs load.
+SMALL = {
+    "package.xml": "<package format='3'><name>p</name><version>1.0.0</version><description>d</description>"
+    "<maintainer email='a@example.org'>a</maintainer><license>MIT</license><depend>rclcpp</depend></package>",
+    "CMakeLists.txt": "project(p)\nfind_package(rclcpp REQUIRED)\nadd_executable(n n.cpp)\n",
+    "n.cpp": '#include <rclcpp/rclcpp.hpp>\nint main(int c, char **v) { rclcpp::init(c, v); auto n = rclcpp::Node::make_shared("n"); }\n',
+    "n.py": "import rclpy\nrclpy.create_node('m')\n",
+    "a.launch": "<launch><node pkg='p' exec='n' name='n'/></launch>\n",
+    "b.launch.py": "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n",
+    "c.yaml": "n:\n  ros__parameters:\n    a: 1\n",
+}
+
+
+class Server:
+    """The process that has all modules loaded. One run at a time; ``run`` is like ``subprocess.run``."""
+
+    def __init__(self) -> None:
+        ask, self._asking = os.pipe()
+        self._answers, answer = os.pipe()
+        kept = {
+            name: value for name, value in os.environ.items() if not name.startswith(("GITHUB_", "HAROS_CI_", "PYTHON"))
+        }
+        command = [sys.executable, "-I", __file__, str(ask), str(answer)]
+        self._process = subprocess.Popen(
+            command, pass_fds=(ask, answer), env=kept, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL
+        )
+        os.close(ask)
+        os.close(answer)
+        self._reader = open(self._answers, "rb")
+        atexit.register(self.close)
+
+    def close(self) -> None:
+        """End the process; it is waited for."""
+        os.close(self._asking)
+        self._process.wait()
+
+    def run(
+        self, arguments: list[str], *, cwd: Path, env: Mapping[str, str], timeout: float
+    ) -> subprocess.CompletedProcess[bytes]:
+        """``haros-ci ARGUMENTS`` in *cwd* with the environment *env*, and what it has written. Raises TimeoutExpired after *timeout* seconds."""
+        with tempfile.TemporaryDirectory() as written:
+            asked = {"arguments": arguments, "cwd": os.fspath(cwd), "env": dict(env), "to": written, "timeout": timeout}
+            os.write(self._asking, json.dumps(asked).encode() + b"\n")
+            code = json.loads(self._reader.readline())
+            if code is None:
+                raise subprocess.TimeoutExpired(arguments, timeout)
+            out, err = (Path(written, name).read_bytes() for name in ("out", "err"))
+            return subprocess.CompletedProcess(arguments, code, out, err)
+
+
+@lru_cache(maxsize=1)
+def server() -> Server:
+    """The process from which the runs of this process are forked."""
+    return Server()
+
+
+def load() -> None:
+    """The modules that a run loads, in the order in which it does: some that need one another bear no other."""
+    scratch = tempfile.mkdtemp()  # a TemporaryDirectory would be removed at the end of what is forked
+    for name, text in SMALL.items():
+        Path(scratch, name).write_text(text)
+    asked = {"arguments": ["check", ".", "--no-cache"], "cwd": scratch, "env": dict(os.environ), "timeout": 120}
+    answered({**asked, "to": scratch, "modules": f"{scratch}/modules"}, ())
+    names = Path(scratch, "modules").read_text().split("\n")
+    shutil.rmtree(scratch)
+    for name in names:
+        with contextlib.suppress(ImportError):
+            importlib.import_module(name)
+    gc.freeze()
+
+
+def answered(asked: dict[str, Any], ours: tuple[int, ...]) -> int | None:
+    """The exit code of one run; None if its time was over."""
+    pid = os.fork()
+    if not pid:
+        code = 1
+        try:
+            for descriptor in ours:
+                os.close(descriptor)
+            code = _inside(asked)
+        finally:
+            os._exit(code)
+    signal.signal(signal.SIGALRM, lambda *_: os.kill(pid, signal.SIGKILL))
+    signal.setitimer(signal.ITIMER_REAL, asked["timeout"])
+    status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+    is_over = signal.getitimer(signal.ITIMER_REAL)[0] == 0
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    return None if is_over and status == -signal.SIGKILL else status
+
+
+def _inside(asked: dict[str, Any]) -> int:
+    """In the process of the run: what ``python -m haros_ci`` does, and how Python ends."""
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    for descriptor, name in ((1, "out"), (2, "err")):
+        opened = os.open(os.path.join(asked["to"], name), os.O_WRONLY | os.O_APPEND | os.O_CREAT)
+        os.dup2(opened, descriptor)
+        os.close(opened)
+    os.environ.clear()
+    os.environ.update(asked["env"])
+    os.chdir(asked["cwd"])
+    sys.argv[:] = ["haros-ci", *asked["arguments"]]
+    from haros_ci.cli import main
+
+    code: object = 1
+    try:
+        code = main()
+    except SystemExit as err:
+        code = err.code
+    except BaseException:
+        sys.excepthook(*sys.exc_info())  # type: ignore[arg-type]
+    if "modules" in asked:
+        Path(asked["modules"]).write_text("\n".join(name for name in sys.modules if name != "__main__"))
+    atexit._run_exitfuncs()
+    for stream in (sys.stdout, sys.stderr):
+        stream.flush()
+    return code if isinstance(code, int) else 0 if code is None else 1
+
+
+def serve(asking: IO[bytes], answer: int) -> None:
+    """Run after run, until nobody asks any more."""
+    for line in asking:
+        code = answered(json.loads(line), (asking.fileno(), answer))
+        os.write(answer, json.dumps(code).encode() + b"\n")
+
+
+if __name__ == "__main__":
+    load()
+    serve(open(int(sys.argv[1]), "rb"), int(sys.argv[2]))
