@@ -17,14 +17,17 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def trap(tmp_path: Path, cache: Path) -> Trap:
-    return Trap(tmp_path, cache)
+def trap(request: pytest.FixtureRequest, tmp_path: Path, cache: Path) -> Trap:
+    """A module that says AFRESH looks at what is loaded, so its runs load all."""
+    return Trap(tmp_path, cache, afresh=hasattr(request.module, "AFRESH"))
 
 
 @pytest.fixture(scope="module")
-def new_trap(tmp_path_factory: pytest.TempPathFactory, cache: Path) -> Callable[[], Trap]:
+def new_trap(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, cache: Path
+) -> Callable[[], Trap]:
     """Makes a trap that several tests look at."""
-    return lambda: Trap(tmp_path_factory.mktemp("trap"), cache)
+    return lambda: Trap(tmp_path_factory.mktemp("trap"), cache, afresh=hasattr(request.module, "AFRESH"))
 
 
 @pytest.fixture(scope="module")

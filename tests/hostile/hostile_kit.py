@@ -15,6 +15,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from forked import server
+
 #: Lies in every workspace; its one finding must be reported whatever lies beside it.
 CONTROL = "control.py"
 CONTROL_TEXT = (
@@ -80,7 +82,9 @@ class Trap:
 
     SECRET = "the-secret-outside"
 
-    def __init__(self, place: Path, cache: Path) -> None:
+    def __init__(self, place: Path, cache: Path, *, afresh: bool = False) -> None:
+        """With *afresh* each run loads Python and all modules anew, as a test of what is loaded needs it."""
+        self.afresh = afresh
         self.place = place
         self.cache = cache
         self.root = place / "ws"
@@ -176,11 +180,14 @@ class Trap:
         self, *arguments: str, environment: Mapping[str, str] | None = None, driver: Path | None = None
     ) -> subprocess.CompletedProcess[bytes]:
         """``haros-ci`` with *arguments* in the workspace, or a *driver* that calls it."""
+        env = plain({"HAROS_CI_CACHE": str(self.cache), **(environment or {})})
+        if not (driver or self.afresh):
+            return server().run(list(arguments), cwd=self.root, env=env, timeout=120)
         command = [sys.executable, "-I", *([str(driver)] if driver else ["-m", "haros_ci"]), *arguments]
         return subprocess.run(
             command,
             cwd=self.root,
-            env=plain({"HAROS_CI_CACHE": str(self.cache), **(environment or {})}),
+            env=env,
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=120,

@@ -34,7 +34,9 @@ CASES: dict[str, dict[str, str]] = {
     "include bomb": {
         "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
         **{
-            f"bad/launch/l{n}.launch": "<launch>" + f'<include file="$(find bad)/launch/l{n + 1}.launch"/>' * 8 + "</launch>"
+            f"bad/launch/l{n}.launch": "<launch>"
+            + f'<include file="$(find bad)/launch/l{n + 1}.launch"/>' * 8
+            + "</launch>"
             for n in range(12)
         },
         "bad/launch/l12.launch": '<launch><node name="x" pkg="y" type="z"/></launch>',

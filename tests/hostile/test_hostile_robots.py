@@ -74,8 +74,9 @@ def laid(trap: Trap, body: str) -> None:
     trap.write("bad/package.xml", MANIFEST)
     trap.write("bad/CMakeLists.txt", "project(bad)\nament_package()\n")
     trap.write(
-        "bad/launch/x.launch",
-        '<launch><param name="robot_description" command="xacro $(find bad)/urdf/x.xacro"/></launch>',
+        "bad/launch/x.launch.xml",
+        '<launch><node pkg="robot_state_publisher" exec="robot_state_publisher"><param name="robot_description" '
+        "value=\"$(command 'xacro $(find-pkg-share bad)/urdf/x.xacro')\"/></node></launch>",
     )
     robot = f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">\n{body}\n<link name="base"/></robot>\n'
     trap.write("bad/urdf/x.xacro", robot.replace("><", ">\n<"))

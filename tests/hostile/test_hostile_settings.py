@@ -61,7 +61,7 @@ PROJECT_FILES = [
     settings(
         "infinite time",
         "linters: {pylint: {timeout: .inf}}\n",
-        f"{OWN}:1: 'timeout' of linter 'pylint' must be above 0",
+        f"{OWN}:1: 'timeout' of linter 'pylint' is too large a number of seconds",
     ),
     settings("a long number", f"max-file-size: {'9' * 500}\n", f"{OWN}:1: number too long"),
     settings("a number of base 60", f"max-file-size: 1{':59' * 50}\n", f"{OWN}:1: number too long"),

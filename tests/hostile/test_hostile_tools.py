@@ -30,7 +30,7 @@ def parse(output, batch):
         yield Finding(path, Result("fake", "x", Level.WARNING, message, Location(path, line)))
 
 registry.LINTERS = (*registry.LINTERS, SimpleNamespace(
-    NAME="fake", LANGUAGES=frozenset({{"python"}}), WHEN=When.ALWAYS, COST=1.0,
+    NAME="fake", LANGUAGES=frozenset({{"python"}}), WHEN=When.ALWAYS, COST=1.0, {trusted}
     locate=lambda options: {program},
     fingerprint=lambda workspace, options: {script!r},
     dependencies=lambda workspace, file: (),
@@ -43,9 +43,13 @@ sys.exit(main())
 
 
 def driver(t: Trap, script: str, program: str = "") -> Path:
+    """A made-up tool; one that has something to do outside the workspace is not confined."""
+    trusted = "TRUSTED=True," if "SEEN" in script or str(t.place) in script else ""
     path = t.place / "driver.py"
     script = script.replace("PYTHON", sys.executable).replace("SEEN", str(t.place / "seen"))
-    path.write_text(DRIVER.format(script=script, program=program or f"Program(('/bin/sh', '-c', {script!r}), '1')"))
+    path.write_text(
+        DRIVER.format(script=script, trusted=trusted, program=program or f"Program(('/bin/sh', '-c', {script!r}), '1')")
+    )
     return path
 
 

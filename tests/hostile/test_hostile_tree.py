@@ -170,9 +170,9 @@ CONTENTS = [
     holding(
         "passwd.cpp",
         b'#include "/etc/passwd"\n#include </etc/shadow>\n' + CPP,
-        "a file that is not part of the workspace",
+        "uninitvar",
     ),
-    holding("outside.cpp", b'#include "../outside/error.hpp"\n' + CPP, "a file that is not part of the workspace"),
+    holding("outside.cpp", b'#include "../outside/error.hpp"\n' + CPP, "uninitvar"),
     holding("beyond.cpp", b'#include "../outside/secret.hpp"\n#include "../../../x.hpp"\n' + CPP, "uninitvar"),
     holding("itself.cpp", b'#pragma once\n#include "itself.cpp"\n' + CPP, "uninitvar"),
     holding("error.cpp", b'#error "::error::x \x1b[31m ##[error]"\n', "cppcheck could not analyse this file"),
@@ -198,7 +198,9 @@ MANIFESTS = [
     manifest("deep", "<a>" * 50_000 + "</a>" * 50_000),
     manifest("wide", "<package><name>a</name>" + "<a/>" * 150_000 + "</package>"),
     manifest(
-        "attributes", "<package " + " ".join(f'a{n}="x"' for n in range(200)) + "><name>attributes</name></package>", "invalid-manifest"
+        "attributes",
+        "<package " + " ".join(f'a{n}="x"' for n in range(200)) + "><name>attributes</name></package>",
+        "invalid-manifest",
     ),
     manifest("large", "<package><name>a</name>" + "<!-- -->\n" * 600_000 + "</package>", "more than the limit"),
     manifest("coded", b'<?xml version="1.0" encoding="no-such-codec"?><package><name>a</name></package>'),
@@ -208,7 +210,11 @@ MANIFESTS = [
     manifest("xinclude", GOOD.format('<i:include xmlns:i="http://www.w3.org/2001/XInclude" href="/etc/passwd"/>')),
     manifest("twin1", GOOD.format("twin"), "invalid-manifest"),
     manifest("twin2", GOOD.format("twin"), ""),
-    manifest("condition", GOOD.format("condition").replace("</p", "<depend condition='((((((((('>x</depend></p"), "invalid-manifest"),
+    manifest(
+        "condition",
+        GOOD.format("condition").replace("</p", "<depend condition='((((((((('>x</depend></p"),
+        "invalid-manifest",
+    ),
 ]
 
 CASES = [*NAMES, *LINKS, *CONTENTS, *MANIFESTS]

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Comments by which a change silences findings: counted in every report, with their places."""
+
+from __future__ import annotations
+
+import html
+
+from hostile_kit import CHEAP_FINDING, CONTROL, Trap, assert_harmless
+
+QUICK = ("--ignore=pylint,cpplint,metrics,ruff,unassignedVariable",)
+DEFECT = "int f(int x) { int unset; return unset + x; }\n"
+
+
+def pull_request(trap: Trap, base: dict[str, str], head: dict[str, str]) -> None:
+    (trap.root / CONTROL).unlink()
+    trap.write(CHEAP_FINDING[0], DEFECT)
+    for name, text in base.items():
+        trap.write(name, text)
+    trap.commit()
+    trap.git("checkout", "-q", "-b", "head")
+    for name in base.keys() - head.keys():
+        (trap.root / name).unlink()
+    for name, text in head.items():
+        trap.write(name, text)
+    trap.commit()
+
+
+def test_they_are_counted_everywhere(trap: Trap) -> None:
+    own = "int g(int x) { int unset; return unset + x; }  // haros: ignore[uninitvar] hush\n"
+    tools = "int h(int x) {\n  // cppcheck-suppress uninitvar\n  return x;  // NOLINT\n}\n"
+    pull_request(trap, {}, {"a.cpp": own, "b.cpp": tools, "::error::x.py": "import os  # noqa\n"})
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    assert outcome.code == 0, outcome.formats["text"]
+    silenced = outcome.report["silenced"]
+    assert silenced["findings"] == 1
+    assert [(c["path"], c["line"], c["comment"]) for c in silenced["comments"]] == [
+        ("::error::x.py", 1, "noqa"),
+        ("b.cpp", 2, "cppcheck-suppress"),
+        ("b.cpp", 3, "NOLINT"),
+    ]
+    found = "1 finding suppressed by comments that this change adds"
+    comments = "the change adds 3 comments that silence linters: ::error::x.py:1 (noqa), b.cpp:2 (cppcheck-suppress), b.cpp:3 (NOLINT)"
+    assert outcome.says(found) and outcome.says(comments)
+    short = "1 finding suppressed by this change; 3 comments that silence linters added by this change"
+    assert short in outcome.formats["text"]
+    summary = html.unescape(outcome.formats["markdown"])
+    assert found in summary and "the change adds 3 comments that silence linters" in summary
+    notes = [
+        n["message"]["text"]
+        for run in outcome.sarif["runs"]
+        for i in run["invocations"]
+        for n in i.get("toolExecutionNotifications", ())
+    ]
+    assert any(found in note for note in notes), notes
+    assert_harmless(trap, outcome)
+
+
+def test_files_that_moved_bring_nothing(trap: Trap) -> None:
+    text = DEFECT.replace("\n", "  // haros: ignore[uninitvar] old\n") + "int a;  // NOLINT\nint b;\nint c;\n"
+    pull_request(trap, {"src/old.cpp": text}, {"lib/new.cpp": "\n" + text.replace("int b", "  int bb")})
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    assert outcome.report["silenced"] == {"findings": 0, "comments": []}
+    assert outcome.report["counts"]["suppressed"] == 1 and outcome.notes() == []
+
+
+def test_without_a_base_nothing_is_said(trap: Trap) -> None:
+    pull_request(trap, {}, {"a.cpp": "int a;  // NOLINT\n"})
+    for arguments in ((), ("--baseline-rev=nowhere", "--no-require-baseline")):
+        outcome = trap.run(*arguments, *QUICK)
+        assert outcome.report["silenced"] == {"findings": 0, "comments": []} and not outcome.says("silence")
+
+
+def test_excluded_files_and_other_targets_are_not_looked_at(trap: Trap) -> None:
+    pull_request(
+        trap,
+        {".haros-ci.yaml": "exclude: [vendor]\n"},
+        {
+            ".haros-ci.yaml": "exclude: [vendor]\n",
+            "vendor/a.cpp": "int a;  // NOLINT\n",
+            "b.cpp": "int b;  // NOLINT\n",
+        },
+    )
+    assert not trap.run("--baseline-rev=main", "--exclude=b.cpp", *QUICK).says("silence")
+    given = trap.command("check", CHEAP_FINDING[0], "--baseline-rev=main", *QUICK)
+    assert "silence" not in given

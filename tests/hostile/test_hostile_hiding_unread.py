@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Changed files that cannot be read whole: findings at the file, never green; those that were so before are messages."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import pytest
+from hostile_kit import CHEAP_FINDING, CONTROL, Outcome, Trap, assert_harmless
+
+QUICK = ("--ignore=pylint,cpplint,metrics,ruff,cppcheck",)
+RULE = "file-not-analysed"
+TEXT = "int f(int x) { return x; }\n"
+LONG = f"int a[] = {{{'1, ' * 2_000}}};\n"
+A = "src/a.cpp"
+
+
+@dataclass(frozen=True)
+class Case:
+    """What the head does to a file, and words of the message at *path*."""
+
+    name: str
+    head: Callable[[Trap], object]
+    says: str
+    path: str = A
+    base: Callable[[Trap], object] = lambda t: None
+
+
+def replaced(trap: Trap, name: str, target: str) -> None:
+    (trap.root / name).unlink()
+    (trap.root / name).symlink_to(target)
+
+
+CASES = [
+    Case("a long line", lambda t: t.write(A, TEXT + LONG), "line 2: a line of more than 5000 characters"),
+    Case("a long line in a new file", lambda t: t.write("n.py", f"x = '{'x' * 6000}'\n"), "5000", "n.py"),
+    Case("a NUL", lambda t: t.write(A, TEXT + "\0"), "binary data where cpp text was expected"),
+    Case("UTF-16", lambda t: t.write(A, TEXT.encode("utf-16")), "encoded as UTF-16; save it as UTF-8"),
+    Case("large", lambda t: t.write(A, TEXT * 100_000), "more than the limit of 2000000; raise it or exclude the file"),
+    Case("a link out", lambda t: replaced(t, A, "../../outside/secret.hpp"), "leads out of the workspace"),
+    Case("a link to nowhere", lambda t: replaced(t, A, "nowhere"), "leads nowhere"),
+    Case("a new link out", lambda t: (t.root / "b.py").symlink_to("../outside/secret.py"), "leads out", "b.py"),
+    Case(
+        "a link to a file that is no source",
+        lambda t: [t.write("src/a.txt", TEXT), replaced(t, A, "a.txt")],
+        "a symbolic link to src/a.txt, which is not analysed as cpp",
+    ),
+    Case(
+        "a link to a file that nobody looks at",
+        lambda t: [t.write(".h/a.cpp", TEXT), replaced(t, A, "../.h/a.cpp")],
+        "a symbolic link to .h/a.cpp, which is not analysed as cpp",
+    ),
+    Case(
+        "a link to a file of another kind",
+        lambda t: [t.write("src/a.yaml", "a: 1\n"), replaced(t, A, "a.yaml")],
+        "which is not analysed as cpp",
+    ),
+    Case("a name of two lines", lambda t: t.write("src/b\n.cpp", TEXT), "rename it", "src"),
+    Case("a name that is no UTF-8", lambda t: t.write(b"src/\xff.cpp", TEXT), "rename it", "src"),
+    Case(
+        "unread before, and other contents now",
+        lambda t: t.write(A, TEXT + LONG),
+        "a line of more than 5000 characters",
+        base=lambda t: t.write(A, LONG),
+    ),
+    Case(
+        "a comment that would silence it",
+        lambda t: t.write(A, f"// haros: ignore[{RULE}] never mind\n{LONG}"),
+        "a line of more than",
+    ),
+    Case(
+        "attributes that change what is checked out",
+        lambda t: [
+            t.write(".gitattributes", "*.cpp working-tree-encoding=UTF-16\n"),
+            *(t.write(name, TEXT.encode("utf-16")) for name in (A, CHEAP_FINDING[0])),
+        ],
+        "encoded as UTF-16",
+    ),
+    Case("a manifest", lambda t: t.write("src/package.xml", "<package>\0</package>"), "binary data", "src/package.xml"),
+    Case("a launch file", lambda t: t.write("x.launch", f"<launch>{' ' * 30_000}</launch>"), "20000", "x.launch"),
+]
+
+
+def pull_request(trap: Trap, base: Callable[[Trap], object], head: Callable[[Trap], object]) -> None:
+    (trap.root / CONTROL).unlink()
+    trap.write(CHEAP_FINDING[0], TEXT)
+    trap.write(A, TEXT)
+    base(trap)
+    trap.commit()
+    trap.git("checkout", "-q", "-b", "head")
+    head(trap)
+    trap.commit()
+    if (trap.root / ".gitattributes").exists():  # as a clone has it
+        for name in trap.git("ls-files").splitlines():
+            os.unlink(trap.root / name)
+        trap.git("checkout", "-q", "--", ".")
+
+
+def told(outcome: Outcome) -> list[tuple[str, str, str | None, str]]:
+    found = [r for r in outcome.report["results"] if r["rule"] == RULE]
+    return [(r["path"], r["level"], r["state"], r["message"]) for r in found]
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_it_is_a_finding_at_the_file(case: Case, trap: Trap) -> None:
+    pull_request(trap, case.base, case.head)
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    assert outcome.code == 1, (outcome.stderr, outcome.notes())
+    [(path, level, state, message)] = [found for found in told(outcome) if found[0] == case.path]
+    assert (path, level, state) == (case.path, "warning", "new")
+    assert case.says in message
+    assert f"haros-ci:{RULE}" in outcome.formats["text"] and RULE in outcome.formats["github"]
+    assert not [words for place, words in outcome.notes() if place == path and case.says in words], "it is said once"
+    assert_harmless(trap, outcome)
+    again = trap.run("--baseline-rev=nowhere", "--no-require-baseline", *QUICK)
+    assert (case.path, "warning", None, message) in told(again), "without the base everything counts"
+
+
+@dataclass(frozen=True)
+class Quiet:
+    """No finding; *says* stands in a message."""
+
+    name: str
+    base: Callable[[Trap], object]
+    head: Callable[[Trap], object] = lambda t: t.write("readme", "")
+    says: str = ""
+    arguments: tuple[str, ...] = ("--baseline-rev=main",)
+
+
+QUIET = [
+    Quiet("it was so", lambda t: t.write(A, LONG), says="skipped: a line of more than 5000 characters"),
+    Quiet("it was so, and large", lambda t: t.write(A, TEXT * 100_000), says="more than the limit"),
+    Quiet("it was so, and a link", lambda t: replaced(t, A, "../../outside/secret.hpp"), says="leads out"),
+    Quiet(
+        "it has moved",
+        lambda t: t.write("src/old.cpp", LONG),
+        lambda t: (t.root / "src/old.cpp").rename(t.root / "src/new.cpp"),
+        says="5000",
+    ),
+    Quiet(
+        "what git converts",
+        lambda t: [t.write("w.cpp", LONG), t.write(".gitattributes", "*.cpp text eol=crlf\n")],
+        says="5000",
+    ),
+    Quiet("no base revision", lambda t: None, lambda t: t.write(A, LONG), "5000", ()),
+    Quiet(
+        "not committed",
+        lambda t: t.write(".gitignore", "/out\n"),
+        lambda t: [t.write("out/x.cpp", LONG), t.write("readme", "")],
+    ),
+    Quiet("prose", lambda t: None, lambda t: t.write("a.md", "x" * 30_000 + "\n")),
+    Quiet("long prose", lambda t: None, lambda t: t.write("a.md", "x\n" * 2_000_000), "more than the limit"),
+    Quiet("what nobody reads", lambda t: None, lambda t: t.write("a.bin", b"\0" * 3_000_000)),
+    Quiet("Latin-1", lambda t: None, lambda t: t.write(A, b"int a; // \xe4\n"), "decoded as Latin-1"),
+    Quiet("shorter lines", lambda t: None, lambda t: t.write(A, f"int a[] = {{{'1, ' * 1_600}}};\n")),
+    Quiet("it is mended", lambda t: t.write(A, LONG), lambda t: t.write(A, TEXT)),
+    Quiet("it is gone", lambda t: t.write(A, LONG), lambda t: (t.root / A).unlink()),
+    Quiet("a link to source", lambda t: None, lambda t: (t.root / "b.cpp").symlink_to("src/a.cpp")),
+    Quiet("a link to a directory", lambda t: None, lambda t: (t.root / "lib").symlink_to("src")),
+    Quiet(
+        "a link between kinds of data",
+        lambda t: t.write("a.xml", "<a/>\n"),
+        lambda t: (t.root / "a.launch").symlink_to("a.xml"),
+    ),
+    Quiet(
+        "left out by the command line",
+        lambda t: None,
+        lambda t: t.write(A, LONG),
+        arguments=("--baseline-rev=main", "--exclude=src"),
+    ),
+    Quiet("left out by the base", lambda t: t.write(".haros-ci.yaml", "exclude: [src]\n"), lambda t: t.write(A, LONG)),
+    Quiet(
+        "turned off by the base", lambda t: t.write(".haros-ci.yaml", f"ignore: [{RULE}]\n"), lambda t: t.write(A, LONG)
+    ),
+]
+
+
+@pytest.mark.parametrize("case", QUIET, ids=lambda case: case.name)
+def test_it_is_no_finding(case: Quiet, trap: Trap) -> None:
+    pull_request(trap, case.base, case.head)
+    outcome = trap.run(*case.arguments, *QUICK)
+    assert outcome.code == 0, (outcome.stderr, outcome.formats["text"])
+    assert told(outcome) == []
+    assert outcome.says(case.says) if case.says else outcome.notes() == [], outcome.notes()
+
+
+def test_a_given_file_is_reported_and_others_are_not(trap: Trap) -> None:
+    pull_request(trap, lambda t: None, lambda t: [t.write(A, LONG), t.write("src/b.cpp", LONG)])
+    done = trap.start("check", A, "--baseline-rev=main", *QUICK).stdout.decode()
+    assert f"{A}: warning: " in done and "src/b.cpp: warning: The change" not in done, done
+
+
+def test_an_exception_of_the_base_accepts_it(trap: Trap) -> None:
+    accepted = f"exceptions: [{{files: [src/a.cpp], rules: [{RULE}], reason: generated}}]\n"
+    pull_request(trap, lambda t: t.write(".haros-ci.yaml", accepted), lambda t: t.write(A, LONG))
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    assert outcome.code == 0 and outcome.report["counts"]["suppressed"] == 1
+
+
+def test_shards_say_the_same(trap: Trap) -> None:
+    pull_request(trap, lambda t: None, lambda t: t.write(A, LONG))
+    options = ("--baseline-rev=main", *QUICK)
+    files = [str(trap.place / f"{n}.shard.jsonl") for n in (1, 2)]
+    for n, file in enumerate(files, 1):
+        assert trap.start("check", f"--shard={n}/2", f"--output=shard={file}", *options).returncode == 0
+    assert trap.command("merge", "--output=json", *options, *files) == trap.command("check", "--output=json", *options)
