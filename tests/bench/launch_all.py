@@ -96,7 +96,9 @@ def main() -> None:
     parser.add_argument("root", nargs="+", type=Path)
     parser.add_argument("--reasons", type=int, default=8, help="how many reasons of each kind are shown")
     options = parser.parse_args()
-    print("| workspace | Python | XML | YAML | " + " | ".join(_KINDS) + " | conditional | parameters | unknown |", end="")
+    print(
+        "| workspace | Python | XML | YAML | " + " | ".join(_KINDS) + " | conditional | parameters | unknown |", end=""
+    )
     print(" problems | exceptions | slowest |")
     print("|---" * (4 + len(_KINDS) + 6) + "|")
     details: list[str] = []

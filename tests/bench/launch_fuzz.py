@@ -43,7 +43,14 @@ RAISED = "what this function returns is not known: "
 PIECES = (
     *("0", "-1", "10**9", "2**200", "1e308", "''", "'a' * 10**6", "None", "True", "[]", "{}", "()", "...", "lambda: 0"),
     *("'..'", "'/etc/passwd'", "'../' * 40 + 'etc/passwd'", "'$(find-pkg-share ..)/x'", "'~'", "'\\x00'", "'\\ud800'"),
-    *("__file__", "__name__", "__builtins__", "__import__('os').listdir('/')", "globals()", "open('/etc/passwd').read()"),
+    *(
+        "__file__",
+        "__name__",
+        "__builtins__",
+        "__import__('os').listdir('/')",
+        "globals()",
+        "open('/etc/passwd').read()",
+    ),
     *("os.path.dirname(__file__) + '/../../../../../etc/passwd'", "exec('x = 1')", "eval('1')", "super()", "self"),
     *("LaunchConfiguration('x')", "Node(package='p', executable='e')", "LaunchDescription([])", "GroupAction([])"),
     *("IncludeLaunchDescription(__file__)", "OpaqueFunction(function=generate_launch_description)", "f'{x!r:>{x}}'"),
@@ -51,12 +58,52 @@ PIECES = (
     *("generate_launch_description()", "yaml.safe_load(open(x))", "get_package_share_directory('..')", "range(10**9)"),
 )
 STATEMENTS = (
-    *("while True:\n    pass", "for i in range(10**9):\n    x = [x, x]", "x = x + x", "def f(*a):\n    return f(f(*a))\nf()"),
-    *("raise ValueError", "return", "assert False", "del x", "global x", "import os\nos.system('true')", "from . import x"),
-    *("try:\n    x = 1 / 0\nexcept Exception as e:\n    x = e\nfinally:\n    y = 1", "with open('/etc/passwd') as f:\n    x = f.read()"),
-    *("class A(A):\n    x = A", "x = y = [x]\nx.append(x)", "match x:\n    case [a, *b]:\n        x = b\n    case _:\n        x = 1"),
+    *(
+        "while True:\n    pass",
+        "for i in range(10**9):\n    x = [x, x]",
+        "x = x + x",
+        "def f(*a):\n    return f(f(*a))\nf()",
+    ),
+    *(
+        "raise ValueError",
+        "return",
+        "assert False",
+        "del x",
+        "global x",
+        "import os\nos.system('true')",
+        "from . import x",
+    ),
+    *(
+        "try:\n    x = 1 / 0\nexcept Exception as e:\n    x = e\nfinally:\n    y = 1",
+        "with open('/etc/passwd') as f:\n    x = f.read()",
+    ),
+    *(
+        "class A(A):\n    x = A",
+        "x = y = [x]\nx.append(x)",
+        "match x:\n    case [a, *b]:\n        x = b\n    case _:\n        x = 1",
+    ),
 )
-KEYWORDS = ("if", "for", "in", "(", ")", "[", "]", ":", ",", "=", ".", "*", "**", "not", "return", "lambda", "-", "+", "@")
+KEYWORDS = (
+    "if",
+    "for",
+    "in",
+    "(",
+    ")",
+    "[",
+    "]",
+    ":",
+    ",",
+    "=",
+    ".",
+    "*",
+    "**",
+    "not",
+    "return",
+    "lambda",
+    "-",
+    "+",
+    "@",
+)
 
 
 @dataclass
@@ -75,7 +122,15 @@ class Watch:
             # Python looks for the line of a syntax error in a file of the name that ast.parse gives it.
             if isinstance(path, int) or path == "<unknown>" or str(path).startswith(self.roots):
                 return
-        elif event not in ("subprocess.Popen", "os.system", "os.exec", "os.fork", "socket.connect", "os.remove", "os.rename"):
+        elif event not in (
+            "subprocess.Popen",
+            "os.system",
+            "os.exec",
+            "os.fork",
+            "socket.connect",
+            "os.remove",
+            "os.rename",
+        ):
             return
         self.seen.append(f"{event} {args[:1]}")
 
@@ -141,7 +196,11 @@ def by_tree(text: str, random_: random.Random, other: str) -> str:
         same = [node for node in (*nodes, *givers) if isinstance(node, kind)]
         new: Any
         if kind is ast.expr:
-            new = copy.deepcopy(random_.choice(same)) if random_.random() < 0.5 else ast.parse(random_.choice(PIECES), mode="eval").body
+            new = (
+                copy.deepcopy(random_.choice(same))
+                if random_.random() < 0.5
+                else ast.parse(random_.choice(PIECES), mode="eval").body
+            )
         else:
             made = ast.parse(random_.choice(STATEMENTS)).body
             twin, foreign = copy.deepcopy(old), copy.deepcopy(random_.choice(same))

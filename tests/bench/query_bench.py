@@ -60,7 +60,9 @@ QUERIES = {
 
 
 def main() -> None:
-    settings = settings_from({"paths": (sys.argv[1],), "isolated": True, "cache_dir": sys.argv[2] if len(sys.argv) > 2 else None})
+    settings = settings_from(
+        {"paths": (sys.argv[1],), "isolated": True, "cache_dir": sys.argv[2] if len(sys.argv) > 2 else None}
+    )
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
     store = store_for(settings)
     found = architecture(workspace, settings, store, processes=cores())

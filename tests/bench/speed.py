@@ -129,7 +129,13 @@ def unsplit(tool: str, place: Path) -> float:
             command = linter.command(program, Batch(workspace, files, options, Path(scratch), group))
             argv = command.argv
             if tool == "cpplint":
-                argv = (sys.executable, "-m", "cpplint", *(a for a in argv if a.startswith("--")), *(f.path for f in files))
+                argv = (
+                    sys.executable,
+                    "-m",
+                    "cpplint",
+                    *(a for a in argv if a.startswith("--")),
+                    *(f.path for f in files),
+                )
             started = time.perf_counter()
             subprocess.run(
                 argv,
