@@ -5,10 +5,10 @@
 # Works with bash 3.2 (macOS).
 set -euo pipefail
 
-fail() {
+fail() { # MESSAGE [CODE]
   printf '::error title=haros-ci::%s\n' "$1"
-  printf 'exit-code=2\n' >> "$GITHUB_OUTPUT"
-  exit 2
+  printf 'exit-code=%d\n' "${2:-2}" >> "$GITHUB_OUTPUT"
+  exit "${2:-2}"
 }
 
 arguments=()
@@ -57,8 +57,8 @@ has_merge_base() {
   git_here merge-base HEAD "$base" > /dev/null 2>&1
 }
 
-fetch_merge_base() { # BRANCH: make the merge-base of HEAD and origin's branch known, deepening a shallow clone as far as needed
-  local base="refs/remotes/origin/$1" refspec="+refs/heads/$1:refs/remotes/origin/$1" head step
+fetch_merge_base() { # REVISION REFSPEC: make the merge-base of HEAD and what origin has known, deepening a shallow clone as far as needed
+  local base="$1" refspec="$2" head step
   ! has_merge_base || return 0
   if [[ "$(git_here rev-parse --is-shallow-repository)" != true ]]; then
     git_here fetch --quiet --no-tags origin "$refspec" || return 1
@@ -75,6 +75,16 @@ fetch_merge_base() { # BRANCH: make the merge-base of HEAD and origin's branch k
   has_merge_base
 }
 
+base_of_merge_group() { # the commit that a merge queue's group of changes is to be put on, from the event; nothing if this is no such event
+  [[ "${GITHUB_EVENT_NAME:-}" == merge_group && -f "${GITHUB_EVENT_PATH:-}" ]] || return 0
+  "$python" -I -c '
+import json, re, sys
+with open(sys.argv[1], "rb") as stream:
+    group = json.load(stream).get("merge_group")
+sha = group.get("base_sha") if isinstance(group, dict) else None
+print(sha if isinstance(sha, str) and re.fullmatch("[0-9a-f]{40}|[0-9a-f]{64}", sha) else "")' "$GITHUB_EVENT_PATH"
+}
+
 python="$INPUT_PYTHON"
 ! flag install "$INPUT_INSTALL" || python="$RUNNER_TEMP/haros-ci-environment/bin/python"
 sarif="${INPUT_SARIF_FILE:-$RUNNER_TEMP/haros-ci.sarif}"
@@ -85,15 +95,30 @@ shard="$RUNNER_TEMP/haros-ci-${INPUT_SHARD//\//-of-}.shard.jsonl"
 [[ -z "$INPUT_SHARD" || "$INPUT_SHARD" =~ ^[0-9]+/[0-9]+$ ]] || fail "The input 'shard' is not like 2/4."
 [[ "$sarif" != *$'\n'* && "$sarif" != *$'\r'* ]] || fail "The input 'sarif-file' is more than one line."
 
+compares=false # whether a base revision is asked for: without it the command cannot say what is new
 # With a revision the command reads project file and baseline file from there, so that a pull request cannot bring its own.
-if [[ -z "$INPUT_BASELINE_REV" && -n "${GITHUB_BASE_REF:-}" ]]; then
-  INPUT_BASELINE_REV="refs/remotes/origin/$GITHUB_BASE_REF"
-  first="$(lines "$INPUT_PATHS" | sed -n 1p)"
-  if ! { repository="$(repository_of "${first:-.}")" && fetch_merge_base "$GITHUB_BASE_REF"; }; then
-    printf '::warning title=haros-ci::%s\n' \
-      "The merge-base with the target branch could not be fetched, so there is no baseline. Use fetch-depth: 0 in actions/checkout."
+if [[ -z "$INPUT_BASELINE_REV" ]]; then
+  if [[ -n "${GITHUB_BASE_REF:-}" ]]; then
+    INPUT_BASELINE_REV="refs/remotes/origin/$GITHUB_BASE_REF"
+    refspec="+refs/heads/$GITHUB_BASE_REF:$INPUT_BASELINE_REV"
+  else
+    INPUT_BASELINE_REV="$(base_of_merge_group)" || INPUT_BASELINE_REV=""
+    refspec="$INPUT_BASELINE_REV"
+    [[ "${GITHUB_EVENT_NAME:-}" != merge_group || -n "$INPUT_BASELINE_REV" || "$INPUT_REQUIRE_BASELINE" == false ]] ||
+      fail "No baseline: the event does not tell the commit that the merge group is put on. Nothing was checked; give the input baseline-rev." 3
+  fi
+  if [[ -n "$INPUT_BASELINE_REV" ]]; then
+    first="$(lines "$INPUT_PATHS" | sed -n 1p)"
+    if ! { repository="$(repository_of "${first:-.}")" && fetch_merge_base "$INPUT_BASELINE_REV" "$refspec"; }; then
+      message="No baseline: the merge-base with the target branch could not be fetched."
+      advice="Use fetch-depth: 0 in actions/checkout"
+      [[ "$INPUT_REQUIRE_BASELINE" == false ]] ||
+        fail "$message Nothing was checked, as every finding would count as new. $advice, or the input require-baseline: false to see them all." 3
+      printf '::warning title=haros-ci::%s\n' "$message Every finding counts as new. $advice."
+    fi
   fi
 fi
+[[ -z "$INPUT_BASELINE_REV" ]] || compares=true
 
 option project "$INPUT_PROJECT"
 option profile "$INPUT_PROFILE"
@@ -101,7 +126,11 @@ options select "$INPUT_SELECT"
 options ignore "$INPUT_IGNORE"
 option baseline "$INPUT_BASELINE"
 option baseline-rev "$INPUT_BASELINE_REV"
-! flag require-baseline "$INPUT_REQUIRE_BASELINE" || arguments+=(--require-baseline)
+if flag require-baseline "${INPUT_REQUIRE_BASELINE:-$compares}"; then
+  arguments+=(--require-baseline)
+elif [[ -n "$INPUT_REQUIRE_BASELINE" ]]; then
+  arguments+=(--no-require-baseline)
+fi
 option fail-on "$INPUT_FAIL_ON"
 options allow-tool-failure "$INPUT_ALLOW_TOOL_FAILURE"
 options plugin "$INPUT_PLUGINS"
@@ -154,6 +183,6 @@ elif [[ -f "$sarif" && -f "$counts" ]]; then
   new="$("$python" -I -c 'import json, sys; print(json.load(open(sys.argv[1], "rb"))["counts"]["open"])' "$counts")"
   printf 'sarif=%s\nnew-count=%d\n' "$sarif" "$new" >> "$GITHUB_OUTPUT"
 else
-  printf '::error title=haros-ci::Nothing was checked, because of wrong inputs or configuration, or shards that make no whole; see the log.\n'
+  printf '::error title=haros-ci::Nothing was checked, because of wrong inputs or configuration, a base revision that cannot be had, or shards that make no whole; see the log.\n'
 fi
 exit "$code"

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
 import re
@@ -15,6 +16,7 @@ from typing import Any
 import installing
 import pytest
 import yaml
+from commandline import cache_home
 from mutations import LAUNCH_XML, LISTENER_CPP, ROS2, TALKER_CPP, system
 
 from haros_ci.cli import check as check_command
@@ -165,15 +167,22 @@ class Job:
         return obeyed
 
 
-def run_action(workspace: Path, inputs: dict[str, str], *, base: str = "", action: Path = ROOT) -> Job:
-    """Run every step until one fails; ``install: false`` with this test's interpreter unless *inputs* say otherwise."""
+def run_action(
+    workspace: Path, inputs: dict[str, str], *, base: str = "", group: str | None = None, action: Path = ROOT
+) -> Job:
+    """Run every step until one fails; ``install: false`` with this test's interpreter unless *inputs* say otherwise.
+
+    *base* is the target branch of a pull request, *group* the event of a merge queue as JSON.
+    """
     temp = workspace.parent / "runner-temp"
     temp.mkdir(exist_ok=True)
+    (temp / "event.json").write_text(group or "{}")
     output, page = temp / "output", temp / "summary"
     output.write_text("")
     page.write_text("")
     defaults = {name: given["default"] for name, given in ACTION["inputs"].items()}
-    values = {**defaults, "python": sys.executable, "install": "false", **inputs}
+    shared = {"cache-dir": f"{cache_home()}/action"}
+    values = {**defaults, "python": sys.executable, "install": "false", **shared, **inputs}
     assert values.keys() == defaults.keys()
     code, log = 0, ""
     for number, step in enumerate(ACTION["runs"]["steps"]):
@@ -190,7 +199,8 @@ def run_action(workspace: Path, inputs: dict[str, str], *, base: str = "", actio
                 "GITHUB_WORKSPACE": str(workspace),
                 "GITHUB_OUTPUT": str(output),
                 "GITHUB_STEP_SUMMARY": str(page),
-                "GITHUB_EVENT_NAME": "pull_request" if base else "push",
+                "GITHUB_EVENT_NAME": "pull_request" if base else "push" if group is None else "merge_group",
+                "GITHUB_EVENT_PATH": str(temp / "event.json"),
                 "GITHUB_BASE_REF": base,
                 "RUNNER_TEMP": str(temp),
                 **{name: evaluate(text, values) for name, text in step.get("env", {}).items()},
@@ -271,8 +281,9 @@ def test_the_documented_workflow_fits() -> None:
 def test_only_the_new_finding_is_annotated(tmp_path: Path, depth: int | None, later: int) -> None:
     request = pull_request(tmp_path, {"arm/joints.py": ADDED}, later=later)
     checkout(request, tmp_path / "workspace", depth=depth)
-    job = run_action(tmp_path / "workspace", {}, base="main")
+    job = run_action(tmp_path / "workspace", {"cache-dir": ""}, base="main")
     assert job.code == 1, job.log
+    assert (job.temp / "haros-ci-cache").is_dir()
     assert job.outputs == {"exit-code": "1", "new-count": "1", "sarif": str(job.temp / "haros-ci.sarif")}
     [annotation] = [c for c in job.commands if c.startswith(("::error ", "::warning "))]
     assert "file=arm/joints.py" in annotation
@@ -354,15 +365,72 @@ def recorded(directory: Path, text: str) -> str:
     return (directory / "known.jsonl").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize(("require", "code"), [("false", 1), ("true", 3)])
+@pytest.mark.parametrize(("require", "code"), [("", 3), ("false", 1), ("true", 3)])
 def test_a_baseline_that_cannot_be_fetched_is_said_loudly(tmp_path: Path, require: str, code: int) -> None:
-    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    """And what the pull request says of itself does not count."""
+    hush = {".haros-ci.yaml": "ignore: [undefined-variable]\nfail-on: never\n"}
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED, **hush})
     checkout(request, tmp_path / "workspace")
     git(tmp_path / "workspace", "remote", "set-url", "origin", (tmp_path / "gone.git").as_uri())
     job = run_action(tmp_path / "workspace", {"require-baseline": require}, base="main")
-    assert (job.code, job.outputs["new-count"], job.outputs["exit-code"]) == (code, "2", str(code)), job.log
+    assert (job.code, job.outputs["exit-code"]) == (code, str(code)), job.log
     assert any("fetch-depth: 0" in command for command in job.commands)
     assert "no baseline" in job.log.lower()
+    if require == "false":
+        assert job.outputs["new-count"] == "2"
+        assert "The defaults and the command line are used" in html.unescape(job.summary)
+    else:
+        assert len(job.commands) == 1 and job.commands[0].startswith("::error"), (
+            "one clear error, and no finding is called new"
+        )
+        assert "new-count" not in job.outputs and "sarif" not in job.outputs
+
+
+def merge_group(workspace: Path, base: str) -> str:
+    """What GitHub says of a merge group that is put on *base*."""
+    sha = git(workspace, "rev-parse", base).strip()
+    return json.dumps({"action": "checks_requested", "merge_group": {"base_sha": sha, "base_ref": "refs/heads/main"}})
+
+
+@pytest.mark.parametrize("depth", [1, 0])
+def test_a_merge_group_is_compared_with_its_base(tmp_path: Path, depth: int) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    workspace = tmp_path / "workspace"
+    checkout(request, workspace, depth=depth)
+    job = run_action(workspace, {}, group=merge_group(request.origin, "main"))
+    assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
+    assert "updated" in states(job) or "unchanged" in states(job)
+
+
+@pytest.mark.parametrize(
+    "event", ["{}", "[1]", "no JSON", '{"merge_group": {"base_sha": "--upload-pack=x"}}', '{"merge_group": 1}']
+)
+def test_a_merge_group_without_a_base_is_one_error(tmp_path: Path, event: str) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": ADDED})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {}, group=event)
+    assert job.code == 3 and [c[:7] for c in job.commands] == ["::error"], job.log
+    job = run_action(tmp_path / "workspace", {"require-baseline": "false"}, group=event)
+    assert (job.code, job.outputs["new-count"]) == (1, "2"), job.log
+
+
+@pytest.mark.parametrize(
+    ("inputs", "base", "code"),
+    [
+        ({"baseline-rev": "nowhere"}, "", 3),
+        ({"baseline-rev": "nowhere", "require-baseline": "false"}, "", 0),
+        ({"baseline-rev": "HEAD"}, "", 0),
+        ({}, "main", 0),
+        ({}, "", 0),
+        ({"require-baseline": "true"}, "", 3),
+        ({"require-baseline": "yes"}, "", 2),
+    ],
+)
+def test_when_a_base_is_required(tmp_path: Path, inputs: dict[str, str], base: str, code: int) -> None:
+    request = pull_request(tmp_path, {"arm/joints.py": CLEAN})
+    checkout(request, tmp_path / "workspace")
+    job = run_action(tmp_path / "workspace", {"fail-on": "never", **inputs}, base=base)
+    assert (job.code, job.outputs["exit-code"]) == (code, str(code)), job.log
 
 
 def test_paths_are_lines_and_arguments_are_not_split(tmp_path: Path) -> None:
