@@ -33,6 +33,7 @@ MAX_NAMED = 3
 _DATA = frozenset(("yaml", "xml", "dockerfile", "shell", "setup"))
 _UNTOLD = frozenset(("markdown", OTHER))
 _PIECE = 1 << 20
+_MANIFEST = "package.xml"
 
 
 class Change:
@@ -102,7 +103,7 @@ class Change:
         analysed = {file.path: file.language for file in workspace.files}
         away = tuple(self._led_away(workspace.links, analysed, excludes))
         hiding = Hiding(
-            warnings=tuple(self._warnings(candidates, scope)),
+            warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
             notes=tuple(self._notes(candidates, scope, excludes)),
             unread=(*workspace.hiding.unread, *away),
         )
@@ -121,6 +122,26 @@ class Change:
             if files := [path for path in paths if path.startswith(f"{directory}/")]:
                 verb = "is" if len(files) == 1 else "are"
                 yield Problem(directory, f"{self._cause(directory)}; {_files(files)} below it {verb} analysed")
+
+    def _enclosing(self, chosen: Iterable[Candidate], workspace: Workspace) -> Iterator[Problem]:
+        """One for each package that the change makes around packages of the base: they are none any more, as nobody looks below one."""
+        packages = {package.path for package in workspace.packages}
+        swallowed: dict[str, list[str]] = {}
+        for path in sorted(candidate.path for candidate in chosen):
+            directory = path.rpartition("/")[0] or "."
+            if path.rpartition("/")[2] != _MANIFEST or path not in self.base or directory in packages:
+                continue
+            above = [*_parents(directory), "."]
+            if any(_manifest(parent) in self.base for parent in above):
+                continue  # it was part of another package before
+            if around := next((p for p in above if p in packages and _manifest(p) in self.tracked), None):
+                swallowed.setdefault(_manifest(around), []).append(directory)
+        for path, inner in swallowed.items():
+            text = f"the change makes a package around {_plural(len(inner), 'package')} of the base revision ({_named(inner)})"
+            yield Problem(
+                path,
+                f"{text}: colcon and catkin do not look below a package, so they are not built or checked as packages",
+            )
 
     def _cause(self, directory: str) -> str:
         """Why *directory* would be left out."""
@@ -229,6 +250,10 @@ def _named(paths: list[str]) -> str:
 
 def _plural(number: int, noun: str) -> str:
     return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"
+
+
+def _manifest(directory: str) -> str:
+    return _MANIFEST if directory == "." else f"{directory}/{_MANIFEST}"
 
 
 def _parents(path: str) -> Iterator[str]:

@@ -269,6 +269,68 @@ def test_a_given_directory_is_entered_and_nothing_is_said(trap: Trap) -> None:
     assert "does not count" not in done.stdout.decode() and done.returncode == 0, done.stdout
 
 
+# -- packages around packages --------------------------------------------------------------------------------------
+
+MANIFEST = """<package format="3"><name>{}</name><version>1.0.0</version><description>x</description>
+<maintainer email="a@b.de">a</maintainer><license>MIT</license><exec_depend>{}</exec_depend></package>
+"""
+
+
+def packages(trap: Trap, *names: str) -> None:
+    for name in names:
+        trap.write(f"src/{name}/package.xml", MANIFEST.format(name, "roscp"))
+
+
+@pytest.mark.parametrize(
+    ("around", "says"),
+    [
+        ("package.xml", "package around 2 packages of the base revision (src/arm, src/leg)"),
+        ("src/package.xml", "package around 2 packages of the base revision (src/arm, src/leg)"),
+    ],
+)
+def test_a_package_around_packages_is_named(around: str, says: str, trap: Trap) -> None:
+    """It takes their manifests out of the analysis, as colcon and catkin do not look below a package."""
+    pull_request(trap, lambda t: packages(t, "arm", "leg"), lambda t: t.write(around, MANIFEST.format("all", "rospy")))
+    outcome = trap.run("--baseline-rev=main", *QUICK, "--fail-on=never")
+    assert [path for path, message in outcome.notes() if says in message] == [around], outcome.notes()
+
+
+def test_a_manifest_that_moves_up_is_named(trap: Trap) -> None:
+    pull_request(
+        trap,
+        lambda t: packages(t, "arm", "arm/deep", "leg"),
+        lambda t: [(t.root / "src/leg/package.xml").rename(t.root / "src/package.xml")],
+    )
+    outcome = trap.run("--baseline-rev=main", *QUICK, "--fail-on=never")
+    assert outcome.says("package around 1 package of the base revision (src/arm)"), outcome.notes()
+
+
+@pytest.mark.parametrize(
+    ("base", "head"),
+    [
+        (lambda t: packages(t, "arm", "arm/deep"), lambda t: packages(t, "leg")),
+        (lambda t: packages(t, "arm/deep"), lambda t: t.git("mv", "src/arm/deep/package.xml", "src/arm/package.xml")),
+        (lambda t: packages(t, "arm"), lambda t: packages(t, "arm/deep")),
+        (lambda t: packages(t, "arm"), lambda t: (t.root / "src/arm/package.xml").unlink()),
+        (
+            lambda t: [packages(t, "arm/old"), t.write("src/arm/old/COLCON_IGNORE", "")],
+            lambda t: packages(t, "arm"),
+        ),
+        (
+            lambda t: [packages(t, "arm/old"), t.write(".haros-ci.yaml", "exclude: [src/arm/old]\n")],
+            lambda t: packages(t, "arm"),
+        ),
+    ],
+    ids=["beside", "moved up", "new one inside", "gone", "ignored inside", "excluded inside"],
+)
+def test_no_package_of_the_base_is_swallowed(
+    base: Callable[[Trap], object], head: Callable[[Trap], object], trap: Trap
+) -> None:
+    pull_request(trap, base, head)
+    outcome = trap.run("--baseline-rev=main", *QUICK, "--fail-on=never")
+    assert not outcome.says("package around"), outcome.notes()
+
+
 # -- submodules and other repositories ----------------------------------------------------------------------------
 
 
