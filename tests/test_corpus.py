@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bench of the corpus: its list, what is drawn of it, a run over checkouts, and the score of a sheet."""
+"""The bench of the corpus: its list, what is drawn of it, a run over checkouts, the score of a sheet, and fixes."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from typing import Any
 
 import pytest
 import yaml
-from bench.corpus import draw, repositories, run, score
+from bench.corpus import draw, fixes, repositories, run, score
 
 CATKIN = "<package><buildtool_depend>catkin</buildtool_depend></package>"
 AMENT = "<package><export><build_type>ament_python</build_type></export></package>"
 
 
-def commit(place: Path, files: Mapping[str, str]) -> Path:
-    """A git repository at *place* with one commit of *files*; its git directory."""
+def commit(place: Path, files: Mapping[str, str], message: str = "one") -> Path:
+    """A git repository at *place* with one more commit, in which *files* are written; its git directory."""
     for path, text in files.items():
         (place / path).parent.mkdir(parents=True, exist_ok=True)
         (place / path).write_text(text, "utf-8")
     who = ["-c", "user.name=a", "-c", "user.email=a@example.org", "-c", "commit.gpgsign=false"]
-    for arguments in (["init", "-q"], ["add", "-A", "-f"], [*who, "commit", "-q", "-m", "one"]):
+    for arguments in (["init", "-q"], ["add", "-A", "-f"], [*who, "commit", "-q", "-m", message]):
         subprocess.run(["git", "-C", str(place), *arguments], check=True)
     return place / ".git"
 
@@ -368,3 +368,123 @@ def test_facts_have_no_code(tmp_path: Path, monkeypatch: Any, capsys: pytest.Cap
     assert "| own error | 1 | 0 | 0 | 0 | 100 % |" in capsys.readouterr().out
     assert "secret" not in facts.read_text()
     assert score.rows_of(facts.read_text())[0]["reason"] == "because"
+
+
+# The fixes
+
+
+@pytest.mark.parametrize(
+    ("message", "fits"),
+    [
+        ("Fix the remapping", True),
+        ("launch: add missing include", True),
+        ("TYPO in package.xml", True),
+        ("Update a.py\n\nThis fixes #12", True),
+        ("forgot to install the config", True),
+        ("corrected topic name", True),
+        ("doesn't work with two robots", True),
+        ("add a fixture", False),
+        ("publish fixed_frame", False),
+        ("new prefix for the suffix", False),
+        ("debug output", False),
+        ("", False),
+    ],
+)
+def test_which_message_is_of_a_fix(message: str, fits: bool) -> None:
+    assert bool(fixes.WORDS.search(message)) == fits
+
+
+@pytest.mark.parametrize(
+    ("path", "kind"),
+    [
+        ("p/launch/a.launch", "launch"),
+        ("p/launch/sim/a.xml", "launch"),
+        ("p/bringup_launch.py", "launch"),
+        ("p/a.launch.yaml", "launch"),
+        ("package.xml", "manifest"),
+        ("p/CMakeLists.txt", "cmake"),
+        ("p/setup.cfg", "setup"),
+        ("p/config/a.yaml", "parameters"),
+        ("p/arm_params/left/a.yml", "parameters"),
+        ("p/msg/A.msg", "interface"),
+        ("p/urdf/a.urdf.xacro", "description"),
+        ("p/launcher/a.py", None),
+        ("p/my_package.xml", None),
+        (".github/workflows/ci.yaml", None),
+        ("config.yaml", None),
+        ("p/setup.sh", None),
+    ],
+)
+def test_a_kind_is_known_by_a_path(path: str, kind: str | None) -> None:
+    assert [name for name, pattern in fixes.KINDS.items() if pattern.search(path)] == ([kind] if kind else [])
+
+
+@pytest.mark.parametrize(
+    ("line", "call"),
+    [
+        ('pub = nh.advertise<std_msgs::Bool>("a", 1);', True),
+        ('self.create_publisher(Bool, "a", 1)', True),
+        ('node->declare_parameter<int>("a", 1);', True),
+        ('pnh.param("a", a_, 1);', True),
+        ('rospy.Subscriber("a", Bool, call)', True),
+        ('rospy.get_param("~a")', True),
+        ("publisher.publish(message)", False),
+        ("def param(x):", False),
+        ("// we subscribe to all", False),
+        ("create_timer(1.0, tick)", False),
+    ],
+)
+def test_a_call_names_a_topic_service_or_parameter(line: str, call: bool) -> None:
+    assert bool(fixes.CALLS.search(line)) == call
+
+
+def test_candidates_are_small_fixes_of_what_ros_reads(tmp_path: Path) -> None:
+    commit(tmp_path, {"p/package.xml": CATKIN, "p/a.py": "x = 1\n", "p/a.launch": "<launch/>"}, "fix: all of it")
+    commit(tmp_path, {"p/a.launch": "<launch></launch>"}, "Fix launch file")
+    commit(tmp_path, {"p/a.launch": "<launch/>"}, "port launch file")
+    commit(tmp_path, {"p/a.py": "x = 2\n"}, "fix x")
+    commit(tmp_path, {"p/a.py": 'x = rospy.get_param("x")\n', "p/package.xml": AMENT}, "wrong x")
+    commit(tmp_path, {f"p/{number}.launch": "" for number in range(fixes.FILES + 1)}, "fix many")
+    place = commit(
+        tmp_path, {f"p/{number}.msg": "" for number in range(fixes.FILES)}, "add missing messages\n\nall of them"
+    )
+    tip = repositories.git(place, "rev-parse", "HEAD").strip()
+    found = fixes.candidates(place, "o/p", tip)
+    assert [(entry["subject"], entry["kinds"]) for entry in found] == [
+        ("add missing messages", ["interface"]),
+        ("wrong x", ["manifest", "code"]),
+        ("Fix launch file", ["launch"]),
+    ]
+    assert found[0]["commit"] == tip and found[0]["parent"] == repositories.git(place, "rev-parse", "HEAD~").strip()
+    assert found[1]["files"] == ["p/a.py", "p/package.xml"]
+
+
+def test_a_merge_is_no_candidate_and_a_fix_applied_twice_is_one(tmp_path: Path) -> None:
+    place = commit(tmp_path, {"a.launch": "<launch/>"})
+    run_git = ["git", "-C", str(tmp_path), "-c", "user.name=a", "-c", "user.email=a@example.org"]
+    subprocess.run([*run_git, "checkout", "-q", "-b", "other"], check=True)
+    commit(tmp_path, {"b.launch": ""}, "fix b")
+    subprocess.run([*run_git, "checkout", "-q", "-b", "third", "HEAD~"], check=True)
+    commit(tmp_path, {"c.launch": ""}, "more")
+    subprocess.run([*run_git, "cherry-pick", "other"], check=True, capture_output=True)
+    subprocess.run([*run_git, "merge", "-q", "other", "-m", "fix merge"], check=True, capture_output=True)
+    found = fixes.candidates(place, "o/p", "HEAD")
+    assert [entry["subject"] for entry in found] == ["fix b"]
+
+
+def test_a_draw_of_fixes_is_the_same_again_and_takes_few_of_one_repository() -> None:
+    pool = [
+        {"repository": f"o/r{of}", "commit": f"{of}-{number}", "kinds": ["launch"]}
+        for of in range(5)
+        for number in range(10)
+    ]
+    forked = [*pool, pool[0] | {"repository": "x/fork"}]
+    taken = fixes.drawn(pool, 1, 12)
+    assert taken == fixes.drawn(reversed(forked), 1, 12) != fixes.drawn(pool, 2, 12)
+    assert max(Counter(entry["repository"] for entry in taken).values()) <= fixes.PER_REPOSITORY
+    with pytest.raises(ValueError, match="15 fixes can be drawn, not 16"):
+        fixes.drawn(pool, 1, 16)
+    assert fixes.counted(pool, ["not read: o/z"]).splitlines()[:2] == [
+        "50 candidates of 5 repositories; one may be of several kinds",
+        "launch: 50",
+    ]
