@@ -59,7 +59,7 @@ DOORS: dict[str, set[str]] = {
     "baselines": {"config", "errors", "model", "results", "workspace"},
     "brought": {"config", "model", "results", "workspace"},
     "launch_faults": {"architecture", "extract", "link", "model"},
-    "unmodelled": {"model"},
+    "unmodelled": {"model", "report"},
     "inspection": {
         "architecture",
         "launch_faults",
