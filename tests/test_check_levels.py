@@ -200,3 +200,43 @@ def test_sleeps_in_callbacks(path: str, body: str, expected: list[Level], tmp_pa
         path: "#!/usr/bin/env python3\n" + SLEEPER.format(body),
     }
     assert levels("sleep-in-callback", files, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("ignored", "expected"),
+    [
+        ("", Level.ERROR),
+        ("# config/made.yaml\n", Level.ERROR),
+        ("/made.yaml\n", Level.ERROR),
+        ("*.yaml\n!config/*.yaml\n", Level.ERROR),
+        ("madely.yaml\nbuild/\n", Level.ERROR),
+        ("config/made.yaml\n", Level.NOTE),
+        ("/config/made.yaml\n", Level.NOTE),
+        ("made.yaml\n", Level.NOTE),
+        ("*.yaml\n", Level.NOTE),
+        ("config/\n", Level.NOTE),
+        ("**/made.*\n", Level.NOTE),
+        ("!other.yaml\n*.y?ml\n", Level.NOTE),
+    ],
+)
+@pytest.mark.parametrize(
+    ("check", "tag"),
+    [
+        (
+            "parameter-file-missing",
+            '<node pkg="demo" exec="n"><param from="$(find-pkg-share demo)/config/made.yaml"/></node>',
+        ),
+        ("missing-launch-file", '<include file="$(find-pkg-share demo)/config/made.yaml"/>'),
+    ],
+)
+def test_a_file_that_git_ignores_is_made_elsewhere(
+    ignored: str, expected: Level, check: str, tag: str, tmp_path: Path
+) -> None:
+    files = {
+        "package.xml": ROS2,
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch config DESTINATION share/demo)"),
+        "config/other.yaml": "/**:\n  ros__parameters:\n    a: 1\n",
+        "launch/a.launch.xml": f"<launch>{tag}</launch>\n",
+        **({".gitignore": ignored} if ignored else {}),
+    }
+    assert levels(check, files, tmp_path) == [expected]

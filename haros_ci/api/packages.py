@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.appearing import may_appear
+from haros_ci.checking.appearing import is_ignored, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.editing import (
     add_dependency,
@@ -129,6 +129,7 @@ __all__ = [
     "install_place",
     "installs_nothing",
     "is_asked_for",
+    "is_ignored",
     "is_nested",
     "is_of_ros",
     "is_program",
