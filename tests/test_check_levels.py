@@ -240,3 +240,26 @@ def test_a_file_that_git_ignores_is_made_elsewhere(
         **({".gitignore": ignored} if ignored else {}),
     }
     assert levels(check, files, tmp_path) == [expected]
+
+
+READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({}, Level.WARNING),
+        ({"README.md": "ros2 launch demo a.launch.xml my_robot:=r1\n"}, Level.WARNING),
+        ({"README.md": "ros2 launch demo a.launch.xml robot:=r1\n"}, Level.NOTE),
+        ({"run.sh": "ros2 launch demo a.launch.xml robot:=$1\n"}, Level.NOTE),
+        ({"launch/a.launch.xml": f"<!-- robot:=NAME is needed -->\n{READS}"}, Level.NOTE),
+        ({"launch/a.launch.xml": READS.replace("<node", '<arg name="robots" default=""/><node')}, Level.ERROR),
+        ({"launch/a.launch.xml": READS.replace("</launch>", '<arg name="robot" default=""/></launch>')}, Level.ERROR),
+    ],
+)
+def test_a_launch_configuration_that_the_command_line_can_give(
+    files: dict[str, str], expected: Level, tmp_path: Path
+) -> None:
+    cmake = CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)")
+    every = {"package.xml": ROS2, "CMakeLists.txt": cmake, "launch/a.launch.xml": READS, **files}
+    assert levels("unset-launch-argument", every, tmp_path) == [expected]
