@@ -64,10 +64,10 @@ def check(project: Project) -> Iterator[Finding]:
                 needs.setdefault((package.name, folder), _Need())
             yield from _headers(package)
     programs = Programs(project)
-    found: dict[str, dict[str, _Need]] = {}
+    wanting: dict[str, dict[str, _Need]] = {}
     for (name, thing), need in needs.items():
-        found.setdefault(name, {})[thing] = need
-    for name, things in found.items():
+        wanting.setdefault(name, {})[thing] = need
+    for name, things in wanting.items():
         package = project.package(name)
         if package is None:
             continue
