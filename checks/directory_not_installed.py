@@ -4,12 +4,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 from haros_ci.api.launch import FileUse
-from haros_ci.api.packages import install_directory, install_line, install_place, landings
+from haros_ci.api.packages import (
+    Programs,
+    install_directory,
+    install_line,
+    install_place,
+    installs_nothing,
+    landings,
+    uninstalled,
+)
 
 _LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|[_-]launch\.(?:py|xml|ya?ml)$|^launch/.*\.xml$")
 _ASIDE = re.compile(
@@ -22,6 +30,8 @@ _NAMED = re.compile(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-
 #: How the manifest of a ROS 1 package names the descriptions of its plug-ins, and rqt's and rosdoc's files.
 _EXPORTED = re.compile(r"""\bplugin\s*=\s*["']\$\{prefix\}/([\w./+-]+)["']""")
 _MODELS = (".urdf", ".xacro", ".sdf", ".world", ".rviz", ".srdf")
+#: So many places that need something are shown.
+_SHOWN = 5
 _HEADERS = (".h", ".hpp", ".hh", ".hxx", ".ipp", ".tpp")
 
 
@@ -53,10 +63,20 @@ def check(project: Project) -> Iterator[Finding]:
             for folder, place in _launch_folders(package):
                 needs.setdefault((package.name, folder), _Need())
             yield from _headers(package)
+    programs = Programs(project)
+    wanting: dict[str, dict[str, _Need]] = {}
     for (name, thing), need in needs.items():
+        wanting.setdefault(name, {})[thing] = need
+    for name, things in wanting.items():
         package = project.package(name)
-        if package is not None:
-            yield from _finding(package, thing, need)
+        if package is None:
+            continue
+        if not installs_nothing(package):
+            for thing, need in things.items():
+                yield _finding(package, thing, need)
+        elif all(each.level is Level.NOTE for each in uninstalled(package, programs)):
+            # else target-not-installed tells that the package has no install() at all
+            yield _finding(package, *next(iter(things.items()))) if len(things) == 1 else _nothing(package, things)
 
 
 def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
@@ -187,7 +207,33 @@ def _includes(package: ProjectPackage) -> Iterator[str]:
         yield from (name.strip('<>"') for name in program.includes) if program is not None else ()
 
 
-def _finding(package: ProjectPackage, thing: str, need: _Need) -> Iterator[Finding]:
+def _nothing(package: ProjectPackage, things: Mapping[str, _Need]) -> Finding:
+    """One finding for a package without any install rule."""
+    names = ", ".join(things)
+    places = list(dict.fromkeys(place for need in things.values() for place in need.places))
+    fix = install_line(package, _install_all(package, things), f"install {names}")
+    is_needed = bool(places) and package.ros == 2
+    finder = "ros2 launch and nodes" if package.ros == 2 else "in an install space roslaunch and nodes"
+    return Finding(
+        at=install_place(package),
+        message=f"{package.name} has no install() at all: {finder} do not find {names}",
+        about=(package.name, *things),
+        apart=tuple(things),
+        related=tuple(places[:_SHOWN]),
+        level=Level.ERROR if is_needed else Level.WARNING,
+        fixes=(fix,) if fix is not None else (),
+    )
+
+
+def _install_all(package: ProjectPackage, things: Iterable[str]) -> str:
+    share = "share/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_SHARE_DESTINATION}"
+    folders = [thing for thing in things if package.inside(thing) in package.project.directories]
+    files = [thing for thing in things if thing not in folders]
+    kinds = (("DIRECTORY", folders), ("FILES", files))
+    return "\n".join(f"install({kind} {' '.join(names)} DESTINATION {share})" for kind, names in kinds if names)
+
+
+def _finding(package: ProjectPackage, thing: str, need: _Need) -> Finding:
     is_folder = package.inside(thing) in package.project.directories
     is_old = package.ros == 1
     what = f"the directory {thing}" if is_folder else f"the file {thing}"
@@ -203,12 +249,12 @@ def _finding(package: ProjectPackage, thing: str, need: _Need) -> Iterator[Findi
         message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files"
     if not need.wrong and is_folder and package.build.commands:
         fix = install_directory(package, thing)
-    yield Finding(
+    return Finding(
         at=install_place(package),
         message=message,
         about=(package.name, thing),
         apart=(thing,),
-        related=tuple(need.places[:5]),
+        related=tuple(need.places[:_SHOWN]),
         level=Level.ERROR if need.places and not is_old else Level.WARNING,
         fixes=(fix,) if fix is not None else (),
     )

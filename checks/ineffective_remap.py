@@ -6,23 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from haros_ci.api import Check, End, Finding, Level, Location, RemapRule, System, SystemNode, is_slip, may_be
+from haros_ci.api import Check, End, Finding, Level, Location, RemapRule, System, SystemNode, is_idle, is_slip
 
-#: What libraries use inside nodes, seen or not.
-COMMON = frozenset(
-    {"tf", "tf_static", "clock", "rosout", "parameter_events", "diagnostics", "bond", "robot_description"}
-)
-#: Names that image_transport and point_cloud_transport put below the topic that a rule is for.
-TRANSPORTS = frozenset({"compressed", "compressedDepth", "theora", "ffmpeg", "zstd", "zlib", "draco", "cloudini"})
-#: Programs of which the names have been the same for years, so that the data on them can be taken for complete.
-WELL_KNOWN = frozenset(
-    {
-        "robot_state_publisher/robot_state_publisher",
-        "joint_state_publisher/joint_state_publisher",
-        "joint_state_publisher_gui/joint_state_publisher_gui",
-        "tf2_ros/static_transform_publisher",
-    }
-)
 #: Parameters can be remapped in ROS 1 alone.
 PARAMETERS = ("getters", "setters")
 
@@ -40,51 +25,22 @@ def check(system: System) -> Iterator[Finding]:
     for node in system.nodes:
         for rule in node.raw.rules:
             rules.setdefault((rule.location, rule.source), _Used(rule)).nodes.append((node, rule))
+    # rules of the same nodes for one name, and copies of a list of rules in one file, are one slip
+    alike: dict[tuple[str, ...], list[_Used]] = {}
     for used in rules.values():
-        if all(_is_idle(node, rule) for node, rule in used.nodes):
-            yield _finding(used)
+        if all(is_idle(node, rule) for node, rule in used.nodes):
+            kinds = sorted({f"{node.package}/{node.type}" for node, _ in used.nodes})
+            alike.setdefault((used.rule.location.path, used.rule.source, *kinds), []).append(used)
+    for group in alike.values():
+        yield _finding(group)
 
 
-def _is_idle(node: SystemNode, rule: RemapRule) -> bool:
-    """Whether it is certain that the node has no name that the rule is for."""
-    source = rule.source_name
-    is_told = node.complete or (node.type in WELL_KNOWN and bool(node.ends))
-    if source is None or source == rule.target_name or not is_told or not node.known or node.kind == "library":
-        return False
-    if source.rpartition("/")[2] in COMMON or not node.is_launched:
-        return False
-    if any(end.name == rule.target_name for end in node.ends):
-        return False  # the code may have resolved the name itself, and used what came out
-    return not any(_may_be(end, source) for end in node.ends)
-
-
-def _may_be(end: End, source: str) -> bool:
-    if end.kind in PARAMETERS and end.node.ros == 2:
-        return False
-    name = end.raw.original_name
-    base, _, last = name.rpartition("/")
-    if last in TRANSPORTS and base == source:
-        return True
-    below = ""
-    while len(source) > 1:
-        if may_be(name, source) and (not below or "?" in name or _is_below(end, below)):
-            return True
-        source, _, last = source.rpartition("/")
-        below = f"{last}/{below}"
-    return False
-
-
-def _is_below(end: End, rest: str) -> bool:
-    """Whether *end* may bring a name that goes on with *rest*: ``compressed/`` of an image, ``_action/send_goal/``, a parameter's parts."""
-    if end.kind in ("publishers", "subscribers"):
-        return rest.partition("/")[0] in TRANSPORTS or (end.node.ros == 1 and "image" in (end.type or "image").lower())
-    return end.kind not in ("servers", "clients") or rest.startswith("_")
-
-
-def _finding(used: _Used) -> Finding:
-    node, rule = used.nodes[0]
+def _finding(group: list[_Used]) -> Finding:
+    """One finding at the first of the rules; the others are related places."""
+    (node, rule), others = group[0].nodes[0], group[1:]
     meant = _meant(node, rule)
-    more = f" (nor have {len(used.nodes) - 1} more nodes)" if len(used.nodes) > 1 else ""
+    nodes = {each.name: each for used in group for each, _ in used.nodes}
+    more = f" (nor have {len(nodes) - 1} more nodes)" if len(nodes) > 1 else ""
     hint = ""
     if meant is not None:
         written = (
@@ -98,8 +54,13 @@ def _finding(used: _Used) -> Finding:
         message=(
             f"{node} has no topic or service {rule.source_name}{more}: remapping {rule.source} to {rule.target} does nothing{hint}"
         ),
-        about=(node, rule.source_name or rule.source),
+        about=(node, *(name for name in nodes if name != node.name), rule.source_name or rule.source),
+        apart=(rule.source,),
         related=(
+            *(
+                (used.rule.location, f"remaps {used.rule.source} to {used.rule.target} for nothing, too")
+                for used in others
+            ),
             (node.location, f"{node} is started here"),
             *(((meant.location, f"{meant.word} {meant.original_name}"),) if meant is not None else ()),
         ),

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, System
 from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, meant
+from haros_ci.api.packages import is_ignored
 
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
@@ -34,7 +35,9 @@ def check(system: System) -> Iterator[Finding]:
         ):
             continue
         said.add(use.text)
-        hint = meant(use.similar)
+        is_made = system.workspace is not None and use.path is not None and is_ignored(system.workspace, use.path)
+        hint = "; .gitignore names it, so that it may be made elsewhere" if is_made else meant(use.similar)
+        level = None if use.kind in ("include", "parameters", "text") else Level.WARNING
         what = _WHAT[use.kind] + (f" of {use.name!r}," if use.kind == "default" else "")
         yield Finding(
             at=use.location,
@@ -42,7 +45,7 @@ def check(system: System) -> Iterator[Finding]:
             about=(f"{use.package}/{use.inner}",),
             flow=included_by(use),
             apart=(use.text,),
-            level=None if use.kind in ("include", "parameters", "text") else Level.WARNING,
+            level=Level.NOTE if is_made else level,
             presence=use.presence,
         )
 

@@ -5,35 +5,59 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, RemapRule, System, together
+from haros_ci.api import Check, Finding, Level, Location, RemapRule, System, SystemNode, is_idle, together
 
 
 def check(system: System) -> Iterator[Finding]:
+    # the same two rules given to several nodes, by a list or by an include, are one slip
+    found: dict[tuple[Location, str, Location], list[tuple[SystemNode, RemapRule, RemapRule]]] = {}
     for node in system.nodes:
-        first: dict[str, RemapRule] = {}
-        for rule in node.raw.rules if node.ros == 2 and node.known else ():
-            if rule.source_name is None or rule.target_name is None or rule.node:
-                continue
-            if any(scheme in rule.source for scheme in ("://", "?")):
-                continue
-            earlier = first.get(rule.source_name)
-            if earlier is None:
-                if not rule.conditions:
-                    first[rule.source_name] = rule
-            elif earlier.target_name != rule.target_name and earlier.location != rule.location:
-                presence = together(earlier.presence, rule.presence, node.presence)
-                if presence is not None:
-                    where = " for all nodes" if earlier.is_global else ""
-                    yield Finding(
-                        at=rule.location,
-                        message=(
-                            f"{rule.source_name} of {node} is remapped to {rule.target_name} for nothing: "
-                            f"an earlier rule{where} leads to {earlier.target_name}, and the first one counts"
-                        ),
-                        about=(node, rule.source_name),
-                        related=((earlier.location, f"leads to {earlier.target_name}"),),
-                        presence=presence,
-                    )
+        if node.ros == 2 and node.known and node.is_launched:
+            for earlier, rule in _hidden(node):
+                found.setdefault((rule.location, rule.source, earlier.location), []).append((node, earlier, rule))
+    for pairs in found.values():
+        yield from _finding(pairs)
+
+
+def _hidden(node: SystemNode) -> Iterator[tuple[RemapRule, RemapRule]]:
+    """Rules of *node* with the earlier one that is taken; those for names that the node does not have are ineffective-remap's."""
+    first: dict[str, RemapRule] = {}
+    for rule in node.raw.rules:
+        if rule.source_name is None or rule.target_name is None or rule.node or rule.conditions:
+            continue
+        if any(scheme in rule.source for scheme in ("://", "?")):
+            continue
+        earlier = first.setdefault(rule.source_name, rule)
+        if earlier.target_name == rule.target_name or earlier.location == rule.location:
+            continue
+        if not is_idle(node, rule):
+            yield earlier, rule
+
+
+def _finding(pairs: list[tuple[SystemNode, RemapRule, RemapRule]]) -> Iterator[Finding]:
+    possible = [
+        (node, earlier, rule, presence)
+        for node, earlier, rule in pairs
+        for presence in [together(earlier.presence, rule.presence, node.presence)]
+        if presence is not None
+    ]
+    if not possible:
+        return
+    node, earlier, rule, presence = possible[0]
+    names = dict.fromkeys(each.name for each, *_ in possible)
+    more = f" and {len(names) - 1} more nodes" if len(names) > 1 else ""
+    where = ", set for all nodes of its group," if earlier.is_global and not rule.is_global else ""
+    yield Finding(
+        at=rule.location,
+        message=(
+            f"{node}{more}: remapping {rule.source} to {rule.target} does nothing, as an earlier rule{where} remaps it to "
+            f"{earlier.target}, and ROS 2 takes the first rule that matches; remove one of them"
+        ),
+        about=(node, *(name for name in names if name != node.name), rule.source_name or rule.source),
+        apart=(rule.source,),
+        related=((earlier.location, f"remaps {earlier.source} to {earlier.target}"),),
+        presence=presence,
+    )
 
 
 CHECK = Check(
@@ -41,6 +65,7 @@ CHECK = Check(
     summary="No remapping rule of a node is hidden by an earlier one for the same name.",
     level=Level.WARNING,
     catalogue="L11",
+    aliases=("shadowed-remap",),
     tags=("launch", "remapping"),
     run=check,
 )

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, System
 from haros_ci.api.launch import FileUse, ParameterFileUse
+from haros_ci.api.packages import is_ignored
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -22,12 +23,16 @@ def check(system: System) -> Iterator[Finding]:
             else f"launch says so in a warning, and starts {use.node or program} without these parameters"
         )
         meant = next(iter(similar.get(use.location, ())), None)
+        hint = f"; did you mean {meant}?" if meant else ""
+        is_made = system.workspace is not None and use.path is not None and is_ignored(system.workspace, use.path)
+        if is_made:
+            hint = "; .gitignore names it, so that it may be made elsewhere"
         yield Finding(
             at=use.location,
-            message=f"the parameter file {use.text} does not exist: {what}"
-            + (f"; did you mean {meant}?" if meant else ""),
+            message=f"the parameter file {use.text} does not exist: {what}{hint}",
             about=(use.text, program),
             flow=tuple((place, "includes the next one") for place in use.included),
+            level=Level.NOTE if is_made else None,
             presence=use.presence,
         )
 

@@ -4,69 +4,137 @@
 from __future__ import annotations
 
 import posixpath
-import re
-from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
-from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import Target, install_line, landings
-
-#: Parts of paths and names of what is there for developers.
-_ASIDE = re.compile(
-    r"(?:^|[/_-])(?:tests?|testing|tester|examples?|benchmarks?|benchmarking|bench|demos?|samples?|tutorials?|tools?|fuzz\w*|mock|dummy"
-    r"|scratch|experimental|debug|generate|generator|gen|profil\w+|playground|sandbox|old|deprecated|unused)(?:$|[/_.-])"
+from haros_ci.api.packages import (
+    Programs,
+    Target,
+    Uninstalled,
+    install_line,
+    installs_nothing,
+    is_program,
+    may_be_installed,
+    uninstalled,
 )
-_TESTS = re.compile(r"(?:^|_)(?:tests?|testing|benchmarks?|tools)(?:$|_)")
-_RUN = re.compile(r"\b(?:ros2 run|rosrun)\s+([\w-]+)\s+([\w.-]+)")
 
-#: The launch tags by package and program.
-_Uses = Mapping[tuple[str, str], Location]
-#: What the code of a node uses by itself, and what leaves it to a library.
-_CLIENT = re.compile(r"\b(?:ros|roscpp|rclcpp\w*|rcl|nodelet|nav2_\w+)::\w|\brclcpp\b|\binit\s*\(\s*argc\b")
+#: So many programs of one finding are named, and have a related place.
+_SHOWN = 5
+_ORDER = (Level.ERROR, Level.WARNING, Level.NOTE)
 
 
 def check(project: Project) -> Iterator[Finding]:
-    uses: dict[tuple[str, str], Location] = {}
-    for system in project.systems:
-        for use in system.facts(ProgramUse):
-            if use.kind == "executable":
-                uses.setdefault((use.package, use.program), use.location)
-    told = _documented(project)
+    programs = Programs(project)
     for package in project.packages:
         if package.ros is None or package.raw.is_metapackage:
             continue
-        found = list(_of(package, uses, told))
-        if package.ros == 1 and len(found) > 1 and not package.cmake.installs:
-            names = ", ".join(each.apart[0] for each in found)
-            message = f"{package.name} installs nothing of what it builds: {names} are not there in an install space"
-            found = [replace(found[0], message=message, about=(package.name,), apart=(), fixes=())]
-        yield from found
+        libraries = list(_libraries(package)) if _is_known(package) else []
+        left = list(uninstalled(package, programs))
+        if (libraries or left) and installs_nothing(package):
+            yield _nothing(package, libraries, left)
+            continue
+        yield from libraries
+        if _is_known(package):
+            yield from _elsewhere(package, programs)
+        groups: dict[tuple[str, Level], list[Uninstalled]] = {}
+        for each in left:
+            groups.setdefault((each.kind, each.level), []).append(each)
+        for group in groups.values():
+            yield _left_out(package, group)
 
 
-def _of(package: ProjectPackage, uses: _Uses, told: _Uses) -> Iterator[Finding]:
-    if package.build.commands and package.cmake.is_whole and not package.cmake.installs_unknown:
-        yield from _libraries(package)
-        yield from _executables(package, uses)
-    yield from _scripts(package, uses, told)
+def _is_known(package: ProjectPackage) -> bool:
+    return bool(package.build.commands) and package.cmake.is_whole and not package.cmake.installs_unknown
 
 
-def _documented(project: Project) -> dict[tuple[str, str], Location]:
-    """The programs that Markdown and reStructuredText run by name."""
-    found: dict[tuple[str, str], Location] = {}
-    for path in sorted(project.workspace.names):
-        if path.lower().endswith((".md", ".rst")) and not re.match(r"changelog", posixpath.basename(path), re.I):
-            text = project.text(path)
-            for match in _RUN.finditer(text):
-                found.setdefault((match[1], match[2]), Location(path, text.count("\n", 0, match.start()) + 1))
-    return found
+def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Uninstalled]) -> Finding:
+    """One finding for a package without any install rule: nothing else of it is to be said."""
+    places = [(each.at, each.apart[0], each.level or Level.ERROR, each.related) for each in libraries]
+    places += [(each.at, each.shown, each.level, each.related) for each in left]
+    names = [name for _, name, _, _ in places]
+    are = "is" if len(names) == 1 else "are"
+    finder = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
+    them = "it" if len(names) == 1 else "them"
+    message = f"{package.name} has no install() at all: {_listed(names)} {are} built, but not installed, and {finder} not find {them}"
+    return Finding(
+        at=places[0][0],
+        message=message,
+        about=(package.name,),
+        related=_related(((at, f"{name} is not installed") for at, name, _, _ in places[1:]), (r for *_, r in places)),
+        level=min((level for _, _, level, _ in places), key=_ORDER.index),
+        fixes=_fixes(package, left) if left and not libraries and len({each.kind for each in left}) == 1 else (),
+    )
+
+
+def _left_out(package: ProjectPackage, group: list[Uninstalled]) -> Finding:
+    """One finding for all programs of a kind for which the same is at stake: one install() mends them."""
+    first, kind = group[0], group[0].kind
+    runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
+    names = [each.shown for each in group]
+    if len(group) == 1:
+        message = f"the {kind} {first.shown} is not installed: {runner} not find it"
+    else:
+        message = f"the {kind}s {_listed(names)} are not installed: {runner} not find them"
+    things = tuple(each.name for each in group)
+    others = ((each.at, f"{each.shown} is not installed") for each in group[1:])
+    return Finding(
+        at=first.at,
+        message=message,
+        about=(package.name, *things),
+        related=_related(others, (each.related for each in group)),
+        apart=things,
+        level=first.level,
+        fixes=_fixes(package, group),
+    )
+
+
+def _listed(names: list[str]) -> str:
+    """*names* in words, of many the first ones and how many more there are."""
+    if len(names) > _SHOWN:
+        return f"{', '.join(names[:_SHOWN])} and {len(names) - _SHOWN} more"
+    return " and ".join(part for part in (", ".join(names[:-1]), names[-1]) if part)
+
+
+def _related(
+    others: Iterable[tuple[Location, str]], starts: Iterable[tuple[tuple[Location, str], ...]]
+) -> tuple[tuple[Location, str], ...]:
+    """The other places, and what starts the programs: each place once."""
+    found: dict[Location, str] = {}
+    for place, text in (*others, *(each for group in starts for each in group)):
+        found.setdefault(place, text)
+    return tuple(found.items())
+
+
+def _fixes(package: ProjectPackage, group: list[Uninstalled]) -> tuple[Fix, ...]:
+    names = " ".join(each.name for each in group)
+    if group[0].kind == "script":
+        if package.ros == 1:
+            line = f"catkin_install_python(PROGRAMS {names} DESTINATION ${{CATKIN_PACKAGE_BIN_DESTINATION}})"
+        else:
+            line = f"install(PROGRAMS {names} DESTINATION lib/${{PROJECT_NAME}})"
+    else:
+        if any(each.at.path != package.cmake_path for each in group):
+            return ()
+        place = "lib/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_BIN_DESTINATION}"
+        line = f"install(TARGETS {names} DESTINATION {place})"
+    fix = install_line(package, line, f"install {_listed([each.name for each in group])}")
+    return (fix,) if fix is not None else ()
+
+
+def _elsewhere(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
+    """Executables that are installed to where nothing looks for them."""
+    for target in package.cmake.targets.values():
+        if is_program(package, target) and may_be_installed(package, target):
+            use = programs.started.get((package.name, target.output))
+            related = ((use, "is started here"),) if use is not None else ()
+            yield from _misplaced(package, target, list(package.cmake.destinations(target.name)), related)
 
 
 def _libraries(package: ProjectPackage) -> Iterator[Finding]:
     """Libraries that something needs when it runs, or that are exported."""
     cmake, said = package.cmake, set[str]()
     for target, why, where in _needed(package):
-        if target.name in said or _may_be_installed(package, target) or target.is_conditional:
+        if target.name in said or may_be_installed(package, target) or target.is_conditional:
             continue
         if cmake.is_shared(target) is not True:
             continue
@@ -121,43 +189,6 @@ def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[
                 yield cmake.targets[word], why, ((command.location, "exports it"),)
 
 
-def _executables(package: ProjectPackage, uses: _Uses) -> Iterator[Finding]:
-    cmake = package.cmake
-    for target in cmake.targets.values() if package.raw.build_type != "cmake" else ():
-        if target.kind != "executable" or target.is_test or target.is_conditional or target.component:
-            continue
-        use = uses.get((package.name, target.output))
-        related = ((use, "is started here"),) if use is not None else ()
-        if _may_be_installed(package, target):
-            places = [] if cmake.installs_unknown else list(cmake.destinations(target.name))
-            yield from _misplaced(package, target, places, related)
-            continue
-        shown = [path.removeprefix(f"{package.path}/") for path in target.sources]
-        if use is None and _is_for_tests(package, target.name, *shown):
-            continue
-        runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
-        least = Level.WARNING if use is not None or _may_be_node(package, target) else Level.NOTE
-        yield _finding(
-            package,
-            target.name,
-            f"the executable {target.output} is not installed: {runner} not find it",
-            level=Level.ERROR if use is not None and package.ros == 2 else least,
-            at=target.location,
-            related=related,
-            fix=_fix(package, target),
-        )
-
-
-def _may_be_node(package: ProjectPackage, target: Target) -> bool:
-    """Whether a program may be a node: its sources are not known, or one uses the client library."""
-    return not target.sources or any(_CLIENT.search(package.project.text(path)) for path in target.sources)
-
-
-def _is_for_tests(package: ProjectPackage, *names: str) -> bool:
-    """Whether an executable that nothing starts is there for developers alone, by the names of it, its files or its package."""
-    return any(_ASIDE.search(name.lower()) for name in names) or bool(_TESTS.search(package.name))
-
-
 def _misplaced(
     package: ProjectPackage, target: Target, places: list[str], related: tuple[tuple[Location, str], ...]
 ) -> Iterator[Finding]:
@@ -181,77 +212,11 @@ def _misplaced(
     )
 
 
-def _scripts(package: ProjectPackage, uses: _Uses, told: _Uses) -> Iterator[Finding]:
-    """Python nodes that are files of their own."""
-    if package.cmake_path not in package.project.workspace.names:
-        return  # setup.py's packages start their nodes by entry points
-    if not package.cmake.is_whole or any("${" in word for i in package.cmake.installs for word in i.things):
-        return
-    listed = {each.path: each for each in package.build.installed if each.kind in ("file", "program")}
-    for path in package.build.scripts:
-        shown, name = path.removeprefix(f"{package.path}/"), posixpath.basename(path)
-        use, how = uses.get((package.name, name)), "is started here"
-        text = package.project.text(path)
-        if landings(package, path) or _is_module(package, path) or name in package.cmake.mentioned:
-            continue
-        if any(word == name or word.endswith(f"/{name}") for word in package.cmake.mentioned):
-            continue
-        is_aside = _ASIDE.search(shown.lower()) is not None
-        if use is None and not is_aside:
-            use = told.get((package.name, name))
-            how = "is run here"
-        if use is None and not is_aside and _is_node(package, text):
-            beside = (each for each in listed.values() if posixpath.dirname(each.path) == posixpath.dirname(path))
-            other = next((each for each in beside if each.kind == "program"), None)
-            use, how = (other.location, "installs the other scripts there") if other is not None else (None, how)
-        if use is None or (is_aside and _ASIDE.search(use.path.lower())):
-            continue
-        runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
-        yield _finding(
-            package,
-            shown,
-            f"the script {shown} is not installed: {runner} not find it",
-            level=Level.ERROR if how == "is started here" and package.ros == 2 else Level.WARNING,
-            at=Location(path, 1),
-            related=((use, how),),
-            fix=install_line(package, _install_script(package, shown), f"install {shown}"),
-        )
-
-
-def _is_node(package: ProjectPackage, text: str) -> bool:
-    """Whether a script is a node of the package's own ROS, to be run as it stands."""
-    client = "rospy" if package.ros == 1 else "rclpy"
-    is_main = re.search(r"__name__\s*==\s*['\"]__main__['\"]", text)
-    return bool(is_main) and re.search(rf"(?m)^\s*(?:import|from)\s+{client}\b", text) is not None
-
-
-def _install_script(package: ProjectPackage, shown: str) -> str:
-    if package.ros == 1:
-        return f"catkin_install_python(PROGRAMS {shown} DESTINATION ${{CATKIN_PACKAGE_BIN_DESTINATION}})"
-    return f"install(PROGRAMS {shown} DESTINATION lib/${{PROJECT_NAME}})"
-
-
-def _is_module(package: ProjectPackage, path: str) -> bool:
-    """Whether the file is part of a Python package that is installed as such."""
-    for name, directory in package.build.python_roots:
-        below = f"{directory}/" if directory != "." else ""
-        if name and path.startswith(below):
-            return True
-    return f"{posixpath.dirname(path)}/__init__.py" in package.project.workspace.names
-
-
-def _may_be_installed(package: ProjectPackage, target: Target) -> bool:
-    return target.is_installed or target.name in package.cmake.mentioned or target.is_test
-
-
 def _fix(package: ProjectPackage, target: Target) -> Fix | None:
-    """An install() of its own."""
+    """An install() of its own for a library."""
     if target.location.path != package.cmake_path:
         return None
-    if target.kind == "executable":
-        place = "lib/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_BIN_DESTINATION}"
-        line = f"install(TARGETS {target.name} DESTINATION {place})"
-    elif package.ros == 2:
+    if package.ros == 2:
         line = f"install(TARGETS {target.name} ARCHIVE DESTINATION lib LIBRARY DESTINATION lib RUNTIME DESTINATION bin)"
     else:
         place = "${CATKIN_PACKAGE_LIB_DESTINATION}"

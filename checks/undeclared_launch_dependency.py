@@ -40,7 +40,7 @@ def check(system: System) -> Iterator[Finding]:
         if package.name not in provided:
             provided[package.name] = _provided(package, system)
         found, is_whole = provided[package.name]
-        if use.package in found:
+        if use.package in found or not _exists(use.package, package.ros, system):
             continue
         tag = "exec_depend" if package.format > 1 else "run_depend"
         yield Finding(
@@ -52,6 +52,12 @@ def check(system: System) -> Iterator[Finding]:
             apart=(use.package,),
             level=None if is_whole else Level.NOTE,
         )
+
+
+def _exists(name: str, ros: int | None, system: System) -> bool:
+    """Whether the workspace or a distribution has a package *name*, so that declaring it helps; unknown-package tells of slips."""
+    known = knowledge()
+    return name in system.packages or not known.is_there or known.is_in(name, ros)
 
 
 def _manifest(package: Package) -> Location:

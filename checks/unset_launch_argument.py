@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, System
 from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant
+
+#: Where commands stand that people and scripts start launch files with.
+_SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -23,14 +27,28 @@ def check(system: System) -> Iterator[Finding]:
         if read.ros == 2 and read.name in places:
             yield _undeclared(read, how, read.location.path in places[read.name])
             continue
+        # Both launchers set what the command line gives, declared or not; ROS 1 for the launched file alone.
+        is_settable = not read.similar and (read.ros == 2 or not read.included)
+        unless = f", unless '{read.name}:=…' is given; declare it" if is_settable else ""
+        is_given = is_settable and _is_given(system, read)
         yield Finding(
             at=read.location,
-            message=f"{how} is read, but nothing declares or sets it: launch stops here{meant(read.similar)}",
+            message=f"{how} is read, but nothing declares or sets it: launch stops here{unless}{meant(read.similar)}",
+            level=Level.NOTE if is_given else Level.WARNING if is_settable else None,
             about=(read.name,),
             apart=(read.name,),
             flow=included_by(read),
             presence=read.presence,
         )
+
+
+def _is_given(system: System, read: ArgumentRead) -> bool:
+    """Whether a page or a script of the workspace, or the launch file, shows a command that gives the argument."""
+    if system.workspace is None:
+        return False
+    given = re.compile(rf"(?<![\w-]){re.escape(read.name)}:=")
+    paths = (path for path in system.workspace.names if path.lower().endswith(_SHOWING) or path == read.location.path)
+    return any(given.search(system.workspace.text(path)) for path in sorted(paths))
 
 
 def _undeclared(read: ArgumentRead, how: str, is_here: bool) -> Finding:

@@ -15,6 +15,8 @@ _OF_ROS1 = re.compile(
 )
 _YAML = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
 _PYTHON = (".launch.py", "_launch.py", "-launch.py")
+#: How an extension of launch registers a tag (launch/frontend/expose.py).
+_EXPOSED = re.compile(r"\bexpose_action\(\s*[\"']([\w-]+)[\"']")
 #: How sentences on limits of ours begin.
 _LIMITS = ("more than ", "nested deeper ")
 #: roslaunch's xmlloader.py, ``reqd_attrs``.
@@ -42,13 +44,19 @@ def refused(workspace: Workspace) -> Iterator[Problem]:
 
     read = launch_reader(workspace)
     of_ros2 = is_ros2_file(workspace)
+    own_tags: frozenset[str] | None = None
     ros = {package.name: package.ros for package in workspace.packages}
     for file in workspace.files:
         if "template" in file.path.lower():
             continue
         if file.language == "launch":
             is_ros1 = ros.get(file.package or "") == 1
-            yield from _of_tags(workspace, file.path, read, of_ros2(file.path), is_ros1)
+            for problem in _of_tags(workspace, file.path, read, of_ros2(file.path), is_ros1):
+                if not problem.is_certain:
+                    own_tags = _registered(workspace) if own_tags is None else own_tags
+                    if any(f"<{tag}>" in problem.message for tag in own_tags):
+                        continue
+                yield problem
         elif file.language == "python" and file.path.endswith(_PYTHON) and ros.get(file.package or "") == 2:
             yield from _of_python(workspace, file.path)
 
@@ -79,7 +87,19 @@ def _of_tags(
 
 
 def _problems(path: str, found: tuple[tuple[int, str], ...]) -> Iterator[Problem]:
-    return (Problem(path, message, line) for line, message in found if not message.startswith(_LIMITS))
+    from haros_ci.extract.launch.ros2_entity import EXTENSION
+
+    return (
+        Problem(path, message, line, is_certain=not message.startswith(EXTENSION))
+        for line, message in found
+        if not message.startswith(_LIMITS)
+    )
+
+
+def _registered(workspace: Workspace) -> frozenset[str]:
+    """The tags that Python code of the workspace registers with launch's front ends."""
+    texts = (workspace.text(file.path) for file in workspace.files if file.language == "python")
+    return frozenset(match[1] for text in texts if "expose_action" in text for match in _EXPOSED.finditer(text))
 
 
 def _of_ros1(path: str, element: LaunchElement) -> Iterator[Problem]:

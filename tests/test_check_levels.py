@@ -200,3 +200,66 @@ def test_sleeps_in_callbacks(path: str, body: str, expected: list[Level], tmp_pa
         path: "#!/usr/bin/env python3\n" + SLEEPER.format(body),
     }
     assert levels("sleep-in-callback", files, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("ignored", "expected"),
+    [
+        ("", Level.ERROR),
+        ("# config/made.yaml\n", Level.ERROR),
+        ("/made.yaml\n", Level.ERROR),
+        ("*.yaml\n!config/*.yaml\n", Level.ERROR),
+        ("madely.yaml\nbuild/\n", Level.ERROR),
+        ("config/made.yaml\n", Level.NOTE),
+        ("/config/made.yaml\n", Level.NOTE),
+        ("made.yaml\n", Level.NOTE),
+        ("*.yaml\n", Level.NOTE),
+        ("config/\n", Level.NOTE),
+        ("**/made.*\n", Level.NOTE),
+        ("!other.yaml\n*.y?ml\n", Level.NOTE),
+    ],
+)
+@pytest.mark.parametrize(
+    ("check", "tag"),
+    [
+        (
+            "parameter-file-missing",
+            '<node pkg="demo" exec="n"><param from="$(find-pkg-share demo)/config/made.yaml"/></node>',
+        ),
+        ("missing-launch-file", '<include file="$(find-pkg-share demo)/config/made.yaml"/>'),
+    ],
+)
+def test_a_file_that_git_ignores_is_made_elsewhere(
+    ignored: str, expected: Level, check: str, tag: str, tmp_path: Path
+) -> None:
+    files = {
+        "package.xml": ROS2,
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch config DESTINATION share/demo)"),
+        "config/other.yaml": "/**:\n  ros__parameters:\n    a: 1\n",
+        "launch/a.launch.xml": f"<launch>{tag}</launch>\n",
+        **({".gitignore": ignored} if ignored else {}),
+    }
+    assert levels(check, files, tmp_path) == [expected]
+
+
+READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({}, Level.WARNING),
+        ({"README.md": "ros2 launch demo a.launch.xml my_robot:=r1\n"}, Level.WARNING),
+        ({"README.md": "ros2 launch demo a.launch.xml robot:=r1\n"}, Level.NOTE),
+        ({"run.sh": "ros2 launch demo a.launch.xml robot:=$1\n"}, Level.NOTE),
+        ({"launch/a.launch.xml": f"<!-- robot:=NAME is needed -->\n{READS}"}, Level.NOTE),
+        ({"launch/a.launch.xml": READS.replace("<node", '<arg name="robots" default=""/><node')}, Level.ERROR),
+        ({"launch/a.launch.xml": READS.replace("</launch>", '<arg name="robot" default=""/></launch>')}, Level.ERROR),
+    ],
+)
+def test_a_launch_configuration_that_the_command_line_can_give(
+    files: dict[str, str], expected: Level, tmp_path: Path
+) -> None:
+    cmake = CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)")
+    every = {"package.xml": ROS2, "CMakeLists.txt": cmake, "launch/a.launch.xml": READS, **files}
+    assert levels("unset-launch-argument", every, tmp_path) == [expected]

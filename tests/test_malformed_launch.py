@@ -9,6 +9,7 @@ import pytest
 
 from haros_ci.config.settings import Settings
 from haros_ci.pipeline import analyse
+from haros_ci.results.rule import Level
 from haros_ci.workspace.cache import MemoryCache
 
 MANIFEST = """<package format="3"><name>demo</name><version>1.0.0</version><description>d</description>
@@ -82,6 +83,26 @@ def test_stays_quiet(name: str, text: str, tmp_path: Path) -> None:
 )
 def test_what_ros2_launch_refuses(name: str, text: str, line: int, tmp_path: Path) -> None:
     assert found(tmp_path, name, text) == [(f"launch/{name}", line)]
+
+
+@pytest.mark.parametrize(
+    ("tag", "code", "expected"),
+    [
+        ("<nod/>", "", [Level.ERROR]),
+        ("<set_remaps/>", "", [Level.ERROR]),
+        ('<param name="a" value="1"/>', "", [Level.ERROR]),
+        ("<blink_lights/>", "", [Level.WARNING]),
+        ('<group><trajectory-server rate="2"/></group>', "", [Level.WARNING]),
+        ("<blink_lights/>", "@expose_action('other')\nclass Other(Action):\n    pass\n", [Level.WARNING]),
+        ("<blink_lights/>", "@expose_action('blink_lights')\nclass Blink(Action):\n    pass\n", []),
+    ],
+)
+def test_a_tag_that_an_extension_of_launch_may_have(tag: str, code: str, expected: list[Level], tmp_path: Path) -> None:
+    (tmp_path / "demo").mkdir()
+    (tmp_path / "demo" / "actions.py").write_text(code, encoding="utf-8")
+    found(tmp_path, "a.launch.xml", f"<launch>\n{tag}\n</launch>\n")
+    report, _ = analyse(Settings(root=tmp_path, profile="architecture"), MemoryCache())
+    assert [r.level for r in report.results if r.rule == "malformed-launch-file"] == expected
 
 
 NODE = '<node pkg="p" type="t" name="n"/>'

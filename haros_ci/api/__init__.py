@@ -20,7 +20,7 @@ from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
-from haros_ci.checking.remapping import named_at, rule_of, way_to
+from haros_ci.checking.remapping import is_idle, named_at, rule_of, way_to
 from haros_ci.checking.run import command
 from haros_ci.checking.system import (
     Channel,
@@ -76,6 +76,7 @@ __all__ = [
     "can_meet",
     "command",
     "incompatible",
+    "is_idle",
     "is_mentioned",
     "is_moved",
     "is_opaque",

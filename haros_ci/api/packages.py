@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.appearing import may_appear
+from haros_ci.checking.appearing import is_ignored, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.editing import (
     add_dependency,
@@ -55,6 +55,14 @@ from haros_ci.checking.provision import (
     last_dependency,
     others_of,
 )
+from haros_ci.checking.uninstalled import (
+    Programs,
+    Uninstalled,
+    installs_nothing,
+    is_program,
+    may_be_installed,
+    uninstalled,
+)
 from haros_ci.checking.using import Using
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
@@ -91,12 +99,14 @@ __all__ = [
     "Need",
     "Package",
     "PluginClass",
+    "Programs",
     "Provision",
     "Provisions",
     "Registration",
     "SourceFile",
     "Sources",
     "Target",
+    "Uninstalled",
     "Using",
     "add_dependency",
     "add_element",
@@ -117,15 +127,19 @@ __all__ = [
     "install_directory",
     "install_line",
     "install_place",
+    "installs_nothing",
     "is_asked_for",
+    "is_ignored",
     "is_nested",
     "is_of_ros",
+    "is_program",
     "is_written",
     "knowledge",
     "landings",
     "last_dependency",
     "loaders",
     "may_appear",
+    "may_be_installed",
     "needs",
     "needs_of",
     "others_of",
@@ -136,5 +150,6 @@ __all__ = [
     "rename_element",
     "set_attribute",
     "set_text",
+    "uninstalled",
     "word",
 ]

@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Collection
+from functools import lru_cache
 
-from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.checking.project import ProjectPackage
+from haros_ci.model.globs import fault, matches
+from haros_ci.model.workspace import Workspace
 
 
 def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bool:
@@ -22,18 +24,24 @@ def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bo
         return True
     stem = base.partition(".")[0]
     words, text = package.cmake.words(frozenset(quiet))
-    return bool(stem and stem in words) or base in text or _is_ignored(project, path)
+    return bool(stem and stem in words) or base in text or is_ignored(project.workspace, path)
 
 
-def _is_ignored(project: Project, path: str) -> bool:
-    """Whether a .gitignore at or above *path* names it or its kind (gitignore(5), as far as it names one thing)."""
-    base, suffix = posixpath.basename(path), posixpath.splitext(path)[1]
-    folder = path
-    while folder:
-        folder = posixpath.dirname(folder)
-        ignored = project.text(posixpath.join(folder, ".gitignore"))
-        if base in ignored and re.search(rf"(?m)^/?(?:[^#\n]*/)?{re.escape(base)}/?[ \t\r]*$", ignored):
-            return True
-        if suffix and suffix in ignored and re.search(rf"(?m)^\*\*?/?\*?{re.escape(suffix)}[ \t\r]*$", ignored):
-            return True
-    return False
+def is_ignored(workspace: Workspace, path: str) -> bool:
+    """Whether a .gitignore at or above the root-relative *path* has git ignore it, or a directory above it: then something makes it (gitignore(5))."""
+    parts = path.split("/")
+    ignored = False
+    for depth in range(len(parts)):
+        place = "/".join((*parts[:depth], ".gitignore"))
+        if place in workspace.names:
+            below = "/".join(parts[depth:])
+            for glob in _patterns(workspace.text(place)):
+                if matches(glob.removeprefix("!"), below):
+                    ignored = not glob.startswith("!")  # the last one that matches decides
+    return ignored
+
+
+@lru_cache(maxsize=256)
+def _patterns(text: str) -> tuple[str, ...]:
+    lines = (line.strip() for line in text.splitlines())
+    return tuple(line for line in lines if line and not line.startswith("#") and fault(line.removeprefix("!")) is None)

@@ -5,15 +5,20 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Set
 
 from haros_ci.checking.needs import Need
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources, exists
+from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
 from haros_ci.model.program import Program
 
 _IMPORT = re.compile(r"^(?:import[ \t]+([^#\n;]+)|from[ \t]+([\w.]+)[ \t]+import\b)", re.M)
+_IMPORTS = re.compile(
+    r"^[ \t]*(?:import[ \t]+[^#\n;]+|from[ \t]+[\w.]+[ \t]+import[ \t]*(?:\([^()]*\)|[^#\n;]+))", re.M
+)
+_MAIN = re.compile(r"^if[ \t(]+__name__[ \t]*==[ \t]*['\"]__main__['\"]", re.M)
 #: Modules of Python that other versions have, and those that come with every Python for ROS.
 _PYTHON = frozenset(
     "__builtin__ __main__ asynchat asyncore BaseHTTPServer binhex cPickle cStringIO cgi CGIHTTPServer commands ConfigParser Cookie cookielib "
@@ -80,18 +85,74 @@ def _installed(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
             folders.append(thing.path)
         elif thing.kind != "directory":
             wanted.add(thing.path)
+    unused = _unused(package, wanted, python)
     share = [t.path for t in package.build.installed if t.kind == "directory" and t.destination.startswith("share")]
     for path in sorted({*python, *launch}):
         inner = path if package.path == "." else path[len(package.path) + 1 :]
         is_launch = path in launch or ".launch." in path or "launch" in inner.split("/")[:-1]
         places = share if is_launch else folders
-        if _ASIDE.search(inner):
+        if _ASIDE.search(inner) or path in unused:
             continue
         # a program that is installed by its name is no test, whatever it is called; of a whole folder the tests are left out
         if path in wanted or (
             not _TEST.search(inner) and any(each == "." or path.startswith(f"{each}/") for each in places)
         ):
             yield path, is_launch
+
+
+def _unused(package: ProjectPackage, wanted: set[str], python: list[str]) -> frozenset[str]:
+    """Scripts inside an importable package that nothing starts, and the modules that only such scripts import: tools for training, plots, notebooks.
+
+    A module without a main part that nothing imports counts as used: others may import it.
+    """
+    project = package.project
+    roots = [f"{directory}/" if directory != "." else "" for _, directory in package.build.python_roots]
+    below = [path for path in python if path not in wanted and path.startswith(tuple(roots))] if roots else []
+    scripts = {path for path in below if _MAIN.search(project.text(path))}
+    if not scripts:
+        return frozenset()
+    started = {
+        use.program
+        for system in project.systems
+        for use in system.facts(ProgramUse)
+        if use.package == package.name and use.kind == "executable"
+    }
+    scripts = {path for path in scripts if path.rpartition("/")[2] not in started}
+    modules: dict[str, list[str]] = {}
+    for path in below:
+        modules.setdefault(_name_of(path), []).append(path)
+    every = {file.path for file in project.workspace.files if file.path.endswith(".py")} | {*python}
+    imports = {
+        path: {each for word in _imported_words(project.text(path)) for each in modules.get(word, ()) if each != path}
+        for path in every
+    }
+    imported = {each for found in imports.values() for each in found}
+    used = _reached((every - {*below}) | ({*below} - imported - scripts), imports)
+    return _reached(scripts - used, imports) - used
+
+
+def _reached(start: Set[str], imports: Mapping[str, Set[str]]) -> frozenset[str]:
+    """The files of *start* and all that these import."""
+    found, todo = set(start), list(start)
+    while todo:
+        new = imports.get(todo.pop(), frozenset()) - found
+        found |= new
+        todo += new
+    return frozenset(found)
+
+
+def _name_of(path: str) -> str:
+    """The name that an import has for the module at *path*."""
+    folder, _, base = path.rpartition("/")
+    return folder.rpartition("/")[2] if base == "__init__.py" else base.removesuffix(".py")
+
+
+def _imported_words(text: str) -> frozenset[str]:
+    """All names in the imports of a file: modules, and what may be one."""
+    found: set[str] = set()
+    for match in _IMPORTS.finditer(text):
+        found.update(re.findall(r"\w+", match[0]))
+    return frozenset(found)
 
 
 def _tested(package: ProjectPackage) -> Iterator[tuple[str, bool]]:

@@ -40,11 +40,15 @@ class Store(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """An input that could not be read or understood: *path* (and *line*) say where, *message* what and what to do."""
+    """An input that could not be read or understood: *path* (and *line*) say where, *message* what and what to do.
+
+    *is_certain* is False where something outside the workspace may understand it.
+    """
 
     path: str
     message: str
     line: int | None = None
+    is_certain: bool = True
 
 
 @dataclass(frozen=True, slots=True)

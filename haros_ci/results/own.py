@@ -34,6 +34,7 @@ MALFORMED_LAUNCH = Rule(
         "roslaunch and ros2 launch stop at a launch file that is not well-formed XML, and at every file that includes it. "
         "So they do at a tag or an attribute that they do not know, an attribute that is missing, a substitution that is not closed, a "
         "node's name with a namespace in it (roslaunch), and Python that is none. "
+        "A tag that ros2 launch itself does not have is a warning: an installed package may register it (launch.frontend.launch_extension). "
         "Correct the line that the message names: a tag that is not closed, a quote that is missing, a bare & or <."
     ),
     precision="very-high",
@@ -93,9 +94,16 @@ RULES = {
 
 
 def launch_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
-    """One result for each place of a launch file that launch refuses, at its line."""
+    """One result for each place of a launch file that launch refuses, at its line; a warning where an extension of launch may take it."""
+    rule = MALFORMED_LAUNCH
     return tuple(
-        Result(TOOL, MALFORMED_LAUNCH.id, MALFORMED_LAUNCH.level, fault.message, Location(fault.path, fault.line or 1))
+        Result(
+            TOOL,
+            rule.id,
+            rule.level if fault.is_certain else Level.WARNING,
+            fault.message,
+            Location(fault.path, fault.line or 1),
+        )
         for fault in faults
     )
 

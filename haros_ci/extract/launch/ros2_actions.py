@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.extract.launch.ros2_entity import Entity
+from haros_ci.extract.launch.ros2_entity import Entity, unknown_tag
 from haros_ci.extract.launch.ros2_parameters import parameter_sources
 from haros_ci.model.launch_actions import Action, Phrase, Test
 from haros_ci.model.launch_phrases import read_phrase, unescaped
@@ -64,7 +64,7 @@ class Builder:
     def action(self, entity: Entity) -> Action | None:
         maker = _MAKERS.get(entity.tag) or _MAKERS.get(entity.tag.replace("-", "_"))
         if maker is None:
-            self.wrong(entity, f"launch knows no <{entity.tag}> here; remove it or correct its name")
+            self.wrong(entity, unknown_tag(entity.tag, _MAKERS))
             return None
         return maker(self, entity)
 

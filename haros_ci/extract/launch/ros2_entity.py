@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import Any
 
 from haros_ci.model.location import Location
@@ -104,3 +106,19 @@ def loaded(text: str) -> Any:
 
 
 _WORDS = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null"))
+
+
+#: How a sentence begins on a tag that an extension may have (entry points ``launch.frontend.launch_extension``, ``expose_action``).
+EXTENSION = "launch itself has no"
+#: Tags that launch and launch_ros read inside others only.
+_INSIDE = frozenset(("param", "remap", "env", "composable_node", "extra_arg", "keep"))
+
+
+def unknown_tag(tag: str, known: Iterable[str]) -> str:
+    """What is wrong with a tag that is none of the *known* ones of launch: it may be one of an extension, unless it is like one that launch has."""
+    near = [] if tag in _INSIDE or len(tag) > _MAX_NUMBER else get_close_matches(tag.replace("-", "_"), known, 1, 0.75)
+    if near or tag in _INSIDE:
+        return (
+            f"launch knows no <{tag}> here; {f'did you mean <{near[0]}>?' if near else 'move it to where it belongs'}"
+        )
+    return f"{EXTENSION} <{tag}>: ros2 launch refuses the file, unless an installed package registers the tag; correct its name, or declare that package"

@@ -90,6 +90,7 @@ def finished(context: Context, statics: Statics) -> tuple[LaunchFact, ...]:
     for fact in facts.found:
         if isinstance(fact, ArgumentRead) and reads < MAX_READS:
             reads += 1
-            fact = replace(fact, similar=tuple(get_close_matches(fact.name, known, 3, 0.7)))
+            others = [name for name in known if name != fact.name]
+            fact = replace(fact, similar=tuple(get_close_matches(fact.name, others, 3, 0.7)))
         found.append(fact)
     return tuple(found)

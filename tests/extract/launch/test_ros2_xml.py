@@ -194,7 +194,7 @@ def test_kinds(body: str, kind: str) -> None:
 @pytest.mark.parametrize(
     ("body", "message"),
     [
-        ("<nodes/>", "launch knows no <nodes> here; remove it or correct its name"),
+        ("<nodes/>", "launch knows no <nodes> here; did you mean <node>?"),
         ('<node pkg="p" type="e"/>', "<node> has no attribute 'type'; remove it or correct its name"),
         (
             '<node pkg="p" exec="e"><arg name="a"/></node>',

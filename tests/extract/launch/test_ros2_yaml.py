@@ -68,7 +68,7 @@ def test_a_group_with_attributes_has_its_elements_below_children() -> None:
             2,
             "an element of a list is a map of one key, the kind of element; part what is here",
         ),
-        ("launch:\n- nodes: {}", 2, "launch knows no <nodes> here; remove it or correct its name"),
+        ("launch:\n- nodes: {}", 2, "launch knows no <nodes> here; did you mean <node>?"),
         ("launch:\n- node: x", 2, "'node' needs a map of its attributes"),
     ],
 )

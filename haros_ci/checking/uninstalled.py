@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Executables and scripts of a package that no install() names, and packages that install nothing at all."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from haros_ci.checking.installing import landings
+from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.model.build import Target
+from haros_ci.model.launch_facts import ProgramUse
+from haros_ci.model.location import Location
+from haros_ci.results.rule import Level
+
+#: Parts of paths and names of what is there for developers.
+_ASIDE = re.compile(
+    r"(?:^|[/_-])(?:tests?|testing|tester|examples?|benchmarks?|benchmarking|bench|demos?|samples?|tutorials?|tools?|fuzz\w*|mock|dummy"
+    r"|scratch|experimental|debug|generate|generator|gen|profil\w+|playground|sandbox|old|deprecated|unused)(?:$|[/_.-])"
+)
+_TESTS = re.compile(r"(?:^|_)(?:tests?|testing|benchmarks?|tools)(?:$|_)")
+_RUN = re.compile(r"\b(?:ros2 run|rosrun)\s+([\w-]+)\s+([\w.-]+)")
+#: What the code of a node uses by itself, and what leaves it to a library.
+_CLIENT = re.compile(r"\b(?:ros|roscpp|rclcpp\w*|rcl|nodelet|nav2_\w+)::\w|\brclcpp\b|\binit\s*\(\s*argc\b")
+
+
+@dataclass(frozen=True, slots=True)
+class Uninstalled:
+    """A program that no install() names: *kind* is executable or script, *name* the target or the path in the package, *shown* what users call it.
+
+    *level* says how much depends on it: an error where a launch file of ROS 2 starts it. *related* is what starts it.
+    """
+
+    kind: str
+    name: str
+    shown: str
+    level: Level
+    at: Location
+    related: tuple[tuple[Location, str], ...]
+
+
+class Programs:
+    """The programs of a project that something starts, by package and name: launch files, and pages that run them."""
+
+    def __init__(self, project: Project) -> None:
+        self.project = project
+        self.started: dict[tuple[str, str], Location] = {}
+        for system in project.systems:
+            for use in system.facts(ProgramUse):
+                if use.kind == "executable":
+                    self.started.setdefault((use.package, use.program), use.location)
+        self._told: Mapping[tuple[str, str], Location] | None = None
+
+    def told(self, package: str, name: str) -> Location | None:
+        """Where a page in Markdown or reStructuredText says ``ros2 run`` or ``rosrun`` with the program."""
+        if self._told is None:
+            self._told = _documented(self.project)
+        return self._told.get((package, name))
+
+
+def installs_nothing(package: ProjectPackage) -> bool:
+    """Whether the CMake files of *package* are known, and have no command that installs anything, seen or not."""
+    return (
+        bool(package.build.commands)
+        and package.cmake.is_whole
+        and not package.cmake.installs_unknown
+        and not package.cmake.installs
+        and not package.build.installed
+        and not any(target.is_installed for target in package.cmake.targets.values())
+    )
+
+
+def uninstalled(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalled]:
+    """The executables and Python scripts of *package* that users or launch files run and that are not installed."""
+    if package.ros is None or package.raw.is_metapackage:
+        return
+    if package.build.commands and package.cmake.is_whole and not package.cmake.installs_unknown:
+        yield from _executables(package, programs)
+    yield from _scripts(package, programs)
+
+
+def may_be_installed(package: ProjectPackage, target: Target) -> bool:
+    """Whether *target* is installed, is a test, or is named by a command that is not known and may install it."""
+    return target.is_installed or target.name in package.cmake.mentioned or target.is_test
+
+
+def is_program(package: ProjectPackage, target: Target) -> bool:
+    """Whether *target* is an executable that the build always makes and that is no test and no component's."""
+    is_one = target.kind == "executable" and not target.is_test and not target.is_conditional and not target.component
+    return is_one and package.raw.build_type != "cmake"
+
+
+def _documented(project: Project) -> dict[tuple[str, str], Location]:
+    found: dict[tuple[str, str], Location] = {}
+    for path in sorted(project.workspace.names):
+        if path.lower().endswith((".md", ".rst")) and not re.match(r"changelog", posixpath.basename(path), re.I):
+            text = project.text(path)
+            for match in _RUN.finditer(text):
+                found.setdefault((match[1], match[2]), Location(path, text.count("\n", 0, match.start()) + 1))
+    return found
+
+
+def _executables(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalled]:
+    for target in package.cmake.targets.values():
+        if not is_program(package, target) or may_be_installed(package, target):
+            continue
+        use = programs.started.get((package.name, target.output))
+        shown = [path.removeprefix(f"{package.path}/") for path in target.sources]
+        if use is None and _is_for_tests(package, target.name, *shown):
+            continue
+        least = Level.WARNING if use is not None or _may_be_node(package, target) else Level.NOTE
+        yield Uninstalled(
+            "executable",
+            target.name,
+            target.output,
+            Level.ERROR if use is not None and package.ros == 2 else least,
+            target.location,
+            ((use, f"{target.output} is started here"),) if use is not None else (),
+        )
+
+
+def _may_be_node(package: ProjectPackage, target: Target) -> bool:
+    """Whether a program may be a node: its sources are not known, or one uses the client library."""
+    return not target.sources or any(_CLIENT.search(package.project.text(path)) for path in target.sources)
+
+
+def _is_for_tests(package: ProjectPackage, *names: str) -> bool:
+    """Whether an executable that nothing starts is there for developers alone, by the names of it, its files or its package."""
+    return any(_ASIDE.search(name.lower()) for name in names) or bool(_TESTS.search(package.name))
+
+
+def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalled]:
+    """Python nodes that are files of their own."""
+    if package.cmake_path not in package.project.workspace.names:
+        return  # setup.py's packages start their nodes by entry points
+    if not package.cmake.is_whole or any("${" in word for i in package.cmake.installs for word in i.things):
+        return
+    listed = {each.path: each for each in package.build.installed if each.kind in ("file", "program")}
+    for path in package.build.scripts:
+        shown, name = path.removeprefix(f"{package.path}/"), posixpath.basename(path)
+        use, how = programs.started.get((package.name, name)), "is started here"
+        text = package.project.text(path)
+        if landings(package, path) or _is_module(package, path) or name in package.cmake.mentioned:
+            continue
+        if any(word == name or word.endswith(f"/{name}") for word in package.cmake.mentioned):
+            continue
+        is_aside = _ASIDE.search(shown.lower()) is not None
+        if use is None and not is_aside:
+            use = programs.told(package.name, name)
+            how = "is run here"
+        if use is None and not is_aside and _is_node(package, text):
+            beside = (each for each in listed.values() if posixpath.dirname(each.path) == posixpath.dirname(path))
+            other = next((each for each in beside if each.kind == "program"), None)
+            use, how = (other.location, "installs the other scripts there") if other is not None else (None, how)
+        if use is None or (is_aside and _ASIDE.search(use.path.lower())):
+            continue
+        level = Level.ERROR if how == "is started here" and package.ros == 2 else Level.WARNING
+        said = how if how.startswith("installs") else f"{shown} {how}"
+        yield Uninstalled("script", shown, shown, level, Location(path, 1), ((use, said),))
+
+
+def _is_node(package: ProjectPackage, text: str) -> bool:
+    """Whether a script is a node of the package's own ROS, to be run as it stands."""
+    client = "rospy" if package.ros == 1 else "rclpy"
+    is_main = re.search(r"__name__\s*==\s*['\"]__main__['\"]", text)
+    return bool(is_main) and re.search(rf"(?m)^\s*(?:import|from)\s+{client}\b", text) is not None
+
+
+def _is_module(package: ProjectPackage, path: str) -> bool:
+    """Whether the file is part of a Python package that is installed as such."""
+    for name, directory in package.build.python_roots:
+        below = f"{directory}/" if directory != "." else ""
+        if name and path.startswith(below):
+            return True
+    return f"{posixpath.dirname(path)}/__init__.py" in package.project.workspace.names
