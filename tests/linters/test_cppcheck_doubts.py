@@ -12,6 +12,20 @@ REFUTED = [
     ("unreadVariable", UNREAD, "const int kFirst = 1;\nswitch (a) {\n  case kFirst: return 1;\n}"),
     ("unreadVariable", UNREAD, "const int kFirst = 1;\nswitch (a) {\n  case (kBase + kFirst):\n    return 1;\n}"),
     ("unreadVariable", UNREAD, "const int kFirst = 1;\ncase\n  kFirst: return 1;\n"),
+    ("unreadVariable", "Variable 'pose(2)' is assigned a value that is never used.", "pose(2) = turn(pose(2));"),
+    ("unreadVariable", "Variable 'H(1,jy)' is assigned a value that is never used.", "H(1,jy) = 0.5;"),
+    ("unreadVariable", UNREAD, "kFirst = 1; }\nvoid before(Eigen::Ref<Vector3d> kFirst) {}\n"),
+    ("unreadVariable", UNREAD, "kFirst = 1;\n auto kFirst = matrix.row(2);\n"),
+    ("unreadVariable", UNREAD, "kFirst = 1;\n cv::Mat kFirst(image, box);\n"),
+    ("unreadVariable", UNREAD, "kFirst = 1;\n std::span<double> kFirst;\n"),
+    ("unreadVariable", UNREAD, "auto & [kFirst, second] = pair;\n"),
+    ("unreadVariable", UNREAD, "auto [first, kFirst] = pair;\n"),
+    ("unusedVariable", "Unused variable: part", "for (const auto & [part, value] : parts) use(value);\n"),
+    ("unreadVariable", UNREAD, 'int kFirst = 1;\n// printf("%d", kFirst);\n'),
+    ("unreadVariable", UNREAD, "int kFirst = 1;\n/* std::cout << kFirst\n * << 1; */\n"),
+    ("unusedVariable", "Unused variable: tmp", "float tmp;\n//  get(&tmp);\n"),
+    ("unusedVariable", "Unused variable: tmp.", "float tmp;\n#ifdef SLOW\nget(&tmp);\n#endif\n"),
+    ("unreadVariable", UNREAD, "int kFirst = 1;\n#ifndef NDEBUG\n  check(kFirst);\n#endif\n"),
     ("assignBoolToPointer", "Boolean value assigned to pointer.", 'm.def("f", &f, "on"_a = false);'),
     ("selfAssignment", "Redundant assignment of '\"a\"' to itself.", 'm.def("f", &f, "a"_a="a");'),
 ]
@@ -20,6 +34,15 @@ STANDS = [
     ("unreadVariable", UNREAD, "int kFirst = 1;\nswitch (a) { case kFirstOfAll: return 1; }"),
     ("unreadVariable", UNREAD, "int kFirst = 1;\nswitch (a) { case 1: kFirst = 2; }"),
     ("unreadVariable", UNREAD, "int kFirst = 1; // in this lowercase kFirst\n"),
+    ("unreadVariable", UNREAD, "int kFirst = 1; // kFirst (the first) comes first\n"),
+    ("unreadVariable", UNREAD, 'int kFirst = 1;\n// printf("%d", kFirstOfAll);\n'),
+    ("unreadVariable", UNREAD, "#ifndef A_H\n#define A_H\nint kFirst = 1;\n#endif\n"),
+    ("unreadVariable", UNREAD, "int kFirst = 1;\n#ifdef SLOW\nget(&other);\n#endif\n"),
+    ("unreadVariable", UNREAD, "void f() {\nint kFirst = 1;\n}\nvoid g() {\n// use(kFirst);\n}\n"),
+    ("unreadVariable", UNREAD, "auto kFirst = matrix.rows();\n"),
+    ("unreadVariable", UNREAD, "std::string kFirst = data[0];\n"),
+    ("unreadVariable", "Variable 'a[0]' is assigned a value that is never used.", "a[0] = 1;\n"),
+    ("unusedVariable", "Unused variable: tmp", "float tmp;\nget(&temp);\n"),
     ("assignBoolToPointer", "Boolean value assigned to pointer.", "int* p = false;"),
     ("assignBoolToPointer", "Boolean value assigned to pointer.", 'p = "a"_s == b;'),
     ("assignBoolToPointer", "Boolean value assigned to pointer.", ""),
@@ -29,9 +52,15 @@ STANDS = [
 
 @pytest.mark.parametrize(("rule", "message", "text"), REFUTED)
 def test_refuted(rule: str, message: str, text: str) -> None:
-    assert is_refuted(rule, message, 1, text)
+    assert is_refuted(rule, message, _line(message, text), text)
 
 
 @pytest.mark.parametrize(("rule", "message", "text"), STANDS)
 def test_stands(rule: str, message: str, text: str) -> None:
-    assert not is_refuted(rule, message, 1, text)
+    assert not is_refuted(rule, message, _line(message, text), text)
+
+
+def _line(message: str, text: str) -> int:
+    """The first line of *text* with the name that *message* ends or begins with."""
+    name = "kFirst" if message is UNREAD else message.rstrip(".").rpartition(" ")[2]
+    return text[: max(text.find(name), 0)].count("\n") + 1
