@@ -97,7 +97,7 @@ def _is_tested(text: str, line: int, column: int) -> bool:
     name = re.escape(called[0])
     test = re.compile(
         rf"(?:\b(?:if|elif|while|and|or|not|assert)[ \t(]+|\bcallable\(\s*){name}\b(?![\w.(\[])(?!\s*[=!<>]=)"
-        rf"|(?<![\w.]){name}\s+(?:and|is\s+not|is\s+None)\b|(?<![\w.]){name}\s*!=\s*None\b"
+        rf"|(?<![\w.]){name}\s+(?:and|is\s+not|is\s+None)\b|(?<![\w.]){name}\s*!=\s*None\b|^\s*{name}\)?\s*:\s*$"
     )
     inside = scopes(text, "python")
     here = inside.at(line)

@@ -28,6 +28,7 @@ REFUTED = [
     ("not-callable", "def f(done=None):\n    if done and x:\n        done(1)\n", "done(1)"),
     ("not-callable", "def f(self):\n    if self.done is not None:\n        self.done(1)\n", "self.done(1)"),
     ("not-callable", "def f(done):\n    x and (done) and done(1)\n", "done(1)"),
+    ("not-callable", "def f(done):\n    if a and \\\n       done:\n        done(1)\n", "done(1)"),
     ("not-callable", "def f():\n    if callable(done):\n        done(1)\n", "done(1)"),
     (
         "possibly-used-before-assignment",

@@ -27,6 +27,7 @@ READ = [
     "def f(*, a=[]):\n    print(a)\n",
     "def f(a=dict()):\n    print(a['x'])\n",
     "async def f(a=[]):\n    print(a)\n",
+    "def f(a=[1, 1]):\n    c.r, c.g = a\n",
     "def f(a=[]):\n    if a:\n        print(1)\n",
 ]
 AT_RISK = [
@@ -46,6 +47,7 @@ AT_RISK = [
     "def f(self, a=[], b=[]):\n    print(a)\n    self.b = b\n",
     "def f(self, a=None or [], b=[]):\n    self.b = b or 1\n",
     "def f(a=[]):\n    return {'a': a}\n",
+    "def f(a=[]):\n    c = d, e = a\n",
     "def f(a=[]):\n    return lambda: a\n",
     "def f(a=A()):\n    a.x = 1\n",
     "def f(a=A()):\n    a.go()\n",
