@@ -30,6 +30,7 @@ _BINDING = r"\bauto\s*&?&?\s*\[[^\]]{{0,200}}\b{name}\b[^\]]{{0,200}}\]"
 _COMMENT = re.compile(r"//[^\n]*|/\*.{0,4000}?\*/", re.DOTALL)
 #: What stands in a statement and seldom in a sentence.
 _STATEMENT = re.compile(r";[ \t]*(?:$|\*/)|<<|\w\(|\)[ \t]*\{", re.MULTILINE)
+_SWITCH = re.compile(r"[^\n{}]{0,200}\bswitch\s*\([^{};]{0,300}\)\s*\{")
 _DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|ifdef|ifndef|endif|define)\b[ \t]*(\w*)")
 
 
@@ -43,6 +44,8 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     if rule in _OF_LITERALS:
         lines = text.split("\n")
         return 0 < line <= len(lines) and _NAMED_ARGUMENT.search(lines[line - 1]) is not None
+    if rule == "missingReturn":
+        return _is_exhaustive(line, text)
     subject = _SUBJECT.search(message) if rule in _OF_UNUSED else None
     return subject is not None and _is_used(subject[1] or subject[2], line, text)
 
@@ -59,6 +62,42 @@ def _is_used(subject: str, line: int, text: str) -> bool:
         return True
     word = re.compile(rf"\b{subject}\b")
     return any(word.search(part) for part in (*_switched(line, text), *_commented_out(line, text)))
+
+
+def _is_exhaustive(line: int, text: str) -> bool:
+    """Whether the path goes past a ``switch`` without ``default`` all of whose labels are enumerators of one scoped type.
+
+    Compilers warn where an enumerator is missing (-Wswitch); cppcheck does not know how many there are.
+    """
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    first = line - 2 if lines[line - 1].strip() == "{" and line > 1 else line - 1
+    start = "\n".join(lines[first : first + 200])
+    switch = _SWITCH.match(start)
+    if switch is None:
+        return False
+    body = start[switch.end() :]
+    depth, end = 1, 0
+    for brace in re.finditer(r"[{}]", body):
+        depth, end = depth + (1 if brace[0] == "{" else -1), brace.start()
+        if depth == 0:
+            break
+    body = body[:end]
+    labels = re.findall(r"\bcase\s+([^;{}?]{1,200}?)\s*(?<!:):(?!:)", body)
+    scopes_of = {label.rpartition("::")[0] for label in labels}
+    return depth == 0 and len(labels) > 1 and len(scopes_of) == 1 and "" not in scopes_of and "default" not in body
+
+
+def self_initialized_line(message: str, line: int, text: str) -> int:
+    """The line of the initializer that *message* names; cppcheck gives the place of what stands before it."""
+    name = _SUBJECT.search(message)
+    lines = text.split("\n")
+    if name and name[1] and 0 < line < len(lines):
+        initializer = re.compile(rf"\b{re.escape(name[1])}\s*[({{]\s*{re.escape(name[1])}\b")
+        if not initializer.search(lines[line - 1]) and initializer.search(lines[line]):
+            return line + 1
+    return line
 
 
 def _commented_out(line: int, text: str) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.linters.cppcheck_doubts import is_refuted
+from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 
 UNREAD = "Variable 'kFirst' is assigned a value that is never used."
 REFUTED = [
@@ -29,7 +29,20 @@ REFUTED = [
     ("assignBoolToPointer", "Boolean value assigned to pointer.", 'm.def("f", &f, "on"_a = false);'),
     ("selfAssignment", "Redundant assignment of '\"a\"' to itself.", 'm.def("f", &f, "a"_a="a");'),
 ]
+SWITCH = "switch (kind)\n{\n  case Kind::A:\n    return 1;\n  case Kind::B: { return 2; }\n}\n"
+EXIT = "Found an exit path from function with non-void return type that has missing return statement."
+REFUTED += [
+    ("missingReturn", EXIT, SWITCH),
+    ("missingReturn", EXIT, SWITCH.replace(")\n{", ") {")),
+    ("missingReturn", EXIT, SWITCH.replace("Kind::", "robot::Kind::")),
+]
 STANDS = [
+    ("missingReturn", EXIT, SWITCH.replace("Kind::", "")),
+    ("missingReturn", EXIT, SWITCH.replace("Kind::A", "1").replace("Kind::B", "2")),
+    ("missingReturn", EXIT, SWITCH.replace("case Kind::B", "default")),
+    ("missingReturn", EXIT, "if (a) {\n" + SWITCH + "}\n"),
+    ("missingReturn", EXIT, "if (a)\n{\n  return 1;\n}\n"),
+    ("missingReturn", EXIT, "switch (kind) {\n  case Kind::A:\n"),
     ("unreadVariable", UNREAD, "int kFirst = 1;\nswitch (a) { case 1: return kSecond; }"),
     ("unreadVariable", UNREAD, "int kFirst = 1;\nswitch (a) { case kFirstOfAll: return 1; }"),
     ("unreadVariable", UNREAD, "int kFirst = 1;\nswitch (a) { case 1: kFirst = 2; }"),
@@ -62,5 +75,21 @@ def test_stands(rule: str, message: str, text: str) -> None:
 
 def _line(message: str, text: str) -> int:
     """The first line of *text* with the name that *message* ends or begins with."""
+    if message is EXIT:
+        return text[: max(text.find("{"), 0)].count("\n") + 1
     name = "kFirst" if message is UNREAD else message.rstrip(".").rpartition(" ")[2]
     return text[: max(text.find(name), 0)].count("\n") + 1
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("A(const A& a) :\n  a_(a_) {}", 2),
+        ("A(const A& a) : b_(0),\n  a_{a_} {}", 2),
+        ("A(const A& a) : a_(a_),\n  a_(a_) {}", 1),
+        ("A(const A& a) :\n  b_(a_) {}", 1),
+        ("A", 1),
+    ],
+)
+def test_the_line_of_an_initializer(text: str, line: int) -> None:
+    assert self_initialized_line("Member variable 'a_' is initialized by itself.", 1, text) == line

@@ -77,7 +77,7 @@ GROUPS: tuple[Group, ...] = (
             ("exported_pkg_config", "Sw", "A module of pkg-config is not exported as a package."),
             ("export_lib_not_lib", "Re", "What is exported as a library is one."),
             ("export_lib_renamed", "Rw", "An exported library keeps its name."),
-            ("external_include_path", "Rw", "An exported include path is in the package."),
+            ("external_include_path", "Sw", "An exported include path is in the package."),
             ("external_link_directory", "Sw", "No directory of the system is added for linking."),
             ("external_subdir", "Rw", "A subdirectory is in the package."),
             ("find_by_include", "Sw", "A package is found with find_package()."),
