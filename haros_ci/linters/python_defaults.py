@@ -14,6 +14,8 @@ _Function = ast.FunctionDef | ast.AsyncFunctionDef
 _READING = frozenset(
     "copy count difference get index intersection isdisjoint issubset issuperset items keys union values".split()
 )
+#: Types whose calls pylint and ruff take for mutable defaults.
+_MUTABLE = frozenset("Counter OrderedDict bytearray defaultdict deque dict list set".split())
 #: Functions and parameters of theirs that have been looked at: each once.
 _Seen = set[tuple[int, str]]
 
@@ -59,6 +61,10 @@ def _column(text: str, node: ast.expr) -> int:
     return len(line.encode("utf-8", "replace")[: node.col_offset].decode("utf-8", "ignore"))
 
 
+def _last_name(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
 def _defaults(function: _Function) -> Iterator[tuple[str, ast.expr]]:
     """Each parameter with a default that is made by a display or a call."""
     given = function.args
@@ -66,7 +72,8 @@ def _defaults(function: _Function) -> Iterator[tuple[str, ast.expr]]:
     pairs = [*zip(placed[len(placed) - len(given.defaults) :], given.defaults, strict=True)]
     pairs += [(name, default) for name, default in zip(given.kwonlyargs, given.kw_defaults, strict=True) if default]
     for name, default in pairs:
-        if isinstance(default, ast.List | ast.Dict | ast.Set | ast.Call | ast.ListComp | ast.DictComp | ast.SetComp):
+        made = isinstance(default, ast.List | ast.Dict | ast.Set | ast.ListComp | ast.DictComp | ast.SetComp)
+        if made or (isinstance(default, ast.Call) and _last_name(default.func) in _MUTABLE):
             yield name.arg, default
 
 
@@ -121,7 +128,7 @@ def _is_tested(node: ast.AST, parents: dict[ast.AST, ast.AST]) -> bool:
 def _keeps(call: ast.Call, argument: ast.AST, of_module: dict[str, _Function], seen: _Seen) -> bool:
     """Whether what is called may keep or change *argument*: a class, or a function here that does."""
     callee = call.func
-    name = callee.attr if isinstance(callee, ast.Attribute) else callee.id if isinstance(callee, ast.Name) else ""
+    name = _last_name(callee)
     if (
         not name
         or name[:1].isupper()

@@ -27,6 +27,7 @@ READ = [
     "def f(*, a=[]):\n    print(a)\n",
     "def f(a=dict()):\n    print(a['x'])\n",
     "async def f(a=[]):\n    print(a)\n",
+    "def f(where=PathJoinSubstitution(['a']), a={}):\n    print(a.items())\n    return where\n",
     "def f(a=[1, 1]):\n    c.r, c.g = a\n",
     "def f(a=[]):\n    if a:\n        print(1)\n",
 ]
