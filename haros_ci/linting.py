@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from itertools import islice
 
 from haros_ci.config.selection import Selection
@@ -13,9 +13,11 @@ from haros_ci.config.settings import Settings
 from haros_ci.inspection import asks
 from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.recorded import Testimony
+from haros_ci.linters.undefined_names import weighed_names
+from haros_ci.model.workspace import Workspace
 from haros_ci.registry import Registry
 from haros_ci.results import own
-from haros_ci.results.result import Run
+from haros_ci.results.result import Result, Run
 from haros_ci.results.rule import Rule
 
 #: The metrics of both languages are one run, whatever measured them.
@@ -38,6 +40,18 @@ def lint_options(settings: Settings, known: Registry) -> LintOptions:
         arguments={name: s.arguments for name, s in chosen.items() if s.arguments},
         compile_database=settings.compile_database,
         root=settings.root,
+    )
+
+
+def with_names(results: Iterable[Result], workspace: Workspace, selection: Selection) -> tuple[Result, ...]:
+    """*results*, undefined names weighed; see :func:`haros_ci.linters.undefined_names.weighed_names`."""
+    versions = {package.name: package.ros for package in workspace.packages}
+    package_of = workspace.package_finder()
+    return weighed_names(
+        results,
+        workspace.text,
+        is_ros1=lambda path: versions.get(package_of(path) or "") == 1,
+        is_given=lambda result: selection.given_level(result.tool, result.rule, result.location.path) is not None,
     )
 
 

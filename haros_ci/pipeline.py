@@ -22,8 +22,9 @@ from haros_ci.linters.metrics import STRUCTURE_RULES, keep_worst_band
 from haros_ci.linters.one_cause import one_cause
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
+from haros_ci.linters.said_by_ours import said_once
 from haros_ci.linters.settings_changes import notifications as changed_settings
-from haros_ci.linting import MEASURED_BY, METRICS, confinement, contradictions, lint_options, with_queries
+from haros_ci.linting import MEASURED_BY, METRICS, confinement, contradictions, lint_options, with_names, with_queries
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
 from haros_ci.results import own
@@ -171,10 +172,12 @@ def examine(
         raw = (*raw, structured(workspace, architectures, progress) if told is None else told.whole(STRUCTURE))
     runs = (own_one, *with_metrics(raw))
     results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
+    results = with_names(results, workspace, selection)
     of_plugins = hosted(workspace, selection, architectures, results, progress)
     runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace))
+    merged = merge_same_defects(keep_worst_band(one_cause(results, workspace.text)))
     return finished(
-        distribute(runs, merge_same_defects(keep_worst_band(one_cause(results, workspace.text)))),
+        distribute(runs, said_once(merged, workspace.package_finder())),
         workspace,
         selection,
         architectures.settings,

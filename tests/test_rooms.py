@@ -116,7 +116,7 @@ DOORS: dict[str, set[str]] = {
         "workspace",
         "writing",
     },
-    "linting": {"config", "inspection", "linters", "query", "registry", "results"},
+    "linting": {"config", "inspection", "linters", "model", "query", "registry", "results"},
     "pipeline": {
         "baselines",
         "brought",

@@ -7,15 +7,19 @@ import hashlib
 import json
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from posixpath import join, normpath
+from typing import Any
 
 from haros_ci.linters import installed
+from haros_ci.linters.catalogue import rule as rule_of
+from haros_ci.linters.catkin_doubts import is_refuted
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.model.location import Location
 from haros_ci.model.package import LANGUAGES as EVERY_LANGUAGE
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Store, Workspace
-from haros_ci.results.result import Result
+from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 
 NAME = "catkin_lint"
@@ -31,6 +35,8 @@ KNOWN = (
 #: It reads the launch files and plug-in descriptions of a package, and first lines, and asks which other files there are.
 SEES = frozenset(EVERY_LANGUAGE) - {"cpp"}
 SEES_NAMES = True
+#: A finding names no more other places than this.
+MOST = 40
 LEVELS = {"errors": Level.ERROR, "warnings": Level.WARNING, "notices": Level.NOTE}
 
 
@@ -43,7 +49,7 @@ def locate(options: LintOptions) -> Program | None:
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
     """Which packages there are, for it looks dependencies up among them, and which of them are of ROS 1."""
-    return json.dumps(["2", sorted((package.name, package.ros or 0) for package in workspace.packages)])
+    return json.dumps(["3", sorted((package.name, package.ros or 0) for package in workspace.packages)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -82,8 +88,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     warnings = output.stderr.decode("utf-8", "replace")
     for name in re.findall(r"^catkin_lint: cannot lint ([\w-]+):", warnings, re.MULTILINE):
         yield GaveUp(manifests[name], "a fault of catkin_lint")
+    places: dict[tuple[str, str, str], list[Finding]] = {}
     for key, level in LEVELS.items():
-        for said in report[key]:
+        for said in sorted(report[key], key=_order):
             place = said["location"]
             package = packages.get(place["package"])
             if package is None:
@@ -91,7 +98,21 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             path = normpath(join(package.path, place.get("file") or "package.xml"))
             line = place.get("line")
             location = Location(path, line if isinstance(line, int) and line > 0 else None)
-            yield Finding(manifests[package.name], Result(NAME, said["id"], level, said["text"], location))
+            rule, text = said["id"], said["text"]
+            if is_refuted(rule, text, package.path, path, location.line, batch.workspace):
+                continue
+            weighed = max(level, rule_of(NAME, rule).level, key=lambda level: level.rank)
+            finding = Finding(manifests[package.name], Result(NAME, rule, weighed, text, location))
+            places.setdefault((package.name, rule, text), []).append(finding)
+    for first, *others in places.values():  # what is said of each use of a thing has one cause
+        related = tuple(Related(other.result.location, "Here, too.") for other in others[:MOST])
+        yield replace(first, result=replace(first.result, related=related))
+
+
+def _order(said: dict[str, Any]) -> tuple[str, int]:
+    place = said["location"]
+    line = place.get("line")
+    return str(place.get("file") or ""), line if isinstance(line, int) else 0
 
 
 def _trace(workspace: Workspace, file: SourceFile) -> str:

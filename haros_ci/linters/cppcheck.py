@@ -10,7 +10,7 @@ from functools import lru_cache, partial
 from posixpath import join, relpath
 
 from haros_ci.linters import compile_db, cppcheck_libraries, includes, installed, ros_macros
-from haros_ci.linters.cppcheck_doubts import is_refuted
+from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.tool_xml import Element, elements
 from haros_ci.model.location import Location
@@ -45,7 +45,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"3 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
+    return f"4 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -140,6 +140,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         at, line = error.children[0]["file"], int(error.children[0]["line"])
         if rule not in GAVE_UP and is_refuted(rule, error.attributes["msg"], line, batch.workspace.text(at)):
             continue
+        if rule == "selfInitialization":
+            right = self_initialized_line(error.attributes["msg"], line, batch.workspace.text(at))
+            error.children[0].update({"line": str(right)} | ({"column": "0"} if right != line else {}))
         for unit in units:
             if rule not in GAVE_UP:
                 yield Finding(unit, _result(error, batch.workspace))

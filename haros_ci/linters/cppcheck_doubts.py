@@ -4,21 +4,131 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from functools import lru_cache
+
+from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
 _NAMED_ARGUMENT = re.compile(r"\"_[A-Za-z]\w*[ \t]*=(?!=)")
 _OF_LITERALS = frozenset({"assignBoolToPointer", "selfAssignment", "AssignmentIntegerToAddress", "stringLiteralWrite"})
-_QUOTED_NAME = re.compile(r"'(\w+)'")
+_OF_UNUSED = frozenset({"unreadVariable", "unusedVariable"})
+#: ``Variable 'pose(2)' is assigned …`` and ``Unused variable: pose``.
+_SUBJECT = re.compile(r"'([^']+)'|: (\w+)\.?$")
+#: Types whose objects refer to what others own: who writes to them writes there.
+_VIEW = (
+    r"\b(?:(?:Ref|Map|Block|VectorBlock|span|mdspan|ArrayRef|reference_wrapper)\s*<[^;{{}}()]{{0,200}}>|Mat_?(?:<[^;<>]{{0,200}}>)?)"
+    r"\s*&?\s*{name}\b"
+)
+#: Functions of Eigen and OpenCV that return a part of a matrix and copy nothing.
+_PART = (
+    r"\bauto\s*&?&?\s*{name}\s*=[^;]{{0,300}}\.\s*(?:template\s+)?(?:row|col|block|segment|head|tail|diagonal|array|matrix|noalias"
+    r"|topRows|bottomRows|leftCols|rightCols|middleRows|middleCols|topLeftCorner|topRightCorner|bottomLeftCorner"
+    r"|bottomRightCorner|linear|translation|rotation|coeffRef|transpose|reshaped|rowRange|colRange)\s*[<(]"
+)
+_BINDING = r"\bauto\s*&?&?\s*\[[^\]]{{0,200}}\b{name}\b[^\]]{{0,200}}\]"
+_COMMENT = re.compile(r"//[^\n]*|/\*.{0,4000}?\*/", re.DOTALL)
+#: What stands in a statement and seldom in a sentence.
+_STATEMENT = re.compile(r";[ \t]*(?:$|\*/)|<<|\w\(|\)[ \t]*\{", re.MULTILINE)
+_SWITCH = re.compile(r"[^\n{}]{0,200}\bswitch\s*\([^{};]{0,300}\)\s*\{")
+_DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|ifdef|ifndef|endif|define)\b[ \t]*(\w*)")
 
 
 def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     """Whether the *text* refutes what cppcheck says by *rule* at *line*, counted from 1.
 
     Cppcheck 2.22 takes a string with a suffix for a pointer, and does not see that a ``case`` reads the constant that
-    is its label.
+    is its label. It does not know which classes are views of what others own, takes each name of a structured binding for a
+    variable of its own, and looks at one preprocessor configuration.
     """
     if rule in _OF_LITERALS:
         lines = text.split("\n")
         return 0 < line <= len(lines) and _NAMED_ARGUMENT.search(lines[line - 1]) is not None
-    name = _QUOTED_NAME.search(message) if rule == "unreadVariable" else None
-    return name is not None and re.search(rf"\bcase\s[^:;{{}}]{{0,200}}\b{name[1]}\b", text) is not None
+    if rule == "missingReturn":
+        return _is_exhaustive(line, text)
+    subject = _SUBJECT.search(message) if rule in _OF_UNUSED else None
+    return subject is not None and _is_used(subject[1] or subject[2], line, text)
+
+
+def _is_used(subject: str, line: int, text: str) -> bool:
+    """Whether *subject*, which cppcheck calls unused, is a part of something else, or used where cppcheck does not look."""
+    if "(" in subject:  # an element by a call: only a class has those, and who else has the matrix is not known
+        return True
+    if not re.fullmatch(r"\w+", subject) or subject not in text:
+        return False
+    if any(re.search(pattern.format(name=subject), text) for pattern in (_VIEW, _PART, _BINDING)):
+        return True
+    if re.search(rf"\bcase\s[^:;{{}}]{{0,200}}\b{subject}\b", text):
+        return True
+    word = re.compile(rf"\b{subject}\b")
+    return any(word.search(part) for part in (*_switched(line, text), *_commented_out(line, text)))
+
+
+def _is_exhaustive(line: int, text: str) -> bool:
+    """Whether the path goes past a ``switch`` without ``default`` all of whose labels are enumerators of one scoped type.
+
+    Compilers warn where an enumerator is missing (-Wswitch); cppcheck does not know how many there are.
+    """
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    first = line - 2 if lines[line - 1].strip() == "{" and line > 1 else line - 1
+    start = "\n".join(lines[first : first + 200])
+    switch = _SWITCH.match(start)
+    if switch is None:
+        return False
+    body = start[switch.end() :]
+    depth, end = 1, 0
+    for brace in re.finditer(r"[{}]", body):
+        depth, end = depth + (1 if brace[0] == "{" else -1), brace.start()
+        if depth == 0:
+            break
+    body = body[:end]
+    labels = re.findall(r"\bcase\s+([^;{}?]{1,200}?)\s*(?<!:):(?!:)", body)
+    scopes_of = {label.rpartition("::")[0] for label in labels}
+    return depth == 0 and len(labels) > 1 and len(scopes_of) == 1 and "" not in scopes_of and "default" not in body
+
+
+def self_initialized_line(message: str, line: int, text: str) -> int:
+    """The line of the initializer that *message* names; cppcheck gives the place of what stands before it."""
+    name = _SUBJECT.search(message)
+    lines = text.split("\n")
+    if name and name[1] and 0 < line < len(lines):
+        initializer = re.compile(rf"\b{re.escape(name[1])}\s*[({{]\s*{re.escape(name[1])}\b")
+        if not initializer.search(lines[line - 1]) and initializer.search(lines[line]):
+            return line + 1
+    return line
+
+
+def _commented_out(line: int, text: str) -> Iterator[str]:
+    """The statements in comments of the function around *line*."""
+    here = scopes(text, "cpp").at(line)
+    return (comment for scope, comment in _statements(text) if scope == here)
+
+
+@lru_cache(maxsize=4)
+def _statements(text: str) -> tuple[tuple[str, str], ...]:
+    """The comments of *text* that hold statements, each with the function that it stands in."""
+    inside, found = scopes(text, "cpp"), []
+    line, counted = 1, 0
+    for comment in _COMMENT.finditer(text):
+        line, counted = line + text.count("\n", counted, comment.start()), comment.start()
+        if _STATEMENT.search(comment[0]):
+            found.append((inside.at(line), comment[0]))
+    return tuple(found)
+
+
+def _switched(line: int, text: str) -> Iterator[str]:
+    """The other lines that the preprocessor may leave out; what an include guard holds is not meant."""
+    lines = text.split("\n")
+    depth: list[bool] = []
+    for number, here in enumerate(lines, start=1):
+        directive = _DIRECTIVE.match(here)
+        if directive and directive[1].startswith("if"):
+            follows = _DIRECTIVE.match(lines[number]) if number < len(lines) else None
+            is_guard = directive[1] == "ifndef" and follows and follows.groups() == ("define", directive[2])
+            depth.append(not is_guard)
+        elif directive and directive[1] == "endif" and depth:
+            depth.pop()
+        elif any(depth) and number != line:
+            yield here

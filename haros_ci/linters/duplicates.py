@@ -18,6 +18,11 @@ _WILDCARD = re.compile(r"^[ \t]*from[ \t]+[\w.]+[ \t]+import[ \t]*\(?[ \t]*\*", 
 #: cpplint counts a function's lines and reports them at its closing brace, the others at its head.
 _AT_THE_END = "cpplint:readability/fn_size"
 
+#: pylint reports a mutable default at the head of its function, once; ruff each where it stands.
+_DEFAULT, _OF_FUNCTION = "ruff:B006", "pylint:dangerous-default-value"
+#: The head of a function is no longer than so many lines.
+_HEAD = 30
+
 
 def merge_same_defects(
     results: Iterable[Result], same_defect: Sequence[Sequence[str]] = SAME_DEFECT
@@ -62,7 +67,7 @@ def _groups(
         if result.full_id not in rank or i in dropped:
             continue
         path, line = result.location.path, lines[i]
-        nth = seen.get((path, line, result.full_id), 0)
+        nth = 0 if result.full_id in (_DEFAULT, _OF_FUNCTION) else seen.get((path, line, result.full_id), 0)
         seen[path, line, result.full_id] = nth + 1
         groups.setdefault((path, line, nth), []).append(i)
     for group in groups.values():
@@ -82,9 +87,16 @@ def _lines(given: Sequence[Result]) -> list[int]:
         if result.tool == "metrics" and result.scope and result.location.line:
             name = result.scope.rpartition("::")[2]
             heads.setdefault((result.location.path, name), []).append(result.location.line)
+    functions: dict[str, list[int]] = {}
+    for result in given:
+        if result.full_id == _OF_FUNCTION and result.location.line:
+            functions.setdefault(result.location.path, []).append(result.location.line)
     lines = []
     for result in given:
         line = result.location.line or 0
+        if result.full_id == _DEFAULT:
+            above = [head for head in functions.get(result.location.path, ()) if line - _HEAD <= head <= line]
+            line = max(above, default=line)
         if result.full_id == _AT_THE_END:
             name = result.message.partition(": ")[2].partition("(")[0].rpartition("::")[2]
             line = max((head for head in heads.get((result.location.path, name), ()) if head <= line), default=line)

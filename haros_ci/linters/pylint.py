@@ -9,7 +9,7 @@ from posixpath import dirname
 from typing import Any
 
 from haros_ci.linters import columns, imports, installed, python2
-from haros_ci.linters.catalogue.pylint import UNCERTAIN
+from haros_ci.linters.catalogue.pylint import NOT_FATAL
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.pylint_config import config_path, inert_options
 from haros_ci.linters.pylint_doubts import is_refuted
@@ -48,7 +48,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     astroid = installed.distribution("astroid")
-    return json.dumps(["4", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
+    return json.dumps(["5", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -120,7 +120,7 @@ def _result(path: str, said: dict[str, object]) -> Result:
     line, column, end_line, end_column = (said[key] for key in ("line", "column", "endLine", "endColumn"))
     place = Location(path, _count(line) or 1, _count(column, 1), _count(end_line), _count(end_column, 1))
     level = LEVELS.get(str(said["type"]), Level.NOTE)
-    if said["symbol"] in UNCERTAIN:
+    if said["symbol"] in NOT_FATAL:
         level = Level.WARNING
     return Result(NAME, str(said["symbol"]), level, str(said["message"]), place, scope=str(said["obj"]))
 

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Messages of pylint that the text around them refutes.
 
-Pylint does not see what a decorator does that is not installed, nor why a name stands alone.
+Pylint does not see what a decorator does that is not installed, nor why a name stands alone, nor that a callback is tested
+before it is called; it takes any mutable default for a shared one, and what the main block of a script sets for unset.
 """
 
 from __future__ import annotations
 
 import re
+
+from haros_ci.linters.python_defaults import is_only_read
+from haros_ci.results.scope import scopes
 
 #: Decorators that leave a function's parameters as they are, by their last name.
 _HARMLESS = frozenset(
@@ -22,14 +26,26 @@ _KEPT = re.compile(r"#.*\b(?:unused|warnings?|lint\w*|pylint|flake8|noqa|keep|re
 _RAISING = re.compile(
     r"\s*(?:async\s+)?with\b.*\b(?:raises|assertRaises\w*|warns|assertWarns\w*|suppress|deprecated_call)\b|\s*try\s*:"
 )
+#: How far above its use a name of that idiom is assigned.
+_NEAR = 40
+#: Characters of a line that are looked at.
+_LONGEST = 400
+_NAME = re.compile(r"[A-Za-z_][\w.]*")
+_MAIN = re.compile(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
 
 
 def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     """Whether the *text* refutes what pylint says by *rule* at *line*, counted from 1, and *column*, from 0."""
     if rule == "no-value-for-parameter":
         return _is_decorated(text, line, column)
-    if rule == "pointless-statement":
+    if rule in ("pointless-statement", "expression-not-assigned"):
         return _is_on_purpose(text, line)
+    if rule == "dangerous-default-value":
+        return is_only_read(text, line)
+    if rule == "not-callable":
+        return _is_tested(text, line, column)
+    if rule == "possibly-used-before-assignment":
+        return _is_of_main(text, line, column)
     return False
 
 
@@ -62,7 +78,46 @@ def _is_on_purpose(text: str, line: int) -> bool:
     if _KEPT.search(here):
         return True
     indent = len(here) - len(here.lstrip())
+    if _NAME.fullmatch(here.partition("#")[0].strip()):  # assigned just above: the idiom without its comment
+        assigned = re.compile(rf"{re.escape(here.partition('#')[0].rstrip())}[ \t]*(?::[^=\n]*)?=(?!=)")
+        if any(assigned.match(above) for above in lines[max(line - 1 - _NEAR, 0) : line - 1]):
+            return True
     for above in reversed(lines[max(line - 50, 0) : line - 1]):
         if above.strip() and len(above) - len(above.lstrip()) < indent:
             return bool(_RAISING.match(above))
+    return False
+
+
+def _is_tested(text: str, line: int, column: int) -> bool:
+    """Whether the name that is called there is tested in the same function: pylint has followed its None only."""
+    lines = text.split("\n")
+    called = _NAME.match(lines[line - 1], column) if 0 < line <= len(lines) else None
+    if called is None:
+        return False
+    name = re.escape(called[0])
+    test = re.compile(
+        rf"(?:\b(?:if|elif|while|and|or|not|assert)[ \t(]+|\bcallable\(\s*){name}\b(?![\w.(\[])(?!\s*[=!<>]=)"
+        rf"|(?<![\w.]){name}\s+(?:and|is\s+not|is\s+None)\b|(?<![\w.]){name}\s*!=\s*None\b|^\s*{name}\)?\s*:\s*$"
+    )
+    inside = scopes(text, "python")
+    here = inside.at(line)
+    return any(test.search(each[:_LONGEST]) and inside.at(number) == here for number, each in enumerate(lines, start=1))
+
+
+def _is_of_main(text: str, line: int, column: int) -> bool:
+    """Whether a function uses there what the main block of the script sets, which calls it afterwards."""
+    lines = text.split("\n")
+    used = _NAME.match(lines[line - 1], column) if 0 < line <= len(lines) else None
+    if used is None or not scopes(text, "python").at(line):
+        return False
+    name = re.escape(used[0].partition(".")[0])
+    assigned = re.compile(
+        rf"[ \t]+(?:[^=()#]*[,( \t])?{name}\b[^=()#]*=(?!=)|[ \t]+.*\bas[ \t]+{name}\b|[ \t]+for\b.*\b{name}\b.*\bin\b"
+    )
+    in_main = False
+    for each in (whole[:_LONGEST] for whole in lines):
+        if each[:1].strip() and not each.startswith(("#", ")", "]", "}")):
+            in_main = _MAIN.match(each) is not None
+        elif in_main and assigned.match(each):
+            return True
     return False

@@ -8,8 +8,9 @@ import json
 import os
 from collections.abc import Iterable, Iterator
 
-from haros_ci.linters import installed, python2, ruff_config, settings_files
+from haros_ci.linters import installed, pylint_doubts, python2, ruff_config, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Store, Workspace
@@ -30,7 +31,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["2", sorted(ruff_config.LEFT_OUT)])
+    return json.dumps(["3", sorted(ruff_config.LEFT_OUT)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -85,6 +86,15 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             silenced.add(path)
             yield GaveUp(path, "it is Python 2", start["row"])
             continue
+        if _is_refuted(rule, start["row"], start["column"] - 1, batch.workspace.text(path)):
+            continue
         place = Location(path, start["row"], start["column"], end["row"], end["column"])
         level = Level.ERROR if rule == SYNTAX else Level.WARNING
         yield Finding(path, Result(NAME, rule, level, said["message"], place))
+
+
+def _is_refuted(rule: str, line: int, column: int, text: str) -> bool:
+    """As of pylint's messages on the same defects; a default is reported where it stands, not at its function."""
+    if rule == "B006":
+        return is_only_read(text, line, column)
+    return rule == "B018" and pylint_doubts.is_refuted("pointless-statement", line, column, text)

@@ -281,3 +281,23 @@ def test_catkin_lint(tmp_path: Path) -> None:
         ("robot/package.xml", "PROJECT_NAME", "robot/CMakeLists.txt:2"),
         ("robot/package.xml", "MISSING_DIRECTORY", "robot/package.xml"),
     ]
+
+
+def test_catkin_lint_says_once_what_is_missing_and_weighs_it(tmp_path: Path) -> None:
+    def item(identifier: str, line: int, text: str) -> dict[str, object]:
+        return {
+            "id": identifier,
+            "location": {"file": "CMakeLists.txt", "line": line, "package": "robot"},
+            "text": text,
+        }
+
+    lines = [("MISSING_DEPEND", 9, "rostest"), ("MISSING_DEPEND", 4, "rostest"), ("MISSING_DEPEND", 5, "tf")]
+    errors = [item(*each) for each in (*lines, ("MISSING_CATKIN_DEPEND", 6, "tf"), ("MISSING_FILE", 7, "'.test'"))]
+    files = {"robot/package.xml": "", "robot/CMakeLists.txt": "\n" * 9}
+    said = parse(catkin_lint, tmp_path, files, json.dumps({"errors": errors, "warnings": [], "notices": []}))
+    found = [s.result for s in said if isinstance(s, Finding)]
+    assert [(r.rule, r.location.line, r.level, [n.location.line for n in r.related]) for r in found] == [
+        ("MISSING_DEPEND", 4, Level.ERROR, [9]),
+        ("MISSING_DEPEND", 5, Level.ERROR, []),
+        ("MISSING_CATKIN_DEPEND", 6, Level.WARNING, []),
+    ]

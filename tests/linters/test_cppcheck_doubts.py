@@ -5,21 +5,57 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.linters.cppcheck_doubts import is_refuted
+from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 
 UNREAD = "Variable 'kFirst' is assigned a value that is never used."
 REFUTED = [
     ("unreadVariable", UNREAD, "const int kFirst = 1;\nswitch (a) {\n  case kFirst: return 1;\n}"),
     ("unreadVariable", UNREAD, "const int kFirst = 1;\nswitch (a) {\n  case (kBase + kFirst):\n    return 1;\n}"),
     ("unreadVariable", UNREAD, "const int kFirst = 1;\ncase\n  kFirst: return 1;\n"),
+    ("unreadVariable", "Variable 'pose(2)' is assigned a value that is never used.", "pose(2) = turn(pose(2));"),
+    ("unreadVariable", "Variable 'H(1,jy)' is assigned a value that is never used.", "H(1,jy) = 0.5;"),
+    ("unreadVariable", UNREAD, "kFirst = 1; }\nvoid before(Eigen::Ref<Vector3d> kFirst) {}\n"),
+    ("unreadVariable", UNREAD, "kFirst = 1;\n auto kFirst = matrix.row(2);\n"),
+    ("unreadVariable", UNREAD, "kFirst = 1;\n cv::Mat kFirst(image, box);\n"),
+    ("unreadVariable", UNREAD, "kFirst = 1;\n std::span<double> kFirst;\n"),
+    ("unreadVariable", UNREAD, "auto & [kFirst, second] = pair;\n"),
+    ("unreadVariable", UNREAD, "auto [first, kFirst] = pair;\n"),
+    ("unusedVariable", "Unused variable: part", "for (const auto & [part, value] : parts) use(value);\n"),
+    ("unreadVariable", UNREAD, 'int kFirst = 1;\n// printf("%d", kFirst);\n'),
+    ("unreadVariable", UNREAD, "int kFirst = 1;\n/* std::cout << kFirst\n * << 1; */\n"),
+    ("unusedVariable", "Unused variable: tmp", "float tmp;\n//  get(&tmp);\n"),
+    ("unusedVariable", "Unused variable: tmp.", "float tmp;\n#ifdef SLOW\nget(&tmp);\n#endif\n"),
+    ("unreadVariable", UNREAD, "int kFirst = 1;\n#ifndef NDEBUG\n  check(kFirst);\n#endif\n"),
     ("assignBoolToPointer", "Boolean value assigned to pointer.", 'm.def("f", &f, "on"_a = false);'),
     ("selfAssignment", "Redundant assignment of '\"a\"' to itself.", 'm.def("f", &f, "a"_a="a");'),
 ]
+SWITCH = "switch (kind)\n{\n  case Kind::A:\n    return 1;\n  case Kind::B: { return 2; }\n}\n"
+EXIT = "Found an exit path from function with non-void return type that has missing return statement."
+REFUTED += [
+    ("missingReturn", EXIT, SWITCH),
+    ("missingReturn", EXIT, SWITCH.replace(")\n{", ") {")),
+    ("missingReturn", EXIT, SWITCH.replace("Kind::", "robot::Kind::")),
+]
 STANDS = [
+    ("missingReturn", EXIT, SWITCH.replace("Kind::", "")),
+    ("missingReturn", EXIT, SWITCH.replace("Kind::A", "1").replace("Kind::B", "2")),
+    ("missingReturn", EXIT, SWITCH.replace("case Kind::B", "default")),
+    ("missingReturn", EXIT, "if (a) {\n" + SWITCH + "}\n"),
+    ("missingReturn", EXIT, "if (a)\n{\n  return 1;\n}\n"),
+    ("missingReturn", EXIT, "switch (kind) {\n  case Kind::A:\n"),
     ("unreadVariable", UNREAD, "int kFirst = 1;\nswitch (a) { case 1: return kSecond; }"),
     ("unreadVariable", UNREAD, "int kFirst = 1;\nswitch (a) { case kFirstOfAll: return 1; }"),
     ("unreadVariable", UNREAD, "int kFirst = 1;\nswitch (a) { case 1: kFirst = 2; }"),
     ("unreadVariable", UNREAD, "int kFirst = 1; // in this lowercase kFirst\n"),
+    ("unreadVariable", UNREAD, "int kFirst = 1; // kFirst (the first) comes first\n"),
+    ("unreadVariable", UNREAD, 'int kFirst = 1;\n// printf("%d", kFirstOfAll);\n'),
+    ("unreadVariable", UNREAD, "#ifndef A_H\n#define A_H\nint kFirst = 1;\n#endif\n"),
+    ("unreadVariable", UNREAD, "int kFirst = 1;\n#ifdef SLOW\nget(&other);\n#endif\n"),
+    ("unreadVariable", UNREAD, "void f() {\nint kFirst = 1;\n}\nvoid g() {\n// use(kFirst);\n}\n"),
+    ("unreadVariable", UNREAD, "auto kFirst = matrix.rows();\n"),
+    ("unreadVariable", UNREAD, "std::string kFirst = data[0];\n"),
+    ("unreadVariable", "Variable 'a[0]' is assigned a value that is never used.", "a[0] = 1;\n"),
+    ("unusedVariable", "Unused variable: tmp", "float tmp;\nget(&temp);\n"),
     ("assignBoolToPointer", "Boolean value assigned to pointer.", "int* p = false;"),
     ("assignBoolToPointer", "Boolean value assigned to pointer.", 'p = "a"_s == b;'),
     ("assignBoolToPointer", "Boolean value assigned to pointer.", ""),
@@ -29,9 +65,31 @@ STANDS = [
 
 @pytest.mark.parametrize(("rule", "message", "text"), REFUTED)
 def test_refuted(rule: str, message: str, text: str) -> None:
-    assert is_refuted(rule, message, 1, text)
+    assert is_refuted(rule, message, _line(message, text), text)
 
 
 @pytest.mark.parametrize(("rule", "message", "text"), STANDS)
 def test_stands(rule: str, message: str, text: str) -> None:
-    assert not is_refuted(rule, message, 1, text)
+    assert not is_refuted(rule, message, _line(message, text), text)
+
+
+def _line(message: str, text: str) -> int:
+    """The first line of *text* with the name that *message* ends or begins with."""
+    if message is EXIT:
+        return text[: max(text.find("{"), 0)].count("\n") + 1
+    name = "kFirst" if message is UNREAD else message.rstrip(".").rpartition(" ")[2]
+    return text[: max(text.find(name), 0)].count("\n") + 1
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("A(const A& a) :\n  a_(a_) {}", 2),
+        ("A(const A& a) : b_(0),\n  a_{a_} {}", 2),
+        ("A(const A& a) : a_(a_),\n  a_(a_) {}", 1),
+        ("A(const A& a) :\n  b_(a_) {}", 1),
+        ("A", 1),
+    ],
+)
+def test_the_line_of_an_initializer(text: str, line: int) -> None:
+    assert self_initialized_line("Member variable 'a_' is initialized by itself.", 1, text) == line

@@ -28,6 +28,8 @@ def result(
             "cpplint:runtime/explicit",
             ["cppcheck:noExplicitConstructor"],
         ),
+        (["pylint:expression-not-assigned", "ruff:B018"], "pylint:expression-not-assigned", ["ruff:B018"]),
+        (["pylint:pointless-statement", "ruff:B018"], "pylint:pointless-statement", ["ruff:B018"]),
         (["ruff:F401", "pylint:unused-import"], "pylint:unused-import", ["ruff:F401"]),
         (["ruff:F841", "pylint:unused-variable"], "pylint:unused-variable", ["ruff:F841"]),
         (
@@ -131,3 +133,14 @@ def test_cpplint_names_long_functions_at_their_end(line: int, scope: str, count:
 def test_names_behind_a_wildcard_import(text: str, kept: bool) -> None:
     given = (result("pylint:undefined-variable"), result("pylint:unused-import"), result("ruff:F821"))
     assert drop_unfounded(given, {"a": text}.__getitem__) == (given if kept else given[1:])
+
+
+def test_defaults_of_one_function_are_one() -> None:
+    head, other = result("pylint:dangerous-default-value", 3), result("pylint:dangerous-default-value", 20)
+    defaults = [result("ruff:B006", line) for line in (3, 3, 5, 22, 90)]
+    merged = merge_same_defects([head, *defaults, other])
+    assert [(r.full_id, r.location.line) for r in merged] == [
+        ("pylint:dangerous-default-value", 3),
+        ("ruff:B006", 90),
+        ("pylint:dangerous-default-value", 20),
+    ]

@@ -96,7 +96,7 @@ GROUPS: tuple[Group, ...] = (
             ("redundantIfRemove", "Ss", "An element is removed without asking first whether it is there."),
             ("redundantInitialization", "Ss", "An initial value is read before it is overwritten."),
             ("redundantPointerOp", "Ss", "Nothing is dereferenced and addressed again."),
-            ("unreadVariable", "Rs", "An assigned value is read."),
+            ("unreadVariable", "Ss", "An assigned value is read."),
             ("unusedLabel", "Ss", "A label is used."),
             ("unusedPrivateFunction", "Ss", "A private function is called."),
             ("unusedVariable", "Rs", "A variable is used."),

@@ -61,8 +61,18 @@ QUIET: tuple[tuple[str, str], ...] = (
     ("I", "raw-checker-failed suppressed-message use-symbolic-message-instead useless-suppression"),
 )
 
-#: Errors by their category of which pylint itself says "possibly".
-UNCERTAIN = frozenset({"possibly-used-before-assignment"})
+#: Errors by their category that stop nothing: of which pylint itself says "possibly", that logging or a wildcard import
+#: alone meets, that are dead code or a value nobody wanted, or of layout in strings.
+NOT_FATAL = frozenset(
+    """
+    possibly-used-before-assignment function-redefined undefined-all-variable invalid-all-format invalid-all-object
+    assignment-from-no-return assignment-from-none bad-str-strip-call nonexistent-operator bad-except-order
+    misplaced-bare-raise misplaced-format-function no-self-argument singledispatch-method singledispatchmethod-function
+    logging-format-truncated logging-too-few-args logging-too-many-args logging-unsupported-format bad-super-call
+    bidirectional-unicode invalid-character-backspace invalid-character-carriage-return invalid-character-esc
+    invalid-character-nul invalid-character-sub invalid-character-zero-width-space declare-non-slot
+    """.split()
+)
 
 SECURITY = {"bidirectional-unicode": "6.5", "eval-used": "6.0", "exec-used": "6.0"}
 
@@ -98,7 +108,7 @@ def _rule(symbol: str, letters: str, summary: str, group: Group) -> Rule:
     return Rule(
         id=symbol,
         summary=summary,
-        level=Level.WARNING if symbol in UNCERTAIN else level,
+        level=Level.WARNING if symbol in NOT_FATAL else level,
         help=help_text(symbol, summary, group.advice, SUPPRESS),
         help_uri=f"{MESSAGES}/{category}/{symbol}.html",
         precision=group.precision,

@@ -88,7 +88,7 @@ def invented(code: str) -> Rule:
 
 
 def _rule(code: str, letters: str, summary: str, precision: str) -> Rule:
-    fatal = code.startswith(("E9", "F7", "F82"))
+    fatal = code.startswith(("E9", "F70", "F821", "F823"))  # F72 is of annotations, F822 of wildcard imports
     return Rule(
         id=code,
         summary=summary,

@@ -132,7 +132,7 @@ SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     ("pylint:f-string-without-interpolation", "ruff:F541", "flake8:F541"),
     ("pylint:too-few-format-args", "ruff:F507", "ruff:F524", "flake8:F507", "flake8:F524"),
     ("pylint:truncated-format-string", "ruff:F501", "flake8:F501"),
-    ("pylint:pointless-statement", "ruff:B015"),
+    ("pylint:pointless-statement", "pylint:expression-not-assigned", "ruff:B015", "ruff:B018"),
     ("pylint:cell-var-from-loop", "ruff:B023"),
     ("pylint:raise-missing-from", "ruff:B904"),
     ("pylint:duplicate-except", "ruff:B025"),

@@ -20,7 +20,7 @@ TABLE = Table(
             "Loaders take one of the values without a word, most of them the last, so that what stands above has no effect.",
             ("correctness",),
             (
-                ("key-duplicates", "Be", "A map has each key once."),
+                ("key-duplicates", "Bw", "A map has each key once."),
                 ("anchors", "Rw", "An alias refers to an anchor that was defined before, and each anchor once."),
             ),
         ),

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Messages of catkin_lint that the files of the workspace refute."""
+
+from __future__ import annotations
+
+import re
+from posixpath import join, normpath
+
+from haros_ci.model.workspace import Workspace
+
+_FILE = re.compile(r"'([^']*)'")
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
+#: Commands that set a variable to what CMake alone knows (cmake-commands(7)), with the place of its name.
+_COMPUTED = (
+    r"(?:get_filename_component\s*\(\s*{name}\b|string\s*\([^()]{{0,300}}\b{name}\b|list\s*\([^()]{{0,300}}\b{name}\b"
+    r"|foreach\s*\(\s*{name}\b|(?:function|macro)\s*\([^()]{{0,300}}\b{name}\b|file\s*\(\s*[A-Z_]+\s+{name}\b"
+    r"|(?:execute_process|cmake_parse_arguments|get_target_property|get_property|find_\w+|math|option)\s*\([^()]{{0,300}}\b{name}\b"
+    r"|set\s*\(\s*{name}\s[^()]{{0,300}}\$\{{)"
+)
+#: Variables that catkin_lint evaluates.
+_KNOWN = re.compile(r"(?:CMAKE_|PROJECT_|CATKIN_|catkin_)\w*|\w+_(?:SOURCE|BINARY)_DIR")
+#: Characters of a statement that are looked at.
+_LONGEST = 2000
+
+
+def is_refuted(rule: str, message: str, directory: str, path: str, line: int | None, workspace: Workspace) -> bool:
+    """Whether what catkin_lint says by *rule* of *line* in *path*, in the package in *directory*, is known to be wrong.
+
+    A missing file is not known to be missing if its name has a variable that catkin_lint does not evaluate; a file of
+    another place of the same repository is there wherever the repository is.
+    """
+    named = _FILE.search(message)
+    if named is None:
+        return False
+    if rule in ("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR"):
+        return _is_unknown(named[1], path, line, workspace.text(path))
+    if rule == "EXTERNAL_FILE" and not named[1].startswith("/"):
+        here = normpath(join(directory, named[1]))
+        beside = normpath(join(path.rpartition("/")[0], named[1]))
+        return any(file.path in (here, beside) for file in workspace.files)
+    return False
+
+
+def _is_unknown(name: str, path: str, line: int | None, text: str) -> bool:
+    """Whether the *name* of a file is what was left of one with variables."""
+    if "${" in name or "$<" in name or not name or name.endswith("/") or re.fullmatch(r"(?:.*/)?\.[a-z]{1,8}", name):
+        return True
+    if line is None or not path.endswith((".txt", ".cmake")):
+        return False
+    statement = "\n".join(text.split("\n")[line - 1 : line + 60])[:_LONGEST]
+    end = statement.find("\n)") if "\n)" in statement else statement.find(")")
+    variables = set(_VARIABLE.findall(statement[: end + 1] if end >= 0 else statement))
+    if re.search(r"\bOPTIONAL\b", statement[: end + 1]):
+        return True
+    unknown = [v for v in variables if not _KNOWN.fullmatch(v)]
+    return any(re.search(_COMPUTED.format(name=v), text, re.IGNORECASE) for v in unknown)

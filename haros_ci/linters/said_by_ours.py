@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What catkin_lint says of a package and a check of ours says of the same thing: one finding, ours, which names the other."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from haros_ci.results.own import TOOL as OURS
+from haros_ci.results.result import Result
+
+TOOL = "catkin_lint"
+
+_DEPENDENCY = ("undeclared-dependency", "undeclared-import", "undeclared-launch-dependency", "dependency-not-linked")
+_INSTALLATION = ("directory-not-installed", "target-not-installed")
+#: By a message of catkin_lint, the checks of ours that say the same (docs/catkin-lint.md); both name the thing.
+SAME: dict[str, tuple[str, ...]] = {
+    "MISSING_DEPEND": _DEPENDENCY,
+    "MISSING_FIND": _DEPENDENCY,
+    "MISSING_CATKIN_DEPEND": _DEPENDENCY,
+    "WRONG_DEPEND": (*_DEPENDENCY, "unknown-target"),
+    "LAUNCH_DEPEND": _DEPENDENCY,
+    "UNINSTALLED_PLUGIN": (*_INSTALLATION, "plugin-not-loadable"),
+    "UNINSTALLED_EXPORT_LIB": _INSTALLATION,
+    "UNINSTALLED_SCRIPT": _INSTALLATION,
+    "UNINSTALLED_TARGET": _INSTALLATION,
+    "SCRIPT_NOT_EXECUTABLE": ("script-not-runnable",),
+    "MISSING_SHEBANG": ("script-not-runnable",),
+    "MISSING_FILE": ("missing-install-source", "interface-not-generated", "missing-source"),
+    "MISSING_DIRECTORY": ("missing-install-source", "unknown-target"),
+    "MISSING_INCLUDE_PATH": ("unknown-target",),
+    "MISSING_PLUGIN": ("plugin-not-loadable", "missing-install-source"),
+    "SYSTEM_AS_CATKIN_DEPEND": ("unknown-target", *_DEPENDENCY),
+    "UNDEFINED_TARGET": ("unknown-target",),
+    "EXPORT_LIB_NOT_LIB": ("unknown-target",),
+}
+#: Those that name nothing: one of ours in the package is of the same thing.
+UNNAMED: dict[str, tuple[str, ...]] = {
+    "PROJECT_NAME": ("wrong-package-name",),
+    "MISSING_GENERATE_MSG": ("interface-not-generated",),
+}
+#: ``… exports package include path that is not installed.``: ours then speaks of the directory include.
+_INCLUDE_PATH = "UNINSTALLED_INCLUDE_PATH"
+_QUOTED = re.compile(r"'([^']+)'")
+_WORD = re.compile(r"[\w.+/-]*\w")
+
+
+def said_once(results: Iterable[Result], package_of: Callable[[str], str | None]) -> tuple[Result, ...]:
+    """*results* in their order without those of catkin_lint that a finding of ours repeats, which then names them.
+
+    They are of one package, which *package_of* tells of a path, and name one thing: or the directory that it is in.
+    """
+    given = tuple(results)
+    by_package: dict[str, list[int]] = defaultdict(list)
+    for i, result in enumerate(given):
+        package = package_of(result.location.path) if result.tool == OURS else None
+        if package:
+            by_package[package].append(i)
+    also: dict[int, set[str]] = defaultdict(set)
+    dropped: set[int] = set()
+    for i, result in enumerate(given):
+        if result.tool == TOOL:
+            near = by_package.get(package_of(result.location.path) or "", ())
+            twin = next((n for n in near if _is_same(result, given[n])), None)
+            if twin is not None:
+                also[twin].update((result.full_id, *result.also))
+                dropped.add(i)
+    return tuple(
+        replace(result, also=tuple(sorted({*result.also, *also[i]}))) if i in also else result
+        for i, result in enumerate(given)
+        if i not in dropped
+    )
+
+
+def _is_same(theirs: Result, ours: Result) -> bool:
+    if ours.rule in UNNAMED.get(theirs.rule, ()):
+        return True
+    if theirs.rule == _INCLUDE_PATH:
+        return ours.rule == "directory-not-installed" and "include" in _WORD.findall(ours.message)
+    if ours.rule not in SAME.get(theirs.rule, ()):
+        return False
+    words = set(_WORD.findall(ours.message))
+    names = {part for name in _QUOTED.findall(theirs.message) for part in (name, name.partition("/")[0])}
+    return not names.isdisjoint(words)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names that a tool for Python 3 calls undefined, and that are there all the same, or in Python 2."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+RULES = frozenset({"pylint:undefined-variable", "ruff:F821", "flake8:F821", "mypy:name-defined"})
+
+#: Built-in names that Python 3 has no more (What's New in Python 3.0, "Builtins").
+OF_PYTHON_2 = frozenset(
+    "apply basestring buffer cmp coerce execfile file intern long raw_input reduce reload unichr unicode xrange".split()
+)
+#: Names that others put among the built-in ones: gettext.install, the compiler of a class, IPython, line_profiler, Windows.
+_BROUGHT = frozenset("_ ngettext __class__ __path__ __IPYTHON__ get_ipython profile reveal_type WindowsError".split())
+_QUOTED = re.compile(r"['\"`](\w+)['\"`]")
+_ASKS_FOR_VERSION = re.compile(r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bexcept[ \t(]+[^\n:]{0,80}\bNameError\b")
+#: What makes names that no reader of the text can know.
+_MAKES_NAMES = re.compile(
+    r"\b(?:globals|vars|locals)\(\)[ \t]*(?:\[|\.(?:update|setdefault)\b)|(?<![\w.])exec(?:file)?\("
+)
+
+
+def weighed_names(
+    results: Iterable[Result],
+    text: Callable[[str], str],
+    is_ros1: Callable[[str], bool],
+    is_given: Callable[[Result], bool] = lambda result: False,
+) -> tuple[Result, ...]:
+    """*results* without names that something else defines, and with a warning for those that may well be defined.
+
+    May be: a name of Python 2 in a package of ROS 1, all of whose distributions but the last have Python 2 (REP 3); a name
+    in a string, where annotations stand that are not evaluated; any name where the file makes names of strings. *text* reads
+    a path, *is_ros1* tells of one whether it is of a package of ROS 1; where the level *is_given* by the settings it stands.
+    """
+    weighed = []
+    for result in results:
+        name = _QUOTED.search(result.message) if result.full_id in RULES else None
+        if name is not None:
+            whole = text(result.location.path)
+            if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _ASKS_FOR_VERSION.search(whole)):
+                continue
+            old = name[1] in OF_PYTHON_2 and is_ros1(result.location.path)
+            if (old or _is_in_string(result, whole) or _MAKES_NAMES.search(whole)) and not is_given(result):
+                result = replace(result, level=max(result.level, Level.WARNING, key=lambda level: level.rank))
+        weighed.append(result)
+    return tuple(weighed)
+
+
+def _is_in_string(result: Result, text: str) -> bool:
+    """Whether the place of *result* is inside a string of one line."""
+    lines, at = text.split("\n"), result.location
+    if not at.line or not at.column or at.line > len(lines):
+        return False
+    quote = ""
+    for character in lines[at.line - 1][: at.column - 1]:
+        if quote == character:
+            quote = ""
+        elif not quote and character in "'\"":
+            quote = character
+    return bool(quote) and not re.search(r"\b[fF][rR]?['\"]|\b[rR][fF]['\"]", lines[at.line - 1])

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Messages of catkin_lint that the workspace refutes, and those that it does not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from haros_ci.linters.catkin_doubts import is_refuted
+from haros_ci.model.package import Package
+
+from linter_samples import workspace
+
+MISSING = "add_rostest() needs missing file '{}'."
+NAMED = "get_filename_component(NAME ${CMAKE_CURRENT_SOURCE_DIR} NAME)\nadd_rostest(${NAME}.test)\n"
+REFUTED = [
+    ("MISSING_FILE", MISSING.format(".test"), NAMED, 2),
+    ("MISSING_FILE", MISSING.format("test/.test"), "", 1),
+    ("MISSING_FILE", MISSING.format("${NAME}.test"), "", 1),
+    ("MISSING_FILE", MISSING.format("a.test"), NAMED, 2),
+    ("MISSING_FILE", MISSING.format("a.cpp"), "foreach(n a b)\n  add_executable(${n} ${n}.cpp)\nendforeach()\n", 2),
+    ("MISSING_FILE", MISSING.format("x/a.cpp"), "function(go WHERE)\n  install(FILES\n ${WHERE}/a.cpp)\n", 2),
+    ("MISSING_FILE", MISSING.format("a.cpp"), 'string(TOLOWER ${A} low)\ninstall(FILES "${low}.cpp")\n', 2),
+    ("MISSING_FILE", MISSING.format("a.cpp"), "install(FILES a.cpp DESTINATION b OPTIONAL)\n", 1),
+    ("EXTERNAL_FILE", "include() uses file '../common.cmake' which is not in package.", "", 1),
+]
+STANDS = [
+    ("MISSING_FILE", MISSING.format("a.test"), "add_rostest(a.test)\n", 1),
+    ("MISSING_FILE", MISSING.format("src/.hidden.cpp"), "add_rostest(src/.hidden.cpp)\n", 1),
+    ("MISSING_FILE", MISSING.format("a.cpp"), "set(FILES a.cpp)\nadd_executable(a ${FILES})\n", 2),
+    ("MISSING_FILE", MISSING.format("robot.cpp"), "add_executable(a ${PROJECT_NAME}.cpp)\n", 1),
+    ("MISSING_FILE", MISSING.format("a.test"), "add_rostest(a.test)\n" + NAMED, 1),
+    ("MISSING_FILE", "no name", "", None),
+    ("EXTERNAL_FILE", "include() uses file '../nowhere.cmake' which is not in package.", "", 1),
+    ("EXTERNAL_FILE", "include() uses file '/opt/common.cmake' which is not in package.", "", 1),
+    ("MISSING_DEPEND", "missing build_depend on 'roscpp'.", "", 1),
+]
+
+
+def refuted(root: Path, rule: str, message: str, text: str, line: int | None) -> bool:
+    files = {"robot/package.xml": "", "robot/CMakeLists.txt": text, "common.cmake": ""}
+    return is_refuted(
+        rule, message, "robot", "robot/CMakeLists.txt", line, workspace(root, files, [Package("robot", "robot", ros=1)])
+    )
+
+
+@pytest.mark.parametrize(("rule", "message", "text", "line"), REFUTED)
+def test_refuted(tmp_path: Path, rule: str, message: str, text: str, line: int | None) -> None:
+    assert refuted(tmp_path, rule, message, text, line)
+
+
+@pytest.mark.parametrize(("rule", "message", "text", "line"), STANDS)
+def test_stands(tmp_path: Path, rule: str, message: str, text: str, line: int | None) -> None:
+    assert not refuted(tmp_path, rule, message, text, line)
