@@ -84,19 +84,22 @@ def _is_below(end: End, rest: str) -> bool:
 def _finding(used: _Used) -> Finding:
     node, rule = used.nodes[0]
     meant = _meant(node, rule)
-    more = f" (nor have {len(used.nodes) - 1} more nodes)" if len(used.nodes) > 1 else ""
+    more = f" (and {len(used.nodes) - 1} more nodes have none either)" if len(used.nodes) > 1 else ""
     hint = ""
     if meant is not None:
         written = (
-            f", written {meant.raw.written} in its code" if meant.raw.written not in (None, meant.original_name) else ""
+            f", written as {meant.raw.written} in the code"
+            if meant.raw.written not in (None, meant.original_name)
+            else ""
         )
         hint = f"; it has the {meant.word} {meant.original_name}{written}"
         if (meant.raw.written or "").startswith("/"):
-            hint += ", a global name that no relative rule is for"
+            hint += ", a global name that relative rules do not match"
     return Finding(
         at=rule.location,
         message=(
-            f"{node} has no topic or service {rule.source_name}{more}: remapping {rule.source} to {rule.target} does nothing{hint}"
+            f"{node} has no topic or service {rule.source_name}{more}: the remapping of {rule.source} to "
+            f"{rule.target} has no effect{hint}"
         ),
         about=(node, rule.source_name or rule.source),
         related=(
@@ -119,7 +122,7 @@ def _meant(node: SystemNode, rule: RemapRule) -> End | None:
 
 CHECK = Check(
     id="ineffective-remap",
-    summary="Each remapping rule is for a name that the node uses.",
+    summary="Remapping of a name that the node does not use.",
     level=Level.WARNING,
     catalogue="G05",
     tags=("remappings", "launch"),

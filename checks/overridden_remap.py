@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, RemapRule, System, together
+from haros_ci.api import Check, Finding, Level, RemapRule, System, line_of, together
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -27,8 +27,9 @@ def check(system: System) -> Iterator[Finding]:
                     yield Finding(
                         at=rule.location,
                         message=(
-                            f"{rule.source_name} of {node} is remapped to {rule.target_name} for nothing: "
-                            f"an earlier rule{where} leads to {earlier.target_name}, and the first one counts"
+                            f"{node}: the remapping of {rule.source_name} to {rule.target_name} has no effect, because an earlier "
+                            f"rule{where} ({line_of(earlier.location)}) remaps it to {earlier.target_name}; remove one of the two "
+                            "rules"
                         ),
                         about=(node, rule.source_name),
                         related=((earlier.location, f"leads to {earlier.target_name}"),),
@@ -38,7 +39,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="overridden-remap",
-    summary="No remapping rule of a node is hidden by an earlier one for the same name.",
+    summary="Remapping hidden by an earlier rule for the same name.",
     level=Level.WARNING,
     catalogue="L11",
     tags=("launch", "remapping"),

@@ -21,9 +21,10 @@ def check(system: System) -> Iterator[Finding]:
                 if first.raw.location is not None and second.raw.location not in (None, first.raw.location):
                     yield Finding(
                         at=second.location,
-                        message=f"{node.type} declares the parameter {key} a second time: the call throws",
+                        message=f"{node.type} declares the parameter {key} twice: the second call throws "
+                        "ParameterAlreadyDeclaredException; remove one declaration",
                         about=(first, second, key),
-                        related=((first.location, "declared here already"),),
+                        related=((first.location, "first declaration"),),
                     )
 
 
@@ -34,7 +35,7 @@ def is_doubtful(end: End) -> bool:
 
 CHECK = Check(
     id="parameter-declared-twice",
-    summary="A node declares a parameter once.",
+    summary="Parameter declared twice by one node.",
     level=Level.ERROR,
     tags=("parameters",),
     run=check,

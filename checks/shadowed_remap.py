@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, RemapRule, System, SystemNode, together
+from haros_ci.api import Check, Finding, Level, RemapRule, System, SystemNode, line_of, together
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -26,15 +26,15 @@ def _finding(node: SystemNode, first: RemapRule, second: RemapRule) -> Iterator[
     if presence is None:
         return
     why = (
-        "set for all nodes of the group, it comes first"
+        "the rule for all nodes of the group precedes it"
         if first.is_global and not second.is_global
-        else "it comes first"
+        else "it stands before this one"
     )
     yield Finding(
         at=second.location,
         message=(
-            f"{second.source} is remapped to {second.target} for {node}, but it is already remapped to {first.target}, and the "
-            f"first rule is taken: this one does nothing ({why})"
+            f"{node}: the remapping of {second.source} to {second.target} has no effect, because an earlier rule "
+            f"({line_of(first.location)}) remaps it to {first.target} ({why}); remove one of the two rules"
         ),
         about=(node, second.source_name or ""),
         related=((first.location, f"remapped to {first.target}"),),
@@ -44,7 +44,7 @@ def _finding(node: SystemNode, first: RemapRule, second: RemapRule) -> Iterator[
 
 CHECK = Check(
     id="shadowed-remap",
-    summary="Each name of a node is remapped once.",
+    summary="Second remapping of the same name.",
     level=Level.WARNING,
     tags=("remappings", "launch"),
     run=check,

@@ -62,12 +62,12 @@ def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Findin
     publishers = [end for end in ends if end.kind == "publishers"]
     subscribers = [end for end in ends if end.kind == "subscribers"]
     wrong = _wrong(ends)
-    takes = f"{_nodes(subscribers)} subscribe{'s' if len(subscribers) == 1 else ''} to {topics[0]} as {taken}"
+    takes = f"{_nodes(subscribers)} subscribe{('s' if len(subscribers) == 1 else '')} to {topics[0]} as {taken}"
     gives = f"{_nodes(publishers)} publish{'es' if len(publishers) == 1 else ''} {given}"
     more = f"; so do {len(topics) - 1} more topics" if len(topics) > 1 else ""
     return Finding(
         at=named_at(wrong),
-        message=f"{takes}, but {gives}: no such message arrives{_advice(wrong)}{more}",
+        message=f"{takes}, but {gives}: the two do not connect, and no message arrives{_advice(wrong)}{more}",
         about=about,
         related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in all_ends),
         flow=way_to(wrong),
@@ -84,7 +84,7 @@ def _wrong(ends: tuple[End, ...]) -> End:
 
 
 def _advice(end: End) -> str:
-    return "" if rule_of(end) is None else f"; {end.original_name} is remapped here to {end.name}"
+    return "" if rule_of(end) is None else f"; {end.original_name} is remapped to {end.name} here"
 
 
 def _nodes(ends: list[End]) -> str:
@@ -114,7 +114,7 @@ def _among(topic: Channel, ends: tuple[End, ...]) -> Iterator[Finding]:
 
 CHECK = Check(
     id="topic-type-mismatch",
-    summary="The publishers and subscribers of a topic have the same message type.",
+    summary="Publisher and subscriber of a topic with different message types.",
     level=Level.ERROR,
     catalogue="G06",
     tags=("topics",),

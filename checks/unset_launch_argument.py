@@ -25,7 +25,7 @@ def check(system: System) -> Iterator[Finding]:
             continue
         yield Finding(
             at=read.location,
-            message=f"{how} is read, but nothing declares or sets it: launch stops here{meant(read.similar)}",
+            message=f"{how} is read, but never declared or set: launch stops here{meant(read.similar)}",
             about=(read.name,),
             apart=(read.name,),
             flow=included_by(read),
@@ -39,9 +39,12 @@ def _undeclared(read: ArgumentRead, how: str, is_here: bool) -> Finding:
     Who starts the latter by hand gives the argument, as launch sets what the command line gives, declared or not.
     """
     if is_here:
-        message = f"{how} is read before the file declares it: launch stops here; declare it first"
+        message = f"{how} is read before its declaration: launch stops here; move the declaration up"
     else:
-        message = f"{how} is declared in an included file only: launch stops here, unless '{read.name}:=…' is given; declare it in this file, too"
+        message = (
+            f"{how} is declared only in an included file: launch stops here, unless '{read.name}:=…' is given; "
+            "declare it in this file, too"
+        )
     return Finding(
         at=read.location,
         message=message,
@@ -58,7 +61,7 @@ def _missing(system: System) -> Iterator[Finding]:
         for name in use.missing:
             yield Finding(
                 at=use.location,
-                message=f"includes {use.path} without its argument {name!r}, which has no default: launch stops here",
+                message=f"includes {use.path} without the argument {name!r}, which has no default: launch stops here; pass it",
                 about=(use.path or "", name),
                 apart=(use.path or "", name),
                 flow=included_by(use),
@@ -68,7 +71,7 @@ def _missing(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="unset-launch-argument",
-    summary="Launch arguments that are read are declared, and those without a default are passed.",
+    summary="Launch argument that is read but not declared or set.",
     level=Level.ERROR,
     catalogue="L07",
     tags=("launch",),
