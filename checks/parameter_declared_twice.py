@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System
+from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System, line_of
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -22,7 +22,7 @@ def check(system: System) -> Iterator[Finding]:
                     yield Finding(
                         at=second.location,
                         message=f"{node.type} declares the parameter {key} twice: the second call throws "
-                        "ParameterAlreadyDeclaredException; remove one declaration",
+                        f"ParameterAlreadyDeclaredException; the first declaration is at {line_of(first.location)}; remove one",
                         about=(first, second, key),
                         related=((first.location, "first declaration"),),
                     )

@@ -16,7 +16,7 @@ from haros_ci.workspace.tool_settings import TOOL_SETTINGS
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = {"a.py": "", "p/b.cpp": ""}
-NOTHING = "turns off nothing"
+NOTHING = "is known to be turned off"
 
 
 def said(place: Path, before: Mapping[str, str], after: Mapping[str, str]) -> dict[str, str]:
