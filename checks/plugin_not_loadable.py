@@ -166,10 +166,7 @@ def _not_registered(each: PluginClass, library: Target, found: _Package, macros:
     alike = [m for m in found.by_last.get(last, ()) if m.type != each.type]
     related: tuple[tuple[Location, str], ...] = ()
     if macros:
-        hint = (
-            f"{macros[0].location.path} registers it, but is not among the library's sources: add the file to the "
-            "sources"
-        )
+        hint = f"add {macros[0].location.path}, which registers it, to the library's sources"
         related = ((macros[0].location, "it is registered here"),)
     elif alike:
         hint = f"{alike[0].type} is registered: write the same name in both places"

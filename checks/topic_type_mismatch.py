@@ -119,7 +119,8 @@ def _among(topic: Channel, ends: tuple[End, ...]) -> Iterator[Finding]:
             )
             yield Finding(
                 at=named_at(wrong),
-                message=f"{one.node} {verb} {topic} as {one.type}, and {other.node} as {other.type} ({line_of(one.location)}, {line_of(other.location)}): {effect}; use one type in both{_advice(wrong)}",
+                message=f"{one.node} {verb} {topic} as {one.type}, and {other.node} as {other.type} ({line_of(one.location)}, "
+                f"{line_of(other.location)}): {effect}; use one type in both{_advice(wrong)}",
                 about=(topic, one, other),
                 related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in (one, other)),
                 flow=way_to(wrong),
