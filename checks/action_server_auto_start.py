@@ -12,8 +12,8 @@ from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, o
 CPP = ("actionlib::SimpleActionServer", "actionlib::ActionServer")
 PYTHON = ("actionlib.SimpleActionServer", "actionlib.ActionServer", "actionlib.simple_action_server.SimpleActionServer")
 WHY = (
-    "the action server starts in its constructor: a goal may arrive before the node has made all that its callback uses, "
-    "or before goal callbacks are registered; "
+    "the action server starts in its constructor: a goal may arrive before the node has created the objects "
+    "that the callback uses, or before goal callbacks are registered; "
 )
 
 
@@ -28,9 +28,9 @@ def check(project: Project) -> Iterator[Finding]:
         if any(each[0] in ("star", "starstar") for each in call.args):
             continue
         if started is None:
-            said = "auto_start is True unless it is given; pass auto_start=False, and call start() when all is made"
+            said = "auto_start defaults to True; pass auto_start=False, and call start() at the end of the set-up"
         elif started[0] == "bool" and started[1]:
-            said = "pass auto_start=False, and call start() when all is made"
+            said = "pass auto_start=False, and call start() at the end of the set-up"
         else:
             continue
         yield Finding(at=call_place(routine, call), message=WHY + said, about=(routine.title, call.name))
@@ -48,7 +48,7 @@ def _cpp(code: Codebase, routine: Routine) -> Iterator[Finding]:
         if _auto_starts(args):
             yield Finding(
                 at=at,
-                message=f"{WHY}pass false for auto_start, and call start() when all is made",
+                message=f"{WHY}pass false for auto_start, and call start() at the end of the set-up",
                 about=(routine.title, name),
             )
 
@@ -93,7 +93,7 @@ def _is_server(code: Codebase, routine: Routine, kind: Any) -> bool:
 
 CHECK = Check(
     id="action-server-auto-start",
-    summary="Action servers of ROS 1 are started when all that they use is made.",
+    summary="ROS 1 action server started in its constructor, before its callback is ready.",
     level=Level.WARNING,
     catalogue="C11",
     tags=("code", "actions"),

@@ -9,12 +9,12 @@ from haros_ci.api import Check, Finding, Level, System, type_mismatches
 
 
 def check(system: System) -> Iterator[Finding]:
-    yield from type_mismatches(system.actions, "no goal gets there")
+    yield from type_mismatches(system.actions, "the client's goals never reach the server")
 
 
 CHECK = Check(
     id="action-type-mismatch",
-    summary="The server and the clients of an action have the same action type.",
+    summary="Action server and client with different action types.",
     level=Level.ERROR,
     catalogue="G08",
     tags=("actions",),

@@ -48,11 +48,11 @@ def check(project: Project) -> Iterator[Finding]:
         if ways:
             yield Finding(
                 at=Location(routine.path, function.line, function.column),
-                message=f"{routine.title} executes an action's goal, and there is a way through it that neither succeeds nor aborts "
-                f"nor cancels the goal: {why}; set the outcome on every way",
+                message=f"{routine.title} executes an action goal, but one of its paths neither succeeds nor aborts nor cancels "
+                f"the goal: {why}; set the final state on every path",
                 about=(routine.title,),
                 related=tuple(
-                    (Location(routine.path, *way), "on a way from here it returns without one") for way in ways
+                    (Location(routine.path, *way), "this path returns without a final state") for way in ways
                 ),
             )
 
@@ -61,16 +61,16 @@ def _executing(code: Codebase) -> Iterator[tuple[Routine, str]]:
     """The routines that execute goals, and what becomes of a goal without an outcome."""
     for callback in callbacks(code):
         if callback.kind == "action" and callback.maker.is_python and callback.role in ("3", "execute_callback"):
-            yield callback.routine, "rclpy warns, and aborts it"
+            yield callback.routine, "rclpy logs a warning and aborts the goal"
     for path in sorted(code.mentioning("GoalHandle")):
         for routine in code.routines(path):
             if not routine.is_python and routine.function.kind != "lambda" and _takes_handle(code, routine):
-                yield routine, "it ends as canceled, with an empty result"
+                yield routine, "the goal ends as canceled, with an empty result"
     for maker, call in calls_of(code, "SimpleActionServer"):
         if maker.is_python and dotted(code, maker, call.callee).startswith("actionlib."):
             value = call.argument(2, "execute_cb")
             for routine in given_function(code, maker, value) if value is not None else ():
-                yield routine, "actionlib warns, and aborts it"
+                yield routine, "actionlib logs a warning and aborts the goal"
 
 
 def _takes_handle(code: Codebase, routine: Routine) -> bool:
@@ -105,7 +105,7 @@ def _is_handed(value: Any, names: frozenset[str]) -> bool:
 
 CHECK = Check(
     id="action-without-result",
-    summary="Every way through the execution of a goal sets its outcome.",
+    summary="Execution path of an action goal without a final state.",
     level=Level.WARNING,
     decidability=Decidability.EXACT,
     tags=("code", "actions"),

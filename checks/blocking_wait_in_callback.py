@@ -54,8 +54,8 @@ def _kind(each: Reached) -> str:
 
 
 DEADLOCK = (
-    "waits here for the response of a service, whose client is in the same mutually exclusive callback group: "
-    "the response is never taken while the callback runs; "
+    "waits here for a service response whose client is in the same mutually exclusive callback group: the "
+    "executor cannot take the response while this callback runs (deadlock); "
 )
 
 
@@ -64,19 +64,23 @@ def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
     if call.name in SPINS and call.callee[0] == "name" and call.callee[1] == f"rclcpp::{call.name}" and call.args:
         if _is_spun(code, each, call.args[0]):
             return (
-                "spins its own node here, which an executor spins already: this throws std::runtime_error, the node has been added "
-                "to an executor; give async_send_request a callback, or let a node of its own do the call"
+                'spins its own node, which an executor already spins: this throws std::runtime_error ("Node has already '
+                'been added to an executor"); pass a callback to async_send_request, or make the call from a separate '
+                "node"
             )
     if call.name == "add_node" and call.args and call.receiver is not None and call.receiver[0] == "name":
         local = variable(code, routine, call.receiver[1])
         is_new = isinstance(local, tuple) and len(local) == 2 and local[0] is routine
         if is_new and _is_spun(code, each, call.args[0]) and not code.mentioning("remove_node") & {routine.path}:
-            return "adds its own node to a second executor here: this throws std::runtime_error, as one spins it already; use another node"
+            return (
+                "adds its own node to a second executor: this throws std::runtime_error, because the node already "
+                "belongs to an executor; use a separate node"
+            )
     if call.name in WAITS and call.receiver is not None and not _polls(call):
         client = _awaited(code, routine, call.receiver)
         made = client_made(code, routine, client) if client is not None else None
         if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
-            return DEADLOCK + "give async_send_request a callback, or the client a callback group of its own"
+            return DEADLOCK + "pass a callback to async_send_request, or give the client its own callback group"
     return None
 
 
@@ -132,13 +136,15 @@ def _python(code: Codebase, each: Reached, call: Call) -> str | None:
         if not call.args or not _is_spun(code, each, call.args[0]):
             return None
         if call.name == "spin":
-            return "spins its own node here: this does not return, and no callback of its group runs again; remove the call"
+            return (
+                "spins its own node: the call never returns, and no other callback of its group runs; remove the call"
+            )
         client = _requested(code, routine, call.args[1]) if len(call.args) > 1 else None
     made = client_made(code, routine, client) if client is not None else None
     if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
         return (
             DEADLOCK
-            + "await call_async, or give the client a callback group of its own and spin with a MultiThreadedExecutor"
+            + "await call_async, or give the client its own callback group and spin with a MultiThreadedExecutor"
         )
     return None
 
@@ -154,7 +160,7 @@ def _requested(code: Codebase, routine: Routine, future: Any) -> Any:
 
 CHECK = Check(
     id="blocking-wait-in-callback",
-    summary="No callback waits for what only another callback of its group can bring.",
+    summary="Callback that waits for another callback of the same callback group.",
     level=Level.ERROR,
     catalogue="C01",
     tags=("code",),

@@ -57,7 +57,10 @@ def limits(description: Description, joint: Joint) -> Iterator[Finding]:
             yield finding(
                 description,
                 joint.location,
-                f"the {joint.type} {about} has no <limit>: urdfdom refuses the whole robot; give it one, or make it continuous or fixed",
+                (
+                    f"the {joint.type} {about} has no <limit>: urdfdom rejects the whole robot; add <limit>, or make the "
+                    "joint continuous or fixed"
+                ),
                 about,
                 joint,
             )
@@ -67,7 +70,10 @@ def limits(description: Description, joint: Joint) -> Iterator[Finding]:
         yield finding(
             description,
             limit.location,
-            f"the <limit> of {about} says no {' and no '.join(missing)}: urdfdom refuses the whole robot",
+            (
+                f"the <limit> of {about} has no {' and no '.join(missing)}: urdfdom rejects the whole robot; add the "
+                "attribute"
+            ),
             about,
             joint,
         )
@@ -76,7 +82,10 @@ def limits(description: Description, joint: Joint) -> Iterator[Finding]:
         yield finding(
             description,
             limit.location,
-            f"the lower limit of {about} ({lower:g}) is above its upper one ({upper:g}): no position is allowed; swap them",
+            (
+                f"the lower limit of {about} ({lower:g}) is greater than the upper limit ({upper:g}): no position is "
+                "allowed; swap the two values"
+            ),
             about,
             joint,
             Level.WARNING,
@@ -105,11 +114,11 @@ def doubles(description: Description) -> Iterator[Finding]:
                     found.setdefault(place_of(thing, before), []).append((f"{kind} {thing.name!r}", thing, before))
     for at, several in found.items():
         about, thing, before = several[0]
-        more = f" (and {len(several) - 1} more of the same names)" if len(several) > 1 else ""
+        more = f" (and {len(several) - 1} more duplicates)" if len(several) > 1 else ""
         yield finding(
             description,
             at,
-            f"a second {about} in one robot{more}: urdfdom refuses it; give each its own name",
+            f"duplicate {about} in one robot{more}: urdfdom rejects the robot; rename one of the two",
             about.replace("'", ""),
             thing,
             related=((place_of(before, thing), f"the first {about}"),),
@@ -133,7 +142,10 @@ def tree(description: Description) -> Iterator[Finding]:
             yield finding(
                 description,
                 place_of(joint, before),
-                f"the link {joint.child!r} is the child of two joints, {before.name!r} and {joint.name!r}: only the last one counts",
+                (
+                    f"link {joint.child!r} is the child of two joints, {before.name!r} and {joint.name!r}: urdfdom uses the "
+                    "last joint only; give each link one parent joint"
+                ),
                 f"link {joint.child}",
                 joint,
                 Level.WARNING,
@@ -147,7 +159,7 @@ def tree(description: Description) -> Iterator[Finding]:
         yield finding(
             description,
             joint.location,
-            f"the joint {joint.name or '?'} names {what}{more}: urdfdom refuses the robot",
+            f"joint {joint.name or '?'} names {what}{more}: urdfdom rejects the robot; correct the link's name",
             f"link {name}" if name else f"joint {joint.name}",
             joint,
             related=tuple((each.location, f"joint {each.name}") for _, each in uses[1:4]),
@@ -160,7 +172,10 @@ def tree(description: Description) -> Iterator[Finding]:
         yield finding(
             description,
             at.location,
-            "the joints make a circle, so that no link is the root: urdfdom refuses the robot",
+            (
+                "the joints form a cycle, so no link is the root: urdfdom rejects the robot; remove one joint of the "
+                "cycle"
+            ),
             "root",
             at,
         )
@@ -169,7 +184,7 @@ def tree(description: Description) -> Iterator[Finding]:
     yield finding(
         description,
         place_of(roots[1], roots[0]),
-        f"the robot has {len(roots)} root links, {names}: urdfdom refuses it; connect them by a joint",
+        f"the robot has {len(roots)} root links, {names}: urdfdom rejects it; connect them by a joint",
         "root",
         roots[1],
         related=((place_of(roots[0], roots[1]), f"the root {roots[0].name!r}"),),
@@ -178,7 +193,7 @@ def tree(description: Description) -> Iterator[Finding]:
 
 CHECK = Check(
     id="broken-robot-model",
-    summary="A robot's links and joints are one tree, each with its own name, and joints that need limits have them.",
+    summary="Robot model that urdfdom rejects: duplicate names, missing limits, or no single tree of links.",
     level=Level.ERROR,
     catalogue="X03",
     tags=("robot-description",),

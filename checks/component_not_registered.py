@@ -56,15 +56,15 @@ def _missing(
     )
     if each.type in everywhere:
         where = everywhere[each.type]
-        hint = f"{where.path} does, which is not among its sources"
+        hint = f"{where.path} registers it, but is not among the library's sources: add the file to the sources"
         related = ((where, f"{each.type} is registered here"),)
     elif alike:
-        hint = f"it registers {alike[0]}: the names have to be the same text"
+        hint = f"the library registers {alike[0]}: write the same name in both places"
         related = ((here[alike[0]], f"{alike[0]} is registered here"),)
     elif here:
-        hint = f"it registers {', '.join(sorted(here)[:3])}"
+        hint = f"the library registers {', '.join(sorted(here)[:3])}"
     else:
-        hint = f"none of its sources has {_MACRO}({each.type})"
+        hint = f"add {_MACRO}({each.type}) to one of its sources"
     return Finding(
         at=each.location,
         message=f"component {each.type} cannot be loaded: library {target.name} does not register it; {hint}",
@@ -88,10 +88,8 @@ def _unnamed(
                 if name not in named and where.path not in target.conditional_sources:
                     yield Finding(
                         at=where,
-                        message=(
-                            f"component {name} is registered here and in no {_COMMANDS[0]}() of package {package.name}: no "
-                            "container finds it"
-                        ),
+                        message=f"component {name} is registered here in the code, but CMake calls no {_COMMANDS[0]}() for it in package "
+                        f"{package.name}: component containers do not find it; add the call",
                         about=(package.name, name),
                         level=Level.WARNING,
                     )
@@ -138,7 +136,7 @@ def _found(paths: list[str], project: Project) -> Registered:
 
 CHECK = Check(
     id="component-not-registered",
-    summary="The components that CMake registers are those that the library's code registers.",
+    summary="Component registered in CMake but not in the library's code, or the reverse.",
     level=Level.ERROR,
     catalogue="B11",
     tags=("build", "components"),

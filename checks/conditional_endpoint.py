@@ -32,10 +32,9 @@ def _finding(channel: Channel, end: End, condition: Condition, counting: list[En
     effect = "it gets no message" if channel.kind == "topic" else "it gets no answer"
     return Finding(
         at=end.location,
-        message=(
-            f"{end.node} is {_article(end.word)} of {channel} only if {condition.condition or condition.statement}, "
-            f"but {counting[0].node} is always {_article(counting[0].word)} of it: otherwise {effect}"
-        ),
+        message=f"{end.node} is {_article(end.word)} of {channel} only if {condition.condition or condition.statement}, "
+        f"but {counting[0].node} is always {_article(counting[0].word)} of it: if the condition is false, "
+        f"{effect}; create both under the same condition",
         about=(channel, end),
         related=((condition.location, "the condition"), *((other.location, str(other)) for other in counting)),
     )
@@ -53,7 +52,7 @@ def _article(word: str) -> str:
 
 CHECK = Check(
     id="conditional-endpoint",
-    summary="What other nodes need is made without a condition.",
+    summary="Publisher, subscription or service created only under a condition, while other nodes always need it.",
     level=Level.NOTE,
     catalogue="G16",
     aliases=("conditional_links",),

@@ -71,16 +71,23 @@ def conflict(pairs: list[tuple[Broadcast, Broadcast]], system: System) -> Findin
     one, other = pairs[0]
     parents = one.parent != other.parent and one.parent is not None and other.parent is not None
     if parents:
-        how = f"in {one.parent!r} by {one.node}, in {other.parent!r} by {other.node}: a frame has one parent, so that it jumps between two trees"
+        how = (
+            f"in {one.parent!r} by {one.node}, in {other.parent!r} by {other.node}: tf allows a frame one parent "
+            "only, so the frame jumps between two trees"
+        )
     elif one.is_static != other.is_static:
         static = one if one.is_static else other
-        how = f"by {one.node} and {other.node}, of which {static.node} says it once and for all: what tf answers depends on their order"
+        how = (
+            f"by {one.node} and {other.node}, of which {static.node} sends a static transform: the result of a "
+            "look-up depends on the order of arrival"
+        )
     else:
-        how = f"by {one.node} and {other.node}: the transform jumps between what the two say"
+        how = f"by {one.node} and {other.node}: look-ups jump between the two transforms"
     more = f" (and {len(pairs) - 1} more frames)" if len(pairs) > 1 else ""
     return Finding(
         at=other.at,
-        message=f"the frame {one.child!r}{more} is broadcast {how}; leave it to one of them, or give them frames of their own; {seen_with(system)}",
+        message=f"frame {one.child!r}{more} is broadcast {how}; remove one of the broadcasters, or rename one frame; "
+        f"{seen_with(system)}",
         about=(one.child, one.node, other.node),
         related=each_once(
             other.at,
@@ -112,7 +119,7 @@ def circles(by_child: dict[tuple[str, str], list[Broadcast]], system: System) ->
                 continue
             yield Finding(
                 at=ring[0].at,
-                message=f"the frames {names} each hang on the next: tf refuses such a circle, and finds no transform in it; {seen_with(system)}",
+                message=f"the frames {names} form a cycle: tf rejects cycles, and every look-up in it fails; {seen_with(system)}",
                 about=(*sorted(each.child for each in ring), *{id(e.node): e.node for e in ring}.values()),
                 related=each_once(ring[0].at, ((each.at, each.what) for each in ring[1:])),
             )
@@ -121,7 +128,7 @@ def circles(by_child: dict[tuple[str, str], list[Broadcast]], system: System) ->
 
 CHECK = Check(
     id="conflicting-transforms",
-    summary="Each tf frame is broadcast by one node, and has one parent.",
+    summary="Frame broadcast by several nodes or with several parents, or a cycle of frames.",
     level=Level.ERROR,
     catalogue="T01",
     tags=("tf",),

@@ -16,7 +16,7 @@ def check(system: System) -> Iterator[Finding]:
         if use.is_constant:
             yield Finding(
                 at=use.location,
-                message=f"the condition {use.statement}={use.text!r} is always the same; remove it, or ask an argument",
+                message=f"the condition {use.statement}={use.text!r} is always the same; remove it, or test a launch argument",
                 about=(use.text,),
                 apart=(use.text,),
                 flow=included_by(use),
@@ -41,21 +41,24 @@ def _misspelt(each: Comparison, ros: int) -> str:
         return ""
     if not each.is_quoted:
         if ros == 1 and any(value.lower() in _TRUTHS for value in each.values):
-            return "compares a truth with text: roslaunch makes a truth of the argument, so they are never equal"
+            return (
+                "compares a boolean with text: roslaunch converts the argument to a boolean, so the two are never equal"
+            )
         return ""
     truths = [value for value in each.values if value.lower() in _TRUTHS]
     if truths and len(truths) == len(each.values) and not any(value == each.right for value in truths):
         other = [value for value in truths if value[:1].isupper() != each.right[:1].isupper()]
         if len(other) == len(truths):
             return (
-                f"never holds for {' or '.join(map(repr, truths))}, as it is given: texts are compared, spelling counts"
+                f"is never equal to {' or '.join(map(repr, truths))}, the values that are passed: launch compares text, "
+                "so upper and lower case count"
             )
     return ""
 
 
 CHECK = Check(
     id="constant-launch-condition",
-    summary="Conditions of launch files depend on something, and compare truths in one spelling.",
+    summary="Launch condition that is always true or always false.",
     level=Level.WARNING,
     catalogue="L09",
     tags=("launch",),

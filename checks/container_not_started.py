@@ -47,13 +47,11 @@ def _finding(container: str, nodes: list[SystemNode], meant: SystemNode | None) 
     advice = f"; load into {meant.name}" if meant is not None else f"; start the {word}"
     return Finding(
         at=first.location,
-        message=(
-            f"{first.name}{more} is to be loaded into {container}, which nothing starts{hint}: "
-            f"it waits for that {word} and never runs{advice}"
-        ),
+        message=f"{first.name}{more} is loaded into the container {container}, which the launch file does not "
+        f"start{hint}: the loader waits for that {word}, and the component never runs{advice}",
         about=(*nodes, container, *((meant,) if meant is not None else ())),
         related=(
-            *((node.location, f"{node.name} is loaded into it, too") for node in nodes[1:]),
+            *((node.location, f"{node.name} is also loaded into it") for node in nodes[1:]),
             *(((meant.location, f"{meant.name} is started here"),) if meant is not None else ()),
         ),
     )
@@ -61,7 +59,7 @@ def _finding(container: str, nodes: list[SystemNode], meant: SystemNode | None) 
 
 CHECK = Check(
     id="container-not-started",
-    summary="What is loaded into a container is loaded into one that the system starts.",
+    summary="Components loaded into a container that the launch file does not start.",
     level=Level.ERROR,
     decidability=Decidability.CLOSED_WORLD,
     catalogue="G17",

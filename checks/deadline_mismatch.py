@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, System, incompatible
 
 ADVICE = {
-    "publishers": "publish with a deadline that is not longer than the subscriber's",
-    "subscribers": "subscribe with a deadline that is not shorter than the publisher's, or with none",
+    "publishers": "set the publisher's deadline to at most the subscriber's",
+    "subscribers": "set the subscriber's deadline to at least the publisher's, or remove it",
 }
 
 
@@ -19,7 +19,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="deadline-mismatch",
-    summary="A publisher's deadline is not longer than those of its subscribers.",
+    summary="Publisher with a longer deadline than its subscriber requests.",
     level=Level.ERROR,
     catalogue="Q03",
     tags=("topics", "qos"),

@@ -59,8 +59,8 @@ def _finding(
     shown = " -> ".join((*cycle[:SHOWN], *more, cycle[0]))
     return Finding(
         at=way[0][0],
-        message=f"{shown}: the packages depend on each other, so {tool} finds no order to build"
-        " them in and stops; take one of the dependencies out",
+        message=f"{shown}: the packages depend on each other in a cycle, so {tool} finds no build order and stops; remove "
+        "one of the dependencies",
         about=tuple(sorted(cycle)),
         related=tuple(way[1:SHOWN]),
     )
@@ -145,7 +145,7 @@ def _circles(graph: Mapping[str, tuple[str, ...]]) -> Iterator[frozenset[str]]:
 
 CHECK = Check(
     id="dependency-cycle",
-    summary="The packages of a workspace can be built in some order.",
+    summary="Packages that depend on each other in a cycle.",
     level=Level.ERROR,
     catalogue="M06",
     tags=("packages",),

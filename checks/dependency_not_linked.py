@@ -50,8 +50,8 @@ def _ament(package: ProjectPackage) -> Iterator[Finding]:
             if used is not None and name not in used:
                 yield Finding(
                     at=target.location,
-                    message=f"{target.name} includes {header} but is not linked with {name}, which is found: the compiler does not "
-                    f"find the header; add {name} to its target_link_libraries",
+                    message=f"target {target.name} includes {header}, but is not linked with {name}: the compiler does not find the "
+                    f"header; add {name} to target_link_libraries({target.name} ...)",
                     about=(package.name, target.name, name),
                     apart=(target.name, name),
                     related=((place, f"includes {header}"),),
@@ -111,7 +111,7 @@ def _catkin(package: ProjectPackage) -> Iterator[Finding]:
                 )
                 yield Finding(
                     at=target.location,
-                    message=f"{target.name} uses roscpp, but is linked with nothing that brings it: the linker stops with undefined "
+                    message=f"target {target.name} uses roscpp, but is not linked with it: the linker stops with undefined "
                     f"references; add target_link_libraries({target.name} ${{catkin_LIBRARIES}})",
                     about=(package.name, target.name),
                     apart=(target.name,),
@@ -120,12 +120,12 @@ def _catkin(package: ProjectPackage) -> Iterator[Finding]:
                 )
     if unseen:
         target, header, place = unseen[0]
-        others = f" ({len(unseen) - 1} more targets lack them, too)" if len(unseen) > 1 else ""
+        others = f" ({len(unseen) - 1} more targets have the same defect)" if len(unseen) > 1 else ""
         fix = _before(package, target, "include_directories(${catkin_INCLUDE_DIRS})")
         yield Finding(
             at=target.location,
-            message=f"{target.name} includes {header}, but nothing adds the include directories of what catkin finds{others}: the "
-            "compiler does not find the header; add include_directories(${catkin_INCLUDE_DIRS})",
+            message=f"target {target.name} includes {header}, but has no include directory for catkin packages{others}: the "
+            f"compiler does not find the header; add include_directories(${{catkin_INCLUDE_DIRS}})",
             about=(package.name, "catkin_INCLUDE_DIRS"),
             related=((place, f"includes {header}"),),
             fixes=(fix,) if fix is not None else (),
@@ -167,7 +167,7 @@ def _is_linked(package: ProjectPackage, target: Target) -> bool:
 
 CHECK = Check(
     id="dependency-not-linked",
-    summary="Targets are compiled and linked with the packages whose headers they include.",
+    summary="Target that includes a package's headers but is not linked with the package.",
     level=Level.ERROR,
     catalogue="B03",
     tags=("build",),

@@ -24,7 +24,7 @@ def _finding(system: System, uses: list[ConstructUse]) -> Finding:
     old, new = (_listed([each.text for each in uses]), _listed([each.instead for each in uses]))
     return Finding(
         at=first.location,
-        message=f"{old}: removed from launch_ros after ROS 2 Foxy, launch stops here; write {new}",
+        message=f"{old} was removed from launch_ros after ROS 2 Foxy: launch stops here; write {new}",
         about=tuple(each.text for each in uses),
         flow=included_by(first),
         presence=first.presence,
@@ -52,7 +52,7 @@ def fixes(system: System, uses: list[ConstructUse]) -> tuple[Fix, ...]:
 
 CHECK = Check(
     id="deprecated-launch-keyword",
-    summary="Launch files use the keywords that launch_ros has today.",
+    summary="Launch keyword that launch_ros has removed.",
     level=Level.WARNING,
     catalogue="L13",
     tags=("launch",),

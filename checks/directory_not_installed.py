@@ -190,10 +190,10 @@ def _headers(package: ProjectPackage) -> Iterator[Finding]:
     kinds = {target.kind for target in package.build.targets if not target.is_test}
     libraries = package.commands("ament_export_targets", "ament_export_libraries")
     is_private = not users and (kinds == {"executable"} or bool(kinds) and not is_old and not libraries)  # for nobody
-    who = f"{users[0]} includes them" if users else "packages that use it do not find them"
+    who = f"{users[0]} includes them" if users else "packages that use it cannot find them"
     yield Finding(
         at=command.location,
-        message=f"the headers in include are exported, but not installed: {who}",
+        message=f"the headers in include are exported but not installed: {who}; install the directory",
         about=(package.name, "include"),
         level=Level.NOTE if is_private else Level.ERROR if users and not is_old else Level.WARNING,
         related=((Location(headers[0]), "such a header"),),
@@ -240,7 +240,8 @@ def _finding(package: ProjectPackage, thing: str, need: _Need) -> Finding:
     fix = None
     if need.wrong:
         message = (
-            f"{what} of {package.name} is installed to {need.wrong}, but looked for in share/{package.name}/{thing}"
+            f"{what} of {package.name} is installed to {need.wrong}, but used from share/{package.name}/{thing}; "
+            "correct the destination"
         )
     elif need.places:
         message = f"{what} of {package.name} is not installed, but {len(need.places)} places need it"
@@ -262,7 +263,7 @@ def _finding(package: ProjectPackage, thing: str, need: _Need) -> Finding:
 
 CHECK = Check(
     id="directory-not-installed",
-    summary="Launch files, configuration, models and headers that are needed are installed.",
+    summary="Launch files, configuration, models or headers that are used but not installed.",
     level=Level.ERROR,
     catalogue="B06",
     tags=("build",),

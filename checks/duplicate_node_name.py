@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System, SystemNode, together
+from haros_ci.api import Check, Finding, Level, System, SystemNode, line_of, together
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -32,13 +32,14 @@ def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:
 
 def _finding(first: SystemNode, second: SystemNode) -> Finding:
     if second.ros == 1:
-        effect = "the one that starts later shuts the other down"
+        effect = "the node that starts later shuts the other one down"
     else:
-        effect = "parameters and services of the two cannot be told apart"
+        effect = "their parameters and services have the same names"
     kinds = f" ({first.type} and {second.type})" if first.type != second.type else f" ({first.type})"
     return Finding(
         at=second.location,
-        message=f"two nodes are named {second.name}{kinds}: {effect}; give one of them another name or namespace",
+        message=f"two nodes are named {second.name}{kinds}: {effect}; give one of them another name or namespace; the "
+        f"other node is at {line_of(first.location)}",
         about=(first, second),
         related=((first.location, f"the other {first.name}"),),
         level=Level.ERROR if second.ros == 1 else None,
@@ -47,7 +48,7 @@ def _finding(first: SystemNode, second: SystemNode) -> Finding:
 
 CHECK = Check(
     id="duplicate-node-name",
-    summary="The nodes of a system have different names.",
+    summary="Two nodes with the same name.",
     level=Level.WARNING,
     catalogue="G12",
     tags=("nodes",),

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, System, incompatible
 
 ADVICE = {
-    "publishers": "publish with transient local durability, or subscribe as volatile",
-    "subscribers": "subscribe as volatile, or publish with transient local durability",
-    "services": "use the default quality of service of services",
+    "publishers": "publish with transient local durability, or subscribe with volatile durability",
+    "subscribers": "subscribe with volatile durability, or publish with transient local durability",
+    "services": "use the default quality of service of services on both sides",
 }
 
 
@@ -20,7 +20,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="durability-mismatch",
-    summary="What a node subscribes to as transient local is published as transient local.",
+    summary="Volatile publisher of a topic that a subscriber requests as transient local.",
     level=Level.ERROR,
     catalogue="Q02",
     tags=("topics", "qos"),

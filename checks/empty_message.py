@@ -16,14 +16,15 @@ def check(system: System) -> Iterator[Finding]:
             if end.type in TYPES and end.in_source and not end.implicit:
                 yield Finding(
                     at=end.location,
-                    message=f"{topic} is of {end.type}: a message says neither who sent it nor when, and cannot be extended",
+                    message=f"{topic} has the type {end.type}: the message carries neither sender nor time, and cannot be extended; "
+                    "use a message with a header",
                     about=(end,),
                 )
 
 
 CHECK = Check(
     id="empty-message",
-    summary="Messages say something: no topic is of std_msgs/Empty.",
+    summary="Topic of type std_msgs/Empty.",
     level=Level.NOTE,
     aliases=("std_msgs_empty",),
     tags=("topics",),

@@ -15,18 +15,19 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if robot.root != "robot" or robot.size or any(fault.certain for fault in robot.faults):
             continue
-        macros = f", only defines macros ({', '.join(robot.macros[:3])})" if robot.macros else " is empty"
+        macros = f" only defines macros ({', '.join(robot.macros[:3])})" if robot.macros else " is empty"
         yield Finding(
             at=description.location,
-            message=f"xacro makes an empty robot of {robot.path.rpartition('/')[2]}: the file{macros}; name a file that calls them",
+            message=f"xacro expands {robot.path.rpartition('/')[2]} to a robot without links: the file{macros}; name a file "
+            "that defines links or calls the macros",
             about=(description.package or robot.path, robot.path.rpartition("/")[2]),
-            related=((Location(robot.path, 1), "the file that is expanded"),),
+            related=((Location(robot.path, 1), "this file is expanded"),),
         )
 
 
 CHECK = Check(
     id="empty-robot-description",
-    summary="What a launch file has xacro expand comes out with links.",
+    summary="Robot description that xacro expands to no links.",
     level=Level.ERROR,
     catalogue="X02",
     tags=("robot-description", "launch"),

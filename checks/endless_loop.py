@@ -103,19 +103,19 @@ def _text(code: Codebase, routine: Routine, statement: Any) -> str | None:
 def _finding(code: Codebase, routine: Routine, statement: Any) -> Finding:
     ros = code.ros_of(routine.source)
     asked = "not rospy.is_shutdown()" if routine.is_python else "ros::ok()" if ros == 1 else "rclcpp::ok()"
-    why = "names " + statement[6][1] + " and does not call it, so that it" if _is_uncalled(statement[6]) else ""
+    why = "names " + statement[6][1] + " and does not call it, so that the loop" if _is_uncalled(statement[6]) else ""
     said = f": its condition {why} always holds" if why else ""
     return Finding(
         at=Location(routine.path, statement[2], statement[3]),
-        message=f"the loop in {routine.title} has no way out{said}: it goes on after a shutdown, and the process hangs or is aborted instead of ending; "
-        f"ask {asked} in its condition",
+        message=f"the loop in {routine.title} has no exit{said}: it continues after a shutdown, and the process hangs or "
+        f"is killed; test {asked} in its condition",
         about=(routine.title, "endless loop"),
     )
 
 
 CHECK = Check(
     id="endless-loop",
-    summary="A loop in a node ends when ROS shuts down.",
+    summary="Loop in a node that does not end at shutdown.",
     level=Level.WARNING,
     catalogue="C06",
     decidability=Decidability.EXACT,

@@ -95,14 +95,12 @@ def _finding(package: ProjectPackage, ros: int, found: list[Dependency]) -> Find
     remedy = (
         f"; write {', '.join(instead)}"
         if instead
-        else "; depend on what takes their place, or put their sources beside it"
+        else "; depend on their replacements, or add their sources to the workspace"
     )
     return Finding(
         at=_at(package, found[0]),
-        message=(
-            f"{package.name} is a package of ROS {ros} and depends on {', '.join(names[:_SHOWN])}{more}, which no distribution "
-            f"of ROS {ros} has: rosdep stops there{remedy}"
-        ),
+        message=f"{package.name} is a ROS {ros} package and depends on {', '.join(names[:_SHOWN])}{more}, which no ROS "
+        f"{ros} distribution has: rosdep stops here{remedy}",
         about=(package.name,),
         related=tuple((_at(package, need), f"depends on {need.name}, too") for need in found[1:20]),
         level=None if names[0] in CORE[ros] else Level.WARNING,
@@ -115,7 +113,7 @@ def _at(package: ProjectPackage, need: Dependency) -> Location:
 
 CHECK = Check(
     id="foreign-dependency",
-    summary="A manifest depends on packages that only the other ROS has.",
+    summary="Dependency on a package that only the other ROS version has.",
     level=Level.ERROR,
     tags=("packages",),
     project=check,

@@ -40,9 +40,9 @@ def _of(project: Project, package: ProjectPackage, interface: Interface, own: se
         end = column + len(word)
         right = TYPES[word] + (f"[{array}" if array else "")
         effect = (
-            f"ROS 2 takes it for {package.name}/Header, which is not there"
+            f"ROS 2 reads it as {package.name}/Header, which does not exist"
             if word == "Header"
-            else f"rosidl has no type {word}, and generates nothing"
+            else f"rosidl has no type {word}, and its generation fails"
         )
         yield Finding(
             at=Location(
@@ -69,7 +69,7 @@ def _fixes(
 
 CHECK = Check(
     id="foreign-interface-type",
-    summary="Interfaces of ROS 2 have no field types that only ROS 1 knows.",
+    summary="ROS 1 field type in a ROS 2 interface.",
     level=Level.ERROR,
     catalogue="I06",
     tags=("interfaces",),

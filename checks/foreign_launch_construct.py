@@ -72,7 +72,7 @@ def _is_ros1(use: ConstructUse) -> bool:
 
 CHECK = Check(
     id="foreign-launch-construct",
-    summary="Launch files are written for the ROS version of their package.",
+    summary="Launch file written for the other ROS version.",
     level=Level.WARNING,
     catalogue="L12",
     tags=("launch",),

@@ -177,17 +177,15 @@ def _stripped(*frames: str) -> str:
 def _finding(place: Location, frame: str, where: str, node: SystemNode) -> Finding:
     return Finding(
         at=place,
-        message=(
-            f"the frame {frame} of {where} begins with a slash: tf2 has no such frame, and looking it up fails; "
-            f"write {frame.lstrip('/')}"
-        ),
+        message=f"frame {frame} of {where} has a leading slash: tf2 has no such frame, so the look-up fails; write "
+        f"{frame.lstrip('/')}",
         about=(node, frame),
     )
 
 
 CHECK = Check(
     id="frame-leading-slash",
-    summary="Frame ids have no leading slash.",
+    summary="Frame id with a leading slash.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     catalogue="N03",

@@ -80,8 +80,9 @@ def _elsewhere(
     name = target.name
     return Finding(
         at=target.location,
-        message=f"{name} includes {header}, which is generated in {others[header]}, but does not depend on that: where catkin_make "
-        f"builds both, it may compile {name} before it is there; add add_dependencies({name} ${{catkin_EXPORTED_TARGETS}})",
+        message=f"target {name} includes {header}, which package {others[header]} generates, but does not depend on the "
+        f"generation: catkin_make may compile {name} before the header exists; add add_dependencies({name} "
+        f"${{catkin_EXPORTED_TARGETS}})",
         about=(package.name, name),
         apart=(name, header),
         related=((place, f"includes {header}"),),
@@ -161,14 +162,15 @@ def _finding(package: ProjectPackage, target: Target, uses: Mapping[str, Locatio
     more = f" and {len(uses) - 1} more headers that are" if len(uses) > 1 else ", which is"
     name = target.name
     if package.ros == 1:
-        then = "a clean build with several jobs may compile it before they are there"
-        remedy = f"add add_dependencies({name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}}) after the generation"
+        then = "a clean parallel build may compile it before the header exists"
+        remedy = f"add add_dependencies({name} ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}}) after generate_messages()"
     else:
-        then = "the compiler does not find them"
+        then = "the compiler does not find the header"
         remedy = "link it with the target that rosidl_get_typesupport_target() names"
     return Finding(
         at=target.location,
-        message=f"{name} includes {header}{more} generated in {package.name}, but does not depend on that: {then}; {remedy}",
+        message=f"target {name} includes {header}{more} generated in {package.name}, but does not depend on the "
+        f"generation: {then}; {remedy}",
         about=(package.name, name),
         apart=(name, header),
         related=((place, f"includes {header}"),),
@@ -178,7 +180,7 @@ def _finding(package: ProjectPackage, target: Target, uses: Mapping[str, Locatio
 
 CHECK = Check(
     id="generation-not-awaited",
-    summary="Targets that include generated headers of their package are made after them, and find them.",
+    summary="Target that may be compiled before the message headers that it includes are generated.",
     level=Level.ERROR,
     catalogue="B02",
     tags=("build",),

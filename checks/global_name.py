@@ -22,10 +22,8 @@ def check(system: System) -> Iterator[Finding]:
             if written.startswith("/"):
                 yield Finding(
                     at=end.location,
-                    message=(
-                        f"the {end.word} {written} has a global name: no namespace applies to it, and two instances of the node "
-                        f"share it; write {written.lstrip('/')}"
-                    ),
+                    message=f"{end.word} {written} has a global name: namespaces do not apply to it, and all instances of the node "
+                    f"share it; write {written.lstrip('/')}",
                     about=(end,),
                 )
             elif written and written[0] not in "~?":
@@ -38,10 +36,8 @@ def _rule(end: End) -> Iterator[Finding]:
     if rule is not None and rule.source.startswith("/"):
         yield Finding(
             at=rule.location,
-            message=(
-                f"the rule remaps the global name {rule.source}, but the code of {end.node} says {end.raw.written}: in another "
-                f"namespace the rule does nothing; write from {end.raw.written}"
-            ),
+            message=f"this rule remaps the global name {rule.source}, but the code of {end.node} uses {end.raw.written}: in "
+            f"another namespace the rule has no effect; write from {end.raw.written}",
             about=(end,),
             related=((end.location, f"{end.word} {end.raw.written}"),),
         )
@@ -49,7 +45,7 @@ def _rule(end: End) -> Iterator[Finding]:
 
 CHECK = Check(
     id="global-name",
-    summary="Topics, services and actions have relative or private names in the code.",
+    summary="Global name of a topic, service or action in the code.",
     level=Level.WARNING,
     catalogue="N01",
     aliases=("no_global_names",),

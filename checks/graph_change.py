@@ -11,9 +11,9 @@ from haros_ci.api.changes import CHANGED_ENDS, Causes, Change, Lost, both, chang
 
 #: What the ends that are left over do with a topic, service or action that nobody gives.
 DOES = {
-    "subscribers": ("listens to", "it gets nothing any more"),
+    "subscribers": ("listens to", "it receives no messages any more"),
     "clients": ("calls", "no call gets an answer"),
-    "action_clients": ("sends goals to", "no goal is taken"),
+    "action_clients": ("sends goals to", "no goal is accepted"),
 }
 #: A display's topic in a configuration of rviz.
 _RVIZ = re.compile(r"^\s*(?:Topic|Value|Image Topic|Marker Topic): [\"']?(/[\w/]+)[\"']?\s*(?:#.*)?$")
@@ -52,13 +52,16 @@ def _ends(project: Project) -> Iterator[Finding]:
         who = end.node.name + (f" and {len(nodes)} more" if nodes else "")
         name = lost.name
         if lost.is_new_name:
-            said = f"{who} {does} {end.name} now, as {name} was {change_said(lost.change, name)}, but only {name} is given: {result}"
+            said = (
+                f"{who} {does} {end.name} now, because {name} was {change_said(lost.change, name)}, but only {name} "
+                f"exists: {result}"
+            )
         else:
             said = f"{who} still {does} {name}, {_gone(lost.change, name)}: {result}"
         others = {each.location: (each.location, str(each)) for _, each in group if each.location != end.location}
         yield Finding(
             at=end.location,
-            message=f"{said}; give both the same name, or remap one",
+            message=f"{said}; use the same name in both places, or remap one",
             about=(name, end.node.name, *nodes[:SHOWN]),
             related=(*_cause(lost.change), *list(others.values())[:SHOWN]),
             level=Level.ERROR if lost.change.action == RENAMED and not lost.is_new_name else None,
@@ -99,10 +102,8 @@ def _remaps(old: System, new: System, causes: Causes) -> Iterator[Finding]:
                 if change is not None and not any(not other.known for other in node.of(end.kind)):
                     yield Finding(
                         at=rule.location,
-                        message=(
-                            f"{rule.source} of {node} is still remapped to {rule.target} here, but the {end.word} was "
-                            f"{change_said(change, end.name)}: the rule does nothing"
-                        ),
+                        message=f"{node}: the remapping of {rule.source} to {rule.target} has no effect, because the {end.word} was "
+                        f"{change_said(change, end.name)}; remap the new name, or remove the rule",
                         about=(node.name, rule.source_name),
                         related=tuple(_cause(change)),
                     )
@@ -123,9 +124,8 @@ def _values(project: Project, causes: Causes) -> Iterator[Finding]:
         owner = f" of {names[0]}" + (f" and {len(names) - 1} more" if len(names) > 1 else "")
         yield Finding(
             at=at,
-            message=(
-                f"{key}{owner} is still set here, but the parameter was {change_said(change, name)}: the value has no effect"
-            ),
+            message=f"{key}{owner} is still set here, but the parameter was {change_said(change, name)}: the value has no "
+            "effect; set the new name, or remove the line",
             about=(key, *names[:SHOWN]),
             related=tuple(_cause(change)),
             level=Level.ERROR if change.action == RENAMED else None,
@@ -173,7 +173,8 @@ def _displays(project: Project) -> Iterator[Finding]:
             if match and change is not None and match[1] not in given and vague.isdisjoint(change.configurations):
                 yield Finding(
                     at=Location(path, number),
-                    message=f"rviz still shows {match[1]}, which was {change_said(change, match[1])}: the display stays empty",
+                    message=f"rviz still displays {match[1]}, which was {change_said(change, match[1])}: the display stays empty; "
+                    "write the new name",
                     about=(match[1], path),
                     related=tuple(_cause(change)),
                 )
@@ -181,7 +182,7 @@ def _displays(project: Project) -> Iterator[Finding]:
 
 CHECK = Check(
     id="graph-change",
-    summary="What a change renames or removes is referred to nowhere under its old name.",
+    summary="Old name of a topic, service, action, node or parameter still used after a change.",
     level=Level.WARNING,
     catalogue="G18",
     tags=("topics", "services", "parameters", "change"),

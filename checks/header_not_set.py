@@ -126,15 +126,21 @@ def _missing(code: Codebase, routine: Routine, name: str, kind: str) -> str | No
     if not filled or "header" in set_parts or declared > 1:
         return None
     if not set_parts:
-        return "an empty header: neither stamp nor frame_id is ever set, so that its readers cannot tell when and where it holds"
+        return (
+            "an empty header: stamp and frame_id are never set, so subscribers know neither time nor frame of the "
+            "data; set both before publishing"
+        )
     if "frame_id" not in set_parts and kind in FRAMED - COMMANDS:
-        return "a header without frame_id: its readers cannot tell in which frame its coordinates are"
+        return (
+            "a header without frame_id: subscribers do not know the coordinate frame; set header.frame_id before "
+            "publishing"
+        )
     return None
 
 
 CHECK = Check(
     id="header-not-set",
-    summary="A stamped message is published with its header set.",
+    summary="Stamped message published without stamp or frame_id.",
     level=Level.WARNING,
     catalogue="C08",
     decidability=Decidability.EXACT,

@@ -69,8 +69,8 @@ def _group(package: ProjectPackage, root: Element, call: CMakeCommand) -> Iterat
         return
     yield Finding(
         at=place(package, None),
-        message=f"{package} generates interfaces and is not a member of the group {GROUP}: rosidl_generate_interfaces() stops;"
-        f" add <member_of_group>{GROUP}</member_of_group>",
+        message=f"{package} generates interfaces, but is not a member of the group {GROUP}: rosidl_generate_interfaces() "
+        f"stops the build; add <member_of_group>{GROUP}</member_of_group>",
         about=(package.name, GROUP),
         related=((call.location, "interfaces are generated here"),),
         fixes=_membership(package, root),
@@ -101,8 +101,8 @@ def _unfound(package: ProjectPackage, call: CMakeCommand) -> Iterator[Finding]:
         if "${" not in name and name not in OF_THE_GENERATOR and brings(package, found - tools, name) is False:
             yield Finding(
                 at=call.location,
-                message=f"rosidl_generate_interfaces() of {package} depends on {name}, which is not found before:"
-                f" the build stops; call find_package({name} REQUIRED) first",
+                message=f"rosidl_generate_interfaces() of {package} depends on {name}, but no find_package({name}) precedes it: "
+                f"the build stops; call find_package({name} REQUIRED) before it",
                 about=(package.name, name, "DEPENDENCIES"),
                 apart=(name,),
                 level=Level.ERROR,
@@ -122,11 +122,11 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
             call,
             generators[0],
             kind,
-            "where only what manifests name is installed, there is no generator",
+            "on a machine with only the declared dependencies the generator is missing",
             Level.ERROR if is_missing else Level.WARNING,
         )
     if not {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
-        effect = "its interfaces may not load where only what manifests name is installed"
+        effect = "on a machine with only the declared dependencies its interfaces may not load"
         yield _missing(package, call, runtimes[0], "exec_depend", effect, Level.WARNING)
 
 
@@ -135,7 +135,7 @@ def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, 
     fix = add_dependency(package, kind, name)
     return Finding(
         at=place(package, None),
-        message=f"{package} generates interfaces and does not depend on {name}: {effect}; add <{kind}>{name}</{kind}>",
+        message=f"{package} generates interfaces, but does not depend on {name}: {effect}; add <{kind}>{name}</{kind}>",
         about=(package.name, name),
         related=((call.location, "interfaces are generated here"),),
         fixes=() if fix is None else (fix,),
@@ -146,7 +146,7 @@ def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, 
 
 CHECK = Check(
     id="incomplete-interface-package",
-    summary="A package that generates interfaces declares what generating and using them takes.",
+    summary="Interface package without the dependencies or the group membership that rosidl needs.",
     level=Level.ERROR,
     catalogue="M09",
     tags=("packages", "interfaces"),

@@ -92,10 +92,11 @@ def _missing(meta: ProjectPackage, packages: list[ProjectPackage]) -> Finding:
     one = len(names) == 1
     return Finding(
         at=place(meta, next(iter(needs(meta, "run_depend", "exec_depend")), None)),
-        message=f"the metapackage {meta} lists the packages of its repository, but not {', '.join(shown)}{more}: who installs {meta} does not"
-        f" get {'it' if one else 'them'}; add {'it' if one else 'them'} to the list, or write <deprecated/> into the manifest of what is to be left out",
+        message=f"the metapackage {meta} does not list {', '.join(shown)}{more} of its repository: users who install "
+        f"{meta} do not get {('it' if one else 'them')}; add {('it' if one else 'them')} to the list, or add "
+        "<deprecated/> to the manifest of a package to leave out",
         about=(meta.name, *names),
-        related=tuple((place(package, None), f"{package} is not on the list") for package in packages[:RELATED]),
+        related=tuple((place(package, None), f"{package} is not in the list") for package in packages[:RELATED]),
         apart=(meta.name,),
     )
 
@@ -112,7 +113,8 @@ def _unknown(
         if near is not None:
             yield Finding(
                 at=place(meta, need),
-                message=f"the metapackage {meta} lists {need.name}, which does not exist; {near} does, and is not on the list",
+                message=f"the metapackage {meta} lists {need.name}, which does not exist: rosdep stops here; write {near}, which "
+                "is not listed",
                 about=(meta.name, need.name),
                 level=Level.WARNING,
             )
@@ -120,7 +122,7 @@ def _unknown(
 
 CHECK = Check(
     id="incomplete-metapackage",
-    summary="A metapackage that lists the packages of its repository lists all of them.",
+    summary="Metapackage that does not list all packages of its repository.",
     level=Level.NOTE,
     catalogue="M05",
     tags=("packages",),

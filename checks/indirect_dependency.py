@@ -48,7 +48,8 @@ def _finding(package: ProjectPackage, name: str, uses: list[Need], is_test: bool
     fix = add_dependency(package, kind, name)
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} uses {name} ({uses[0].what}) and has it only through its other dependencies; add <{kind}>{name}</{kind}>",
+        message=f"{package.name} uses {name} ({uses[0].what}), but has it only as a dependency of a dependency: the build "
+        f"breaks when that one drops it; add <{kind}>{name}</{kind}>",
         about=(package.name, name),
         related=tuple((use.location, f"uses {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),
@@ -58,7 +59,7 @@ def _finding(package: ProjectPackage, name: str, uses: list[Need], is_test: bool
 
 CHECK = Check(
     id="indirect-dependency",
-    summary="What a package uses by itself is among its own dependencies.",
+    summary="Direct use of a package that is only an indirect dependency.",
     level=Level.NOTE,
     project=check,
     tags=("packages", "build"),

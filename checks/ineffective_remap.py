@@ -40,25 +40,28 @@ def _finding(group: list[_Used]) -> Finding:
     (node, rule), others = group[0].nodes[0], group[1:]
     meant = _meant(node, rule)
     nodes = {each.name: each for used in group for each, _ in used.nodes}
-    more = f" (nor have {len(nodes) - 1} more nodes)" if len(nodes) > 1 else ""
+    more = f" (and {len(nodes) - 1} more nodes have none either)" if len(nodes) > 1 else ""
     hint = ""
     if meant is not None:
         written = (
-            f", written {meant.raw.written} in its code" if meant.raw.written not in (None, meant.original_name) else ""
+            f", written as {meant.raw.written} in the code"
+            if meant.raw.written not in (None, meant.original_name)
+            else ""
         )
         hint = f"; it has the {meant.word} {meant.original_name}{written}"
         if (meant.raw.written or "").startswith("/"):
-            hint += ", a global name that no relative rule is for"
+            hint += ", a global name that relative rules do not match"
     return Finding(
         at=rule.location,
         message=(
-            f"{node} has no topic or service {rule.source_name}{more}: remapping {rule.source} to {rule.target} does nothing{hint}"
+            f"{node} has no topic or service {rule.source_name}{more}: the remapping of {rule.source} to "
+            f"{rule.target} has no effect{hint}"
         ),
         about=(node, *(name for name in nodes if name != node.name), rule.source_name or rule.source),
         apart=(rule.source,),
         related=(
             *(
-                (used.rule.location, f"remaps {used.rule.source} to {used.rule.target} for nothing, too")
+                (used.rule.location, f"remaps {used.rule.source} to {used.rule.target}, also without effect")
                 for used in others
             ),
             (node.location, f"{node} is started here"),
@@ -80,7 +83,7 @@ def _meant(node: SystemNode, rule: RemapRule) -> End | None:
 
 CHECK = Check(
     id="ineffective-remap",
-    summary="Each remapping rule is for a name that the node uses.",
+    summary="Remapping of a name that the node does not use.",
     level=Level.WARNING,
     catalogue="G05",
     tags=("remappings", "launch"),

@@ -44,13 +44,13 @@ def _message(changes: list[InterfaceChange], places: tuple[Place, ...], stale: t
     words = [change_in_words(each) for each in changes[:SPELLED_OUT]]
     if len(changes) > SPELLED_OUT:
         words.append(f"{len(changes) - SPELLED_OUT} more changes")
-    effect = "nodes and recordings made with the old definition do not understand it"
+    effect = "nodes and recordings with the old definition cannot read the new one"
     if all(each.what.startswith("constant-") for each in changes) and first.hash_before == first.hash_after:
-        effect = "nodes built with the old definition do not build again, or mean other things by it"
+        effect = "nodes with the old definition no longer build, or read the fields with another meaning"
     used = (
         f"{len(places)} place{'' if len(places) == 1 else 's'} in the workspace use it"
         if places
-        else "nothing here uses it"
+        else "no file in the workspace uses it"
     )
     left = f"; {stale[0][0]} still {stale[0][1]}" if stale else ""
     return f"{first.name} breaks: {', '.join(words)}{_hashes(first)}; {effect}; {used}{left}"
@@ -92,7 +92,7 @@ def _users(project: Project, users: InterfaceUsers, change: InterfaceChange) -> 
             seen.add(each.location)
             yield each.location, each.how
     for other in containing(defined_in(project), name) if change.kind == "msg" else ():
-        yield Location(other.path), f"{other.name} contains it, and changes with it"
+        yield Location(other.path), f"{other.name} contains it and changes with it"
         for each in users.of(other.kind, other.name):
             if each.location not in seen:
                 seen.add(each.location)
@@ -122,7 +122,7 @@ def _still_there(project: Project, users: InterfaceUsers, changes: list[Interfac
 
 CHECK = Check(
     id="interface-break",
-    summary="A change leaves messages, services and actions such that nodes built before it still understand them.",
+    summary="Message, service or action changed incompatibly.",
     level=Level.WARNING,
     catalogue="I01",
     tags=("interfaces", "change"),

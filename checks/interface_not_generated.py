@@ -72,16 +72,16 @@ def _left_out(
     of_kind = [command for command in commands if _OLD.get(command.name, each.kind) == each.kind]
     command = (of_kind or list(commands))[0]
     file = posixpath.relpath(each.path, package.path)
-    why = "which uses it will not build or start" if use is not None else "so that nobody can use it"
+    why = "which uses it, does not build or start" if use is not None else "so no code can use it"
     fix = _insertion(each, package) if of_kind else None
     related = [(Location(each.path, 1), f"{each.name} is defined here")]
     related += [(use, "it is used here")] if use is not None else []
     return Finding(
         at=command.location,
         message=(
-            f"{file} is not in the list of what package {package.name} generates, "
+            f"{file} is not in the list of interfaces that package {package.name} generates, "
             + (f"and {use.path}, {why}" if use is not None else why)
-            + (": name it there" if use is not None else ": name it there, or delete it")
+            + ("; add it to the list" if use is not None else "; add it to the list, or delete the file")
         ),
         about=(package.name, each.name),
         related=tuple(related),
@@ -108,8 +108,8 @@ def _alone(each: Interface, package: ProjectPackage, use: Location) -> Finding:
     return Finding(
         at=Location(each.path, 1),
         message=(
-            f"package {package.name} generates no interfaces, and {use.path} uses {each.name}: it will not build or start; "
-            f"call {how}"
+            f"package {package.name} generates no interfaces, but {use.path} uses {each.name}: it does not build or "
+            f"start; call {how}"
         ),
         about=(package.name, each.name),
         related=((use, "it is used here"),),
@@ -159,12 +159,12 @@ def _in_vain(package: ProjectPackage, commands: tuple[CMakeCommand, ...]) -> Ite
             if place is None or place in names or _is_made(word, package):
                 continue
             alike = _alike(place, package)
-            meant = f"; it is {posixpath.relpath(alike, package.path)} that is there" if alike else ""
+            meant = f"; the package has {posixpath.relpath(alike, package.path)}" if alike else ""
             yield Finding(
                 at=_line_of(word, command, package),
                 message=(
-                    f"{word} is in the list of what package {package.name} generates, but there is no such file: CMake "
-                    f"stops{meant}"
+                    f"{word} is in the list of interfaces that package {package.name} generates, but the file does not exist: "
+                    f"CMake stops{meant}"
                 ),
                 about=(package.name, posixpath.relpath(place, package.path)),
                 apart=(word,),
@@ -237,8 +237,8 @@ def _forgotten(package: ProjectPackage, commands: tuple[CMakeCommand, ...]) -> I
         yield Finding(
             at=listing[0].location,
             message=(
-                f"package {package.name} lists interfaces and never calls generate_messages(): none of them is generated; call it "
-                "after the lists and before catkin_package()"
+                f"package {package.name} lists interfaces, but never calls generate_messages(): no interface is "
+                "generated; call it after the lists and before catkin_package()"
             ),
             about=(package.name, "generate_messages"),
             level=Level.ERROR,
@@ -287,7 +287,7 @@ def _line_with(text: str, word: str) -> int:
 
 CHECK = Check(
     id="interface-not-generated",
-    summary="The message, service and action definitions of a package are those that its CMake generates.",
+    summary="Interface file that CMake does not generate, or listed interface file that does not exist.",
     level=Level.WARNING,
     catalogue="B13",
     tags=("build", "interfaces"),

@@ -68,25 +68,32 @@ def _required(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         if count[tag] != 1:
             second = [*root.all(tag)][1:2]
             said = "twice" if count[tag] == 2 else f"{count[tag]} times" if count[tag] else "not at all"
-            what = f"the manifest says <{tag}> {said}, and has to say it once"
+            what = f"<{tag}> occurs {said}, but must occur exactly once"
             yield _finding(package, second[0] if second else None, what, tag)
     for tag in ("maintainer", "license"):
         if not count[tag]:
-            yield _finding(package, None, f"the manifest has no <{tag}>, and needs one", tag)
+            yield _finding(package, None, f"<{tag}> is missing, but required", tag)
     if count["export"] > 1:
-        yield _finding(package, list(root.all("export"))[1], "the manifest has more than one <export>", "export")
+        yield _finding(package, list(root.all("export"))[1], "it has more than one <export>; merge them", "export")
     for each in root.all("version"):
         if VERSION.fullmatch(word(each)) is None:
-            yield _finding(package, each, f"the version {word(each)!r} is not three numbers (1.2.3)", "version")
+            yield _finding(
+                package,
+                each,
+                f"the version {word(each)!r} does not consist of three numbers; write for example 1.2.3",
+                "version",
+            )
     for each in root.all("description", "license"):
         if not word(each) and not each.children:
-            yield _finding(package, each, f"<{each.tag}> is empty", each.tag)
+            yield _finding(package, each, f"<{each.tag}> is empty; fill it in, or remove it", each.tag)
     for each in root.all("maintainer", "author"):
         email = each.attributes.get("email")
         if email is None and each.tag == "maintainer":
-            yield _finding(package, each, f"the maintainer {word(each)} has no email attribute", f"email {word(each)}")
+            yield _finding(
+                package, each, f"maintainer {word(each)} has no email attribute; add it", f"email {word(each)}"
+            )
         elif email is not None and EMAIL.fullmatch(email) is None:
-            yield _finding(package, each, f"{email!r} is no email address", f"email {word(each)}")
+            yield _finding(package, each, f"{email!r} is not an email address", f"email {word(each)}")
 
 
 def _tags(package: ProjectPackage, root: Element) -> Iterator[Finding]:
@@ -101,12 +108,16 @@ def _tags(package: ProjectPackage, root: Element) -> Iterator[Finding]:
             continue
         if child.tag not in ("description", "export") and child.children:
             inner = child.children[0]
-            what = f"<{child.tag}> contains <{inner.tag}>, and may contain text alone"
+            what = f"<{child.tag}> contains <{inner.tag}>, but may contain text only"
             yield _finding(package, inner, what, f"{child.tag} {inner.tag}")
         odd = [n for n in child.attributes if n not in known[child.tag] and n != "xmlns" and ":" not in n]
         if odd:
             older = package.raw.format < 3 and set(odd) <= {"condition", "file"}
-            why = f"in format {package.raw.format}; format 3 has it" if older else "which nothing reads"
+            why = (
+                f"which format {package.raw.format} does not define; use format 3"
+                if older
+                else "which no tool reads; remove it"
+            )
             fixes = _newer(package, root, 3) if older else ()
             yield _finding(
                 package, child, f"<{child.tag}> has the attribute {odd[0]}, {why}", f"{child.tag} {odd[0]}", fixes
@@ -117,17 +128,17 @@ def _unknown(package: ProjectPackage, root: Element, child: Element, known: dict
     tag, format = child.tag, package.raw.format
     fixes: tuple[Fix, ...] = ()
     if tag == "run_depend":
-        advice, fixes = "exec_depend is its name since format 2", _renamed(package, root, tag, "exec_depend")
+        advice, fixes = "write exec_depend, its name since format 2", _renamed(package, root, tag, "exec_depend")
     elif tag == "exec_depend" and format == 1:
-        advice, fixes = "its name is run_depend there", _renamed(package, root, tag, "run_depend")
+        advice, fixes = "write run_depend, its name in format 1", _renamed(package, root, tag, "run_depend")
     elif tag in OF_2 or tag in OF_3:
         least = 2 if tag in OF_2 else 3
-        advice, fixes = f"format {least} has it", _newer(package, root, least)
+        advice, fixes = f"use format {least}", _newer(package, root, least)
     elif tag in OF_EXPORT:
-        advice = "it belongs into <export>"
+        advice = "move it into <export>"
     else:
         near = next((name for name in known if is_slip(tag, name)), None)
-        advice = "nothing reads it" if near is None else f"{near} is meant"
+        advice = "no tool reads it; remove it" if near is None else f"write {near}"
         fixes = _renamed(package, root, tag, near) if near is not None and "depend" in near else ()
     return _finding(package, child, f"format {format} has no <{tag}>: {advice}", f"<{tag}>", fixes)
 
@@ -154,7 +165,7 @@ def _dependencies(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         if child.tag.endswith("_depend") or child.tag == "depend":
             if word(child) == package.name and child.tag != "group_depend":
                 fix = drop_element(package, child, f"drop the dependency on {package.name}")
-                what = f"the package has a <{child.tag}> on itself"
+                what = f"the package declares a <{child.tag}> on itself; remove it"
                 yield _finding(package, child, what, f"{child.tag} itself", () if fix is None else (fix,))
     whole = "test_depend" if package.raw.format == 1 else "depend"
     parts = (
@@ -172,7 +183,7 @@ def _dependencies(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         yield _finding(
             package,
             spare,
-            f"<{spare.tag}> on {word(child)} says nothing that <{(other if spare is child else child).tag}> does not",
+            f"<{spare.tag}> on {word(child)} repeats <{(other if spare is child else child).tag}>; remove it",
             f"{spare.tag} {word(child)}",
             () if fix is None else (fix,),
         )
@@ -186,7 +197,7 @@ def _metapackage(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         run = "run_depend" if package.raw.format == 1 else "exec_depend"
         yield Finding(
             at=place(package, need),
-            message=f"the metapackage {package} has a <{need.kind}> on {need.name}, and may have <{run}> alone",
+            message=f"the metapackage {package} has a <{need.kind}> on {need.name}, but may have <{run}> only",
             about=(package.name, f"{need.kind} {need.name} of a metapackage"),
             level=Level.WARNING,
             apart=(need.kind, need.name),
@@ -205,11 +216,11 @@ def _plugins(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         for each in export.children:
             path = each.attributes.get("plugin", "")
             if path.endswith(".xml") and not path.startswith(("${prefix}", "/", "$(")):
-                fix = set_attribute(package, each, "plugin", "${prefix}/" + path, "say where it lies")
+                fix = set_attribute(package, each, "plugin", "${prefix}/" + path, "write the path from the package")
                 yield Finding(
                     at=place(package, each),
-                    message=f"the plug-ins of {path} for {each.tag} are looked for in the directory that a program is started"
-                    f" in; say ${{prefix}}/{path}",
+                    message=f"the plug-in description {path} for {each.tag} is a relative path, so it is searched for in the current "
+                    f"directory of the process; write ${{prefix}}/{path}",
                     about=(package.name, f"plugin {each.tag} {path}"),
                     fixes=() if fix is None else (fix,),
                     apart=(path,),
@@ -221,7 +232,7 @@ def _finding(
 ) -> Finding:
     return Finding(
         at=place(package, element),
-        message=f"{package}: {what}; catkin and colcon refuse the manifest",
+        message=f"catkin and colcon reject the manifest of {package}: {what}",
         about=(package.name, about),
         fixes=fixes,
         apart=(about,),
@@ -230,7 +241,7 @@ def _finding(
 
 CHECK = Check(
     id="invalid-manifest",
-    summary="A manifest says what its format asks for, and nothing that the format does not have.",
+    summary="package.xml that does not follow its format.",
     level=Level.ERROR,
     catalogue="M10",
     tags=("packages",),

@@ -21,7 +21,7 @@ def check(system: System) -> Iterator[Finding]:
                 told.add((place, name))
                 yield Finding(
                     at=place,
-                    message=f"{what} {name!r} is no valid name in ROS {node.ros}: {why}",
+                    message=f"{what} {name!r} is not a valid name in ROS {node.ros}: {why}",
                     about=(node, name),
                 )
 
@@ -52,17 +52,17 @@ def fault(name: str, ros: int, is_node: bool = False) -> str:
     found = _CHARACTERS[ros].match(name)
     end = found.end() if found else 0
     if end < len(name):
-        return f"it has the character {name[end]!r}"
+        return f"it contains the character {name[end]!r}"
     if "?" in name or not name:
         return ""
     if is_node and "/" in name:
-        return "it has a slash"
+        return "it contains a slash"
     return _ros1(name) if ros == 1 else _ros2(name)
 
 
 def _ros1(name: str) -> str:
     if "~" in name[1:]:
-        return "~ can only stand at its beginning"
+        return "~ is allowed only at the beginning"
     if not re.match(r"[A-Za-z/~]", name):
         return "it does not begin with a letter, / or ~"
     return ""
@@ -71,23 +71,23 @@ def _ros1(name: str) -> str:
 def _ros2(name: str) -> str:
     rest = _BRACES.sub("x", name)
     if "{" in rest or "}" in rest:
-        return "only {node}, {ns} and {namespace} are substituted"
+        return "the only substitutions are {node}, {ns} and {namespace}"
     if "~" in rest[1:]:
-        return "~ can only stand at its beginning"
+        return "~ is allowed only at the beginning"
     if rest.startswith("~") and not rest.startswith("~/") and rest != "~":
-        return f"~ has to be followed by /; write ~/{rest[1:]}"
+        return f"~ must be followed by /; write ~/{rest[1:]}"
     if "//" in rest:
         return "it has two slashes in a row"
     if len(rest) > 1 and rest.endswith("/"):
-        return "it ends in a slash"
+        return "it ends with a slash"
     if re.search(r"(?:^|/)[0-9]", rest):
-        return "a part of it begins with a digit"
+        return "one of its parts begins with a digit"
     return ""
 
 
 CHECK = Check(
     id="invalid-name",
-    summary="Topics, services, actions, nodes and remappings have valid names.",
+    summary="Invalid ROS name of a topic, service, action, node or remapping.",
     level=Level.ERROR,
     catalogue="G15",
     tags=("names",),

@@ -35,11 +35,11 @@ def check(project: Project) -> Iterator[Finding]:
         if kind in LARGE:
             yield Finding(
                 at=call_place(routine, call),
-                message=f"a {kind} is copied to be published: nodes of the same process could share it; "
+                message=f"a {kind} is copied when it is published, although nodes in the same process could share it; "
                 + (
                     "publish a shared_ptr to it"
                     if owners[routine.owner] == 1
-                    else "make it with std::make_unique, and publish std::move of it"
+                    else "create it with std::make_unique, and publish it with std::move"
                 ),
                 about=(routine.title, kind or ""),
             )
@@ -93,7 +93,7 @@ def _copied(code: Codebase, routine: Routine, call: Call, is_shared: bool) -> st
 
 CHECK = Check(
     id="large-message-copied",
-    summary="Components and nodelets publish large messages without a copy.",
+    summary="Large message copied when a component or nodelet publishes it.",
     level=Level.NOTE,
     catalogue="C15",
     profiles=("strict",),

@@ -25,15 +25,15 @@ def check(system: System) -> Iterator[Finding]:
         yield Finding(
             at=place,
             message=(
-                f"{publisher.node} keeps the last messages of {topic} for those who come late "
-                f"({qos_in_words(publisher.qos)}), but {subscriber.node} does not ask for them "
-                f"({qos_in_words(subscriber.qos)}): if it starts later, it misses what was published before; "
-                "subscribe with transient local durability"
+                f"{publisher.node} keeps the last messages of {topic} for late subscribers "
+                f"({qos_in_words(publisher.qos)}), but {subscriber.node} subscribes as volatile "
+                f"({qos_in_words(subscriber.qos)}): if it starts later, it misses all earlier messages; subscribe with "
+                "transient local durability"
             ),
             about=(topic, publisher, subscriber),
             related=(
                 (publisher.location, f"{publisher}: {qos_in_words(publisher.qos)}"),
-                *((each.location, f"{each} asks for them: {qos_in_words(each.qos)}") for each in others[:3]),
+                *((each.location, f"{each} requests them: {qos_in_words(each.qos)}") for each in others[:3]),
             ),
             level=Level.WARNING if others else Level.NOTE,
             apart=("durability",),
@@ -60,7 +60,7 @@ def _keeper(topic: Channel, subscriber: End) -> End | None:
 
 CHECK = Check(
     id="latched-topic-missed",
-    summary="What is kept for late subscribers is subscribed to with transient local durability.",
+    summary="Volatile subscription to a topic that is published as transient local.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     catalogue="Q06",

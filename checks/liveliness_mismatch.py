@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, System, incompatible
 
 ADVICE = {
-    "publishers": "publish with the liveliness of the subscriber, and a lease that is not longer than its",
-    "subscribers": "subscribe with automatic liveliness, and a lease that is not shorter than the publisher's",
+    "publishers": "publish with the liveliness kind of the subscriber and at most its lease duration",
+    "subscribers": "subscribe with automatic liveliness and at least the publisher's lease duration",
 }
 
 
@@ -19,7 +19,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="liveliness-mismatch",
-    summary="A publisher gives the signs of life that its subscribers ask for, as often as they do.",
+    summary="Publisher with a weaker liveliness than its subscriber requests.",
     level=Level.ERROR,
     catalogue="Q04",
     tags=("topics", "qos"),

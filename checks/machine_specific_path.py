@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, System
 from haros_ci.api.launch import PathUse, included_by
 
-_WHY = {"home": "lies in somebody's home directory", "absolute": "is an absolute path"}
+_WHY = {"home": "lies in a user's home directory", "absolute": "is an absolute path"}
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -21,7 +21,8 @@ def check(system: System) -> Iterator[Finding]:
         find = "$(find-pkg-share ...)" if use.ros == 2 else "$(find ...)"
         yield Finding(
             at=use.location,
-            message=f"{use.text}{of} {_WHY[use.kind]}: other machines do not have it; name it with {find} or an argument",
+            message=f"{use.text}{of} {_WHY[use.kind]}: other machines do not have this path; write {find}, or use a launch "
+            "argument",
             about=(use.text,),
             flow=included_by(use),
             apart=(use.text,),
@@ -31,7 +32,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="machine-specific-path",
-    summary="Launch files and their parameters name files by their packages.",
+    summary="Absolute or home directory path in a launch file.",
     level=Level.WARNING,
     catalogue="L06",
     tags=("launch",),

@@ -22,8 +22,8 @@ def check(project: Project) -> Iterator[Finding]:
                 bases = ", ".join(sorted(exports[problem.path]))
                 yield Finding(
                     at=Location(problem.path, problem.line or 1),
-                    message=f"the description of plug-ins for {bases} is no well-formed XML ({what}): none of its classes can be loaded;"
-                    " close each element",
+                    message=f"the plug-in description for {bases} is not well-formed XML ({what}): pluginlib can load none of its "
+                    "classes; correct the XML",
                     about=(package.name, problem.path.removeprefix(f"{package.path}/")),
                     related=tuple((place, "exported here") for place in exports[problem.path].values()),
                 )
@@ -31,7 +31,7 @@ def check(project: Project) -> Iterator[Finding]:
 
 CHECK = Check(
     id="malformed-plugin-description",
-    summary="Descriptions of plug-ins are well-formed XML.",
+    summary="Plug-in description that is not well-formed XML.",
     level=Level.ERROR,
     project=check,
     tags=("plugins",),

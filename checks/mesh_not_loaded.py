@@ -34,12 +34,15 @@ def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:
         package = project.package(owner(mesh.filename or ""))
         if package is None or not any(package.path == "." or path.startswith(f"{package.path}/") for path in meshes):
             return ""  # a package whose meshes come from elsewhere
-        return f"the mesh {mesh.filename} is not there: nothing is shown of it, and what needs its shape fails{meant(mesh.similar)}"
+        return (
+            f"the mesh {mesh.filename} does not exist: the link is not displayed, and collision checks "
+            f"fail{meant(mesh.similar)}"
+        )
     if mesh.path is not None and mesh.path.lower().endswith(".stl") and is_disguised(project.workspace.head(mesh.path)):
         name = mesh.path.rpartition("/")[2]
         return (
-            f"{name} is a binary STL whose header begins with 'solid', as only text STL do: some programs take it for text, and"
-            " load nothing; save it with another header"
+            f"{name} is a binary STL file, but its header begins with 'solid' like a text STL file: some programs "
+            "parse it as text and load no geometry; export it with another header"
         )
     return ""
 
@@ -59,7 +62,7 @@ def is_disguised(head: bytes) -> bool:
 
 CHECK = Check(
     id="mesh-not-loaded",
-    summary="The meshes of a robot description are there, and of the format that they seem to be.",
+    summary="Mesh of a robot description that does not exist or has the wrong format.",
     level=Level.WARNING,
     catalogue="X04",
     tags=("robot-description",),

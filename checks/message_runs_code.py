@@ -73,13 +73,14 @@ def check(project: Project) -> Iterator[Finding]:
                 continue
             seen.add(id(call))
             title = callback.routine.title
-            flow = [(callback.location, f"{title} is given a message")]
+            flow = [(callback.location, f"{title} receives a message")]
             flow += [(call_place(*step), f"{step[0].title} passes it to {step[1].name}") for step in way]
             yield Finding(
                 at=call_place(routine, call),
-                message=f"content of the message that {title} is given {what}: whoever can publish or call it runs what they want on this machine; {_advice(what)}",
+                message=f"content of the message that {title} receives {what}: any node that publishes or calls can run commands "
+                f"on this machine; {_advice(what)}",
                 about=(title, routine.title, call.name),
-                flow=(*flow, (call_place(routine, call), "it is run here")),
+                flow=(*flow, (call_place(routine, call), "executed here")),
             )
 
 
@@ -94,7 +95,7 @@ def _content(parameters: Sequence[FunctionParameter]) -> FunctionParameter:
 def _advice(what: str) -> str:
     if "shell" in what:
         return "choose from a fixed list of commands, and pass arguments as a list without a shell"
-    return "parse it with what builds plain data alone (json, ast.literal_eval, yaml.safe_load)"
+    return "parse it with a parser for plain data (json, ast.literal_eval, yaml.safe_load)"
 
 
 def _is_bound(callback: Callback) -> bool:
@@ -126,7 +127,7 @@ def _sink(code: Codebase, routine: Routine, call: Call) -> tuple[Any, str, bool]
     if name in LOADS:
         return (
             first,
-            "is unpickled" if "pickle" in name or "dill" in name else "is loaded as objects of any class",
+            "is unpickled" if "pickle" in name or "dill" in name else "is deserialised into objects of any class",
             False,
         )
     if name == "yaml.load":
@@ -134,7 +135,7 @@ def _sink(code: Codebase, routine: Routine, call: Call) -> tuple[Any, str, bool]
         if any(each[0] == "starstar" for each in call.args):
             return None
         if loader is None or (loader[0] == "field" and loader[2] in ("Loader", "UnsafeLoader", "CLoader")):
-            return first, "is loaded as YAML by a loader that makes objects of any class", False
+            return first, "is loaded by a YAML loader that creates objects of any class", False
     return None
 
 
@@ -181,7 +182,7 @@ def _field(project: Project, kind: str, path: tuple[str, ...], role: str) -> str
 
 CHECK = Check(
     id="message-runs-code",
-    summary="Content of messages is never run as a command or as code.",
+    summary="Message content executed as a command or as code.",
     level=Level.ERROR,
     catalogue="S02",
     tags=("code", "security"),

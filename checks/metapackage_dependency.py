@@ -32,17 +32,18 @@ def is_metapackage(project: Project, package: ProjectPackage, name: str) -> bool
 def _finding(project: Project, package: ProjectPackage, name: str, needed: list[Dependency]) -> Finding:
     call = _found_by(package, name) if package.ros == 1 else None
     effect = (
-        "find_package() fails, as a metapackage brings no CMake configuration"
+        "find_package() fails, because a metapackage has no CMake configuration"
         if call is not None
-        else "it brings all of that metapackage along, and is bound to it whatever it really uses"
+        else "all packages of the metapackage are installed, whether used or not"
     )
     target = project.package(name)
-    related = [] if call is None else [(call, f"{name} is looked for")]
+    related = [] if call is None else [(call, f"{name} is searched for here")]
     if target is not None:
         related.append((Location(target.manifest_path, 1), f"{name} is a metapackage"))
     return Finding(
         at=place(package, needed[0]),
-        message=f"{package} depends on the metapackage {name}: {effect}; depend on the packages of {name} that are used",
+        message=f"{package} depends on the metapackage {name}: {effect}; depend on the packages of {name} that the code "
+        "uses",
         about=(package.name, name),
         related=tuple(related),
         level=Level.ERROR if call is not None else None,
@@ -63,7 +64,7 @@ def _found_by(package: ProjectPackage, name: str) -> Location | None:
 
 CHECK = Check(
     id="metapackage-dependency",
-    summary="A package depends on packages, not on metapackages.",
+    summary="Dependency on a metapackage.",
     level=Level.WARNING,
     catalogue="M04",
     tags=("packages",),

@@ -70,14 +70,14 @@ def _finding(project: Project, package: ProjectPackage, command: CMakeCommand, w
     }
     near = get_close_matches(posixpath.basename(path), sorted(beside), 1, 0.7)
     if "*" in word or "?" in word:
-        hint = "install() knows no patterns; list the files with file(GLOB), or install the directory"
+        hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
     elif near:
         hint = f"did you mean {near[0]}?"
     else:
-        hint = "git keeps no empty directories; take it out, or add what is missing"
+        hint = "git does not store empty directories; remove the line, or add the missing file"
     return Finding(
         at=command.location,
-        message=f"installs {shown} of {package.name}, but there is no such file or directory: installing stops here; {hint}",
+        message=f"{shown} of {package.name} is installed, but does not exist: the installation stops here; {hint}",
         about=(package.name, shown),
         apart=(shown,),
     )
@@ -85,7 +85,7 @@ def _finding(project: Project, package: ProjectPackage, command: CMakeCommand, w
 
 CHECK = Check(
     id="missing-install-source",
-    summary="What a package installs is there.",
+    summary="install() of a file or directory that does not exist.",
     level=Level.ERROR,
     catalogue="B07",
     tags=("build",),

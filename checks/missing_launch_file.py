@@ -41,7 +41,7 @@ def check(system: System) -> Iterator[Finding]:
         what = _WHAT[use.kind] + (f" of {use.name!r}," if use.kind == "default" else "")
         yield Finding(
             at=use.location,
-            message=f"{what} {use.inner} of {use.package}, but there is no such file{hint}",
+            message=f"{what} {use.inner} of {use.package}, but this file does not exist{hint}",
             about=(f"{use.package}/{use.inner}",),
             flow=included_by(use),
             apart=(use.text,),
@@ -52,7 +52,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="missing-launch-file",
-    summary="The files that launch files name are there.",
+    summary="Reference of a launch file to a file that does not exist.",
     level=Level.ERROR,
     catalogue="L01",
     tags=("launch",),

@@ -13,14 +13,12 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _says(channel: Channel) -> str:
-    return (
-        f"calls the {channel.kind} {channel}, which nothing in the system offers: it waits for ever, or its calls fail"
-    )
+    return f"calls the {channel.kind} {channel}, but no node of the system offers it: calls fail, or wait forever"
 
 
 CHECK = Check(
     id="missing-server",
-    summary="What a node calls is offered, in a system that is closed.",
+    summary="Client of a service or action that no node of the system offers.",
     level=Level.WARNING,
     decidability=Decidability.CLOSED_WORLD,
     catalogue="G09",

@@ -54,8 +54,8 @@ def _finding(package: ProjectPackage, name: str, meant: str, need: Need) -> Find
     line = next((each.line for each in package.raw.dependencies if each.name == name), None)
     return Finding(
         at=Location(package.manifest_path, line or 1),
-        message=f"{package.name} depends on {name}, which no distribution and no key of rosdep is called: rosdep stops there;"
-        f" {meant} is what it uses ({need.what})",
+        message=f"{package.name} depends on {name}, which is neither a ROS package nor a rosdep key: rosdep stops here; "
+        f"write {meant}, which the code uses ({need.what})",
         about=(package.name, name),
         apart=(name, meant),
         related=((need.location, f"needs {meant}: {need.what}"),),
@@ -64,7 +64,7 @@ def _finding(package: ProjectPackage, name: str, meant: str, need: Need) -> Find
 
 CHECK = Check(
     id="misspelt-dependency",
-    summary="The dependencies in a manifest are names that there are.",
+    summary="Misspelt dependency: neither a ROS package nor a rosdep key.",
     level=Level.ERROR,
     project=check,
     tags=("packages",),

@@ -73,13 +73,13 @@ def _namespace(end: End) -> str:
 
 def _finding(channel: Channel, ends: list[End], first: End, second: End) -> Finding:
     spaces = " and ".join(sorted({_namespace(first), _namespace(second)}))
-    does = "their messages mix" if channel.kind == "topic" else "calls for one reach the other"
+    does = "their messages mix" if channel.kind == "topic" else "calls to one also reach the other"
     word = f"publish {channel}" if channel.kind == "topic" else f"offer the {channel.kind} {channel}"
     return Finding(
         at=first.location,
         message=(
-            f"{first.node} and {second.node} are in the namespaces {spaces}, but both {word}, "
-            f"a global name in the code: {does}; write {(first.raw.written or '').lstrip('/')}"
+            f"{first.node} and {second.node} are in the namespaces {spaces}, but both {word}, a global name in the "
+            f"code: {does}; write the relative name {(first.raw.written or '').lstrip('/')}"
         ),
         about=(channel, *ends),
         related=tuple((end.node.location, f"{end.node} is started here") for end in ends),
@@ -88,7 +88,7 @@ def _finding(channel: Channel, ends: list[End], first: End, second: End) -> Find
 
 CHECK = Check(
     id="namespace-leak",
-    summary="Instances of a node in different namespaces share no topic or service by a global name.",
+    summary="Global name shared by nodes in different namespaces.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     tags=("names", "namespaces"),

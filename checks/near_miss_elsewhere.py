@@ -84,8 +84,9 @@ def _finding(given: Ends, taken: Ends) -> Finding:
     return Finding(
         at=named_at(taker),
         message=(
-            f"{taker.word} {taker.name} of {taker.node} ({taker_system}) and {giver.word} {giver.name} of {giver.node} ({giver_system}) have "
-            f"the same type, nearly the same name, and nothing else to connect to in any launch file: give both one name, or remap one of them"
+            f"{taker.word} {taker.name} of {taker.node} ({taker_system}) and {giver.word} {giver.name} of "
+            f"{giver.node} ({giver_system}) have the same type and nearly the same name, but do not connect, and no "
+            "launch file has another partner for either: use one name for both, or remap one"
         ),
         about=(giver.name, taker.name),
         related=((named_at(giver), f"{giver.word} {giver.name} of {giver.node}"),),
@@ -94,7 +95,7 @@ def _finding(given: Ends, taken: Ends) -> Finding:
 
 CHECK = Check(
     id="near-miss-elsewhere",
-    summary="Ends in different launch files have nearly the same name, and connect to nothing.",
+    summary="Nearly equal names of a publisher and a subscriber in different launch files.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     tags=("names",),

@@ -125,12 +125,13 @@ def _finding(found: list[tuple[Channel, Channel, End, End]]) -> Finding:
     if rule_of(wrong) is not None:
         hint = f"; {wrong.original_name} is remapped here"
     elif (wrong.raw.written or "").startswith("/") and wrong is giver:
-        hint = "; the name is global in the code, so namespaces and relative remappings do not reach it"
+        hint = "; the name is global in the code, so namespaces and relative remappings have no effect on it"
     return Finding(
         at=named_at(wrong),
         message=(
-            f"nothing connects to {giver_name}, {giver.word} of {giver.node}, nor to {taker_name}, {taker.word} of {taker.node}: "
-            f"they have the same type and nearly the same name{more}{hint}"
+            f"{giver.word} {giver_name} of {giver.node} and {taker.word} {taker_name} of {taker.node} do not connect, "
+            f"although they have the same type and nearly the same name: neither has another partner{more}; use one "
+            f"name for both{hint}"
         ),
         about=tuple(dict.fromkeys(part for each in found for part in each)),
         related=tuple(
@@ -145,7 +146,7 @@ def _finding(found: list[tuple[Channel, Channel, End, End]]) -> Finding:
 
 CHECK = Check(
     id="near-miss-name",
-    summary="Ends that are meant for each other have the same name.",
+    summary="Nearly equal names of a publisher and a subscriber that do not connect.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     catalogue="G04",

@@ -41,8 +41,8 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         yield Finding(
             at=call_place(routine, call),
-            message=f"the program makes a {made.kind} with a callback, and nothing in it spins: it is never called; "
-            "spin the node, or add it to an executor that does",
+            message=f"the program creates a {made.kind} with a callback, but never spins the node: the callback is never "
+            "called; spin the node, or add it to an executor",
             about=(routine.source.package or routine.path, routine.path.rpartition("/")[2]),
             related=((made.location, f"{made.routine.title} is its callback"),),
         )
@@ -79,7 +79,7 @@ def _program(code: Codebase, routine: Routine) -> set[str]:
 
 CHECK = Check(
     id="node-never-spun",
-    summary="A program that makes a node with callbacks spins it.",
+    summary="Node with callbacks that is never spun.",
     level=Level.ERROR,
     catalogue="",
     tags=("code",),

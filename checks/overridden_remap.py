@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, RemapRule, System, SystemNode, is_idle, together
+from haros_ci.api import Check, Finding, Level, Location, RemapRule, System, SystemNode, is_idle, line_of, together
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -46,12 +46,12 @@ def _finding(pairs: list[tuple[SystemNode, RemapRule, RemapRule]]) -> Iterator[F
     node, earlier, rule, presence = possible[0]
     names = dict.fromkeys(each.name for each, *_ in possible)
     more = f" and {len(names) - 1} more nodes" if len(names) > 1 else ""
-    where = ", set for all nodes of its group," if earlier.is_global and not rule.is_global else ""
+    where = " for all nodes of its group" if earlier.is_global and not rule.is_global else ""
     yield Finding(
         at=rule.location,
         message=(
-            f"{node}{more}: remapping {rule.source} to {rule.target} does nothing, as an earlier rule{where} remaps it to "
-            f"{earlier.target}, and ROS 2 takes the first rule that matches; remove one of them"
+            f"{node}{more}: the remapping of {rule.source} to {rule.target} has no effect, because an earlier rule{where} "
+            f"({line_of(earlier.location)}) remaps it to {earlier.target}; remove one of the two rules"
         ),
         about=(node, *(name for name in names if name != node.name), rule.source_name or rule.source),
         apart=(rule.source,),
@@ -62,7 +62,7 @@ def _finding(pairs: list[tuple[SystemNode, RemapRule, RemapRule]]) -> Iterator[F
 
 CHECK = Check(
     id="overridden-remap",
-    summary="No remapping rule of a node is hidden by an earlier one for the same name.",
+    summary="Remapping hidden by an earlier rule for the same name.",
     level=Level.WARNING,
     catalogue="L11",
     aliases=("shadowed-remap",),

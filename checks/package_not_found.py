@@ -100,22 +100,31 @@ def _is_of_the_system(package: ProjectPackage, name: str) -> bool:
 def _unfound(package: ProjectPackage, use: CMakeCommand, name: str, found: dict[str, CMakeCommand]) -> Finding:
     later = next((each for each in package.commands("find_package") if each.arguments[:1] == (name,)), None)
     if later is not None:
-        said = f"ament_target_dependencies({use.arguments[0]}) uses {name}, which find_package() finds later, in line {later.location.line}"
+        said = (
+            f"ament_target_dependencies({use.arguments[0]}) uses {name} before find_package({name}) in line "
+            f"{later.location.line}"
+        )
         return _made(package, use.location, name, f"{said}: CMake stops; move find_package({name} REQUIRED) before it")
-    said = f"ament_target_dependencies({use.arguments[0]}) uses {name}, which no find_package() finds"
+    said = f"ament_target_dependencies({use.arguments[0]}) uses {name} without find_package({name})"
     return _made(package, use.location, name, f"{said}: CMake stops; {_remedy(package, name)}", found)
 
 
 def _linked(package: ProjectPackage, use: CMakeCommand, name: str, found: dict[str, CMakeCommand]) -> Finding:
     word = next(word for word in use.arguments if word.startswith(f"{name}::"))
-    said = f"{use.arguments[0]} is linked with {word}, but no find_package() finds {name}: CMake stops, as there is no such target"
+    said = (
+        f"target {use.arguments[0]} is linked with {word} without find_package({name}): CMake stops, because the "
+        f"target {word} does not exist"
+    )
     return _made(package, use.location, name, f"{said}; {_remedy(package, name)}", found)
 
 
 def _included(
     package: ProjectPackage, name: str, header: str, place: Location, found: dict[str, CMakeCommand]
 ) -> Finding:
-    said = f"{package.name} includes {header}, but its CMake never finds {name}: the compiler does not find the header"
+    said = (
+        f"{package.name} includes {header}, but its CMakeLists.txt has no find_package({name}): the compiler does "
+        "not find the header"
+    )
     return _made(package, place, name, f"{said}; {_remedy(package, name)}, and link the target with it")
 
 
@@ -192,9 +201,7 @@ def _catkin(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
         elif command.name == "generate_messages" and not command.is_conditional:
             for name in command.after("DEPENDENCIES", "LANGS"):
                 if "$" not in name and _is_lacking(package, found, name):
-                    said = (
-                        f"generate_messages() depends on {name}, which find_package() does not find before: CMake stops"
-                    )
+                    said = f"generate_messages() depends on {name} without a find_package() of it before: CMake stops"
                     yield (
                         name,
                         _made(
@@ -208,7 +215,7 @@ def _catkin(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
 
 CHECK = Check(
     id="package-not-found",
-    summary="CMake uses a package that no find_package() finds.",
+    summary="Package used in CMake without find_package().",
     level=Level.ERROR,
     catalogue="",
     tags=("build", "packages"),

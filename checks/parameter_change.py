@@ -26,11 +26,12 @@ def _type(project: Project, change: Change, at: Location) -> Finding:
     return Finding(
         at=at,
         message=(
-            f"the parameter {_name(change)} is {change.after} now, and was {change.before}: launch files and YAML that give it "
-            f"a value of the old type{here} make the node fail; change them with it, and tell those who have their own"
+            f"parameter {_name(change)} has the type {change.after} now instead of {change.before}: values of the old "
+            f"type in launch files and YAML{here} make the node fail; change them too, and announce the change to "
+            "users"
         ),
         about=_about(change),
-        related=tuple((place, "it is given a value here") for place in given[:SHOWN]),
+        related=tuple((place, "a value is set here") for place in given[:SHOWN]),
         level=Level.WARNING,
     )
 
@@ -56,8 +57,9 @@ def _default(project: Project, change: Change, at: Location) -> Iterator[Finding
     yield Finding(
         at=at,
         message=(
-            f"the default of the parameter {_name(change)} is {change.after or 'gone'} now, and was "
-            f"{change.before or 'not there'}: {nodes[0]} of {systems[0]}{more} is given no other value and changes with it"
+            f"the default of parameter {_name(change)} is now {change.after or 'gone'}, before it was "
+            f"{change.before or 'not set'}: {nodes[0]} of {systems[0]}{more} sets no value and changes its behaviour; "
+            "set the old value there, or confirm the change"
         ),
         about=_about(change),
         related=tuple(dict.fromkeys((node.location, f"{node} is started here") for _, node in running[:SHOWN])),
@@ -87,7 +89,7 @@ def _about(change: Change) -> tuple[str, ...]:
 
 CHECK = Check(
     id="parameter-change",
-    summary="A change of a parameter's type or default is meant and known to those who depend on it.",
+    summary="Changed type or default of a parameter.",
     level=Level.WARNING,
     tags=("parameters", "change"),
     project=check,

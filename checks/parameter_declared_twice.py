@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System
+from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System, line_of
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -21,9 +21,10 @@ def check(system: System) -> Iterator[Finding]:
                 if first.raw.location is not None and second.raw.location not in (None, first.raw.location):
                     yield Finding(
                         at=second.location,
-                        message=f"{node.type} declares the parameter {key} a second time: the call throws",
+                        message=f"{node.type} declares the parameter {key} twice: the second call throws "
+                        f"ParameterAlreadyDeclaredException; the first declaration is at {line_of(first.location)}; remove one",
                         about=(first, second, key),
-                        related=((first.location, "declared here already"),),
+                        related=((first.location, "first declaration"),),
                     )
 
 
@@ -34,7 +35,7 @@ def is_doubtful(end: End) -> bool:
 
 CHECK = Check(
     id="parameter-declared-twice",
-    summary="A node declares a parameter once.",
+    summary="Parameter declared twice by one node.",
     level=Level.ERROR,
     tags=("parameters",),
     run=check,

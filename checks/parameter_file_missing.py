@@ -18,9 +18,9 @@ def check(system: System) -> Iterator[Finding]:
         program = "/".join(use.program)
         is_loaded = any(node.kind == "component" and node.type == program for node in system.nodes)
         what = (
-            f"launch fails to load {use.node or program}"
+            f"launch cannot start {use.node or program}"
             if is_loaded
-            else f"launch says so in a warning, and starts {use.node or program} without these parameters"
+            else f"launch prints a warning and starts {use.node or program} without these parameters"
         )
         meant = next(iter(similar.get(use.location, ())), None)
         hint = f"; did you mean {meant}?" if meant else ""
@@ -39,7 +39,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="parameter-file-missing",
-    summary="The parameter files that nodes are given exist.",
+    summary="Parameter file that does not exist.",
     level=Level.ERROR,
     catalogue="P12",
     tags=("parameters", "launch"),

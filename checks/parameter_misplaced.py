@@ -19,8 +19,8 @@ def check(system: System) -> Iterator[Finding]:
         yield Finding(
             at=each.at,
             message=(
-                f"{each.node} is given the parameter {each.key}, where {each.node.type}{has} {meant}: {why}, "
-                f"and what is said here has no effect"
+                f"{each.node} is given the parameter {each.key}, but {each.node.type}{has} {meant}: {why}, so this value "
+                f"has no effect; write {meant}"
             ),
             about=(each.node, each.key),
             flow=((each.tag, f"{each.node} is given the parameters"), (each.at, f"{meant} is meant")),
@@ -30,7 +30,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="parameter-misplaced",
-    summary="The name of a parameter has no section doubled, and nothing before it that belongs to the node.",
+    summary="Parameter under the wrong section.",
     level=Level.WARNING,
     catalogue="P05",
     tags=("parameters",),

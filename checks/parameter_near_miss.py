@@ -61,8 +61,8 @@ def _finding(end: End, given: Parameter, at: Location) -> Finding:
     return Finding(
         at=at,
         message=(
-            f"{end.node} reads the parameter {end.name}, which nothing sets; what is set is {given.name}, which no node reads: "
-            f"give it the name that is read"
+            f"{end.node} reads the parameter {end.name}, which is never set, while {given.name} is set, which no node "
+            f"reads: the value has no effect; write {end.name}"
         ),
         about=(end, given.name),
         related=((end.location, f"{end.name} is read here"),),
@@ -88,7 +88,7 @@ def _around(name: str) -> Iterator[str]:
 
 CHECK = Check(
     id="parameter-near-miss",
-    summary="A parameter is given under the name under which it is read.",
+    summary="Misspelt parameter: set under one name, read under a similar one.",
     level=Level.WARNING,
     catalogue="P02",
     tags=("parameters",),

@@ -58,7 +58,8 @@ def _finding(given: Given, section: str, keys: Sequence[str]) -> Finding:
         what = f"is given {len(keys)} parameters below {section} that {node.type} does not declare ({names})"
     return Finding(
         at=given.at,
-        message=f"{node} {what}: what is said here has no effect" + (f"; did you mean {meant}?" if meant else ""),
+        message=f"{node} {what}: the value has no effect"
+        + (f"; did you mean {meant}?" if meant else "; correct the name, or remove it"),
         about=(node, section if len(keys) > 1 else keys[0]),
         flow=((given.tag, f"{node} is given the parameters"), (given.at, "this one is not declared")),
         presence=given.presence,
@@ -67,7 +68,7 @@ def _finding(given: Given, section: str, keys: Sequence[str]) -> Finding:
 
 CHECK = Check(
     id="parameter-not-declared",
-    summary="A node declares the parameters that it is given.",
+    summary="Parameter set for a node that does not declare it.",
     level=Level.WARNING,
     catalogue="P01",
     tags=("parameters",),

@@ -26,9 +26,11 @@ def check(system: System) -> Iterator[Finding]:
             yield Finding(
                 at=node.location,
                 message=(
-                    f"{node} is not given {_listed(keys)}, which {node.type} declares without a default: "
-                    f"the node throws when it starts"
-                    + (f"; {meant} is given, which it does not declare" if meant else "")
+                    (
+                        f"{node} does not get {_listed(keys)}, which {node.type} declares without a default: the node throws at "
+                        "start; set it here"
+                    )
+                    + (f"; {meant} is set, but not declared" if meant else "")
                 ),
                 about=(node, *(each for _, each in missing)),
                 related=((end.location, f"{keys[0]} is declared without a default"),),
@@ -50,7 +52,7 @@ def _listed(keys: list[str]) -> str:
 
 CHECK = Check(
     id="parameter-not-given",
-    summary="A node is given the parameters that it declares without a default.",
+    summary="Parameter without a default that the launch file does not set.",
     level=Level.ERROR,
     tags=("parameters",),
     run=check,

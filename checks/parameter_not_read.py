@@ -27,7 +27,8 @@ def check(system: System) -> Iterator[Finding]:
             continue
         yield Finding(
             at=each.origin or each.location or node.location,
-            message=f"{node} is given the parameter {each.name}, which neither {node.type} nor another node reads",
+            message=f"{node} is given the parameter {each.name}, but neither {node.type} nor another node reads it: the value "
+            "has no effect; correct the name, or remove it",
             about=(node, each.name),
         )
 
@@ -48,7 +49,7 @@ def _around(name: str) -> Iterator[str]:
 
 CHECK = Check(
     id="parameter-not-read",
-    summary="A node reads the private parameters that it is given.",
+    summary="Parameter set for a node that does not read it.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     status=Status.PREVIEW,

@@ -28,11 +28,11 @@ def _judged(end: End, key: str, value: Any, given: Given | None) -> Iterator[Fin
         yield Finding(
             at=given.at if given else end.location,
             message=(
-                f"{end.node} {'is given' if given else 'declares by default'} {value} for the parameter {key}, {said}: "
-                f"the node throws when it declares it"
+                f"{end.node} {('is given' if given else 'declares by default')} {value} for the parameter {key}, {said}: "
+                "the node throws at the declaration; use a value within the range"
             ),
             about=(end.node, key),
-            related=((end.location, "declared with a range"),),
+            related=((end.location, "range declared here"),),
             presence=given.presence if given else ALWAYS,
         )
 
@@ -51,17 +51,17 @@ def _outside(end: End, value: Any) -> str:
         return ""
     slack = 1e-6 * max(abs(low), abs(high), 1.0)
     if value < low - slack:
-        return f"which is less than {low:g}, the least that its range allows"
+        return f"which is less than {low:g}, the minimum of its range"
     if value > high + slack:
-        return f"which is more than {high:g}, the most that its range allows"
+        return f"which is more than {high:g}, the maximum of its range"
     if end.type == "int" and step and step > 1 and value != high and (value - low) % step:
-        return f"which is no multiple of the step {step:g} of its range above {low:g}"
+        return f"which does not fit the step {step:g} of its range from {low:g}"
     return ""
 
 
 CHECK = Check(
     id="parameter-out-of-range",
-    summary="The value of a parameter is within the range that the node declares for it.",
+    summary="Parameter value outside its declared range.",
     level=Level.ERROR,
     catalogue="P04",
     tags=("parameters",),

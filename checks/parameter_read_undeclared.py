@@ -19,7 +19,11 @@ def check(system: System) -> Iterator[Finding]:
             for end in ends:
                 if end.implicit or end.raw.source == "known-node" or _is_guarded(end):
                     continue
-                what = "the call throws" if end.raw.is_strict else "the call finds none, whatever is given from outside"
+                what = (
+                    "the call throws"
+                    if end.raw.is_strict
+                    else "the call never finds a value, even if a launch file sets it"
+                )
                 yield Finding(
                     at=end.location,
                     message=(
@@ -43,7 +47,7 @@ def _is_guarded(end: End) -> bool:
 
 CHECK = Check(
     id="parameter-read-undeclared",
-    summary="A node declares the parameters that it reads.",
+    summary="Parameter read but not declared.",
     level=Level.ERROR,
     catalogue="P08",
     tags=("parameters",),

@@ -38,14 +38,13 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
                 yield Finding(
                     at=each.location,
                     message=(
-                        f"the parameters below {each.pattern} are for no node that is started with this file: "
-                        f"{called} is given it, has another name, and takes none of them; "
-                        f"write {_right(use)} or /** here, or name the node {each.pattern}"
+                        f"the section {each.pattern} matches no node that gets this file: {called} has another name and gets none "
+                        f"of these parameters; write {_right(use)} or /** here, or name the node {each.pattern}"
                     ),
                     about=(each.pattern, "/".join(use.program)),
                     flow=(
-                        (use.location, "the file is given here"),
-                        (each.location, "this section is for another name"),
+                        (use.location, "the file is loaded here"),
+                        (each.location, "this section has another name"),
                     ),
                     presence=use.presence,
                 )
@@ -102,7 +101,7 @@ def _is_like(pattern: str, name: str) -> bool:
 
 CHECK = Check(
     id="parameter-section-unmatched",
-    summary="The sections of a parameter file are for nodes that are started under that name.",
+    summary="Section of a parameter file that matches no node.",
     level=Level.WARNING,
     catalogue="P07",
     tags=("parameters", "launch"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Given, Level, System
+from haros_ci.api import Check, End, Finding, Given, Level, System, line_of
 
 #: The types that are compared.
 TYPES = frozenset(kind + array for kind in ("bool", "int", "double", "str") for array in ("", "[]"))
@@ -25,8 +25,9 @@ def check(system: System) -> Iterator[Finding]:
         yield Finding(
             at=given.at,
             message=(
-                f"{given.node.type} declares the parameter {given.key} as {end.type}, but {given.node} is given "
-                f"{_shown(given)} here, {_a(given.type)}: the node throws when it declares it{_instead(given, end)}"
+                f"{given.node.type} declares the parameter {given.key} as {end.type} ({line_of(end.location)}), but "
+                f"{given.node} gets {_shown(given)}, {_a(given.type)}: the node throws at the "
+                f"declaration{_instead(given, end)}"
             ),
             about=(given.node, given.key),
             related=((end.location, f"declared as {end.type}"),) if end.in_source else (),
@@ -62,7 +63,7 @@ def _a(kind: str | None) -> str:
 
 CHECK = Check(
     id="parameter-type-mismatch",
-    summary="A parameter is given a value of the type that the node declares.",
+    summary="Parameter value of another type than declared.",
     level=Level.ERROR,
     catalogue="P03",
     tags=("parameters",),

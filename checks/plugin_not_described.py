@@ -57,8 +57,8 @@ def _registered(package: ProjectPackage) -> Iterator[Registration]:
 def _finding(package: ProjectPackage, each: Registration) -> Finding:
     return Finding(
         at=each.location,
-        message=f"{package.name} registers {each.type} as a {each.base}, but no description of plug-ins names it: pluginlib does not"
-        " know that it is there; add a <class> for it to the exported description",
+        message=f"{package.name} registers {each.type} as a {each.base}, but its plug-in description does not list it: "
+        "pluginlib cannot load the class; add a <class> element to the exported description",
         about=(package.name, each.type),
         apart=(each.type,),
         related=tuple((Location(path, 1), "an exported description") for path in exported_under(package)),
@@ -71,7 +71,7 @@ def _last(name: str) -> str:
 
 CHECK = Check(
     id="plugin-not-described",
-    summary="Each class that pluginlib's macro registers is in a description of plug-ins.",
+    summary="Registered plug-in class that no plug-in description lists.",
     level=Level.WARNING,
     project=check,
     tags=("plugins",),

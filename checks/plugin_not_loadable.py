@@ -130,11 +130,11 @@ def _no_library(each: PluginClass, found: _Package) -> Finding:
     macros = [macro for macro in found.by_type.get(each.type, []) if _is_source(macro.location.path)]
     makers = sorted({file_name(t) for m in macros for t in found.libraries.values() if m.location.path in t.sources})
     if lacking:
-        hint = f"the file is lib{name}.so, and ROS 1 adds no lib: write lib/lib{name}"
+        hint = f"the file is lib{name}.so, and ROS 1 adds no lib prefix: write lib/lib{name}"
     elif makers:
-        hint = f"the class is in {makers[0].removeprefix('lib')}"
+        hint = f"the class is in {makers[0].removeprefix('lib')}: write that library"
     else:
-        hint = "drop the description, or build it"
+        hint = "build the library, or remove the description"
     return Finding(
         at=each.location,
         message=(
@@ -157,7 +157,7 @@ def _left_over(each: PluginClass, found: _Package, finding: Finding) -> Finding:
         return finding
     if is_asked_for((each.name, each.type), found.package.project):
         return finding
-    message = f"{finding.message.rpartition(';')[0]}; no class of the package has the name: drop the description"
+    message = f"{finding.message.rpartition(';')[0]}; no class of the package has this name: remove the description"
     return replace(finding, message=message, level=Level.WARNING)
 
 
@@ -166,13 +166,13 @@ def _not_registered(each: PluginClass, library: Target, found: _Package, macros:
     alike = [m for m in found.by_last.get(last, ()) if m.type != each.type]
     related: tuple[tuple[Location, str], ...] = ()
     if macros:
-        hint = f"{macros[0].location.path} does, which is not among its sources"
+        hint = f"add {macros[0].location.path}, which registers it, to the library's sources"
         related = ((macros[0].location, "it is registered here"),)
     elif alike:
-        hint = f"{alike[0].type} is registered: the names have to be the same text"
+        hint = f"{alike[0].type} is registered: write the same name in both places"
         related = ((alike[0].location, f"{alike[0].type} is registered here"),)
     else:
-        hint = "no source has PLUGINLIB_EXPORT_CLASS for it"
+        hint = "add PLUGINLIB_EXPORT_CLASS for it to a source"
     return Finding(
         at=each.location,
         message=f"plug-in {each.name} cannot be loaded: library {library.name} does not register {each.type}; {hint}",
@@ -186,8 +186,8 @@ def _other_base(each: PluginClass, found: _Package, macro: Registration) -> Find
     return Finding(
         at=each.location,
         message=(
-            f"plug-in {each.name} cannot be loaded: it is described as a {each.base} and registered as a {macro.base}; whoever "
-            f"loads the one does not find the other"
+            f"plug-in {each.name} cannot be loaded: the description gives the base class {each.base}, the "
+            f"registration {macro.base}; write the same base class in both places"
         ),
         about=(found.package.name, each.type),
         related=((macro.location, f"it is registered as a {macro.base} here"),),
@@ -215,11 +215,11 @@ def _exported(
             yield Finding(
                 at=at,
                 message=(
-                    f"{posixpath.basename(path)} is exported to {package}, but plug-ins of {each.base} are looked for in what is "
-                    f"exported to {name}: {each.name} is not found"
+                    f"{posixpath.basename(path)} is exported to {package}, but pluginlib searches plug-ins of {each.base} in "
+                    f"exports to {name}: {each.name} is not found; export it to {name}"
                 ),
                 about=(found.package.name, posixpath.relpath(path, found.package.path), package),
-                related=((where, f"they are looked for under {name} here"),),
+                related=((where, f"{name} is searched here"),),
             )
             break
 
@@ -245,13 +245,13 @@ def _not_exported(found: _Package) -> Iterator[Finding]:
         missing = [name for name in inside if name in types and name not in described]
         if missing and not _is_mentioned(posixpath.basename(file.path), package):
             how = (
-                'an <export> of package.xml does (<base_package plugin="${prefix}/..."/>)'
+                'package.xml exports it (<base_package plugin="${prefix}/..."/>)'
                 if package.ros == 1
-                else "pluginlib_export_plugin_description_file() does"
+                else "pluginlib_export_plugin_description_file() exports it"
             )
             yield Finding(
                 at=Location(file.path, root.line),
-                message=f"this description of {missing[0]} is not exported: pluginlib does not find it until {how}",
+                message=f"this plug-in description of {missing[0]} is not exported: pluginlib does not find it until {how}",
                 about=(package.name, posixpath.relpath(file.path, package.path)),
                 level=Level.WARNING,
             )
@@ -284,8 +284,9 @@ def _in_two(found: _Package) -> Iterator[Finding]:
             yield Finding(
                 at=each.location,
                 message=(
-                    f"{each.type} is registered in {len(holders)} libraries, {' and '.join(holders[:2])}, as both compile this file: "
-                    "where both are loaded, which one is used depends on the order"
+                    f"{each.type} is registered in {len(holders)} libraries, {' and '.join(holders[:2])}, because both "
+                    "compile this file: if both are loaded, the load order decides which one is used; compile the file in "
+                    "one library only"
                 ),
                 about=(found.package.name, each.type),
                 level=Level.WARNING,
@@ -303,7 +304,7 @@ def _unknown_classes(found: _Package, classes: Container[str]) -> Iterator[Findi
         if any(name.startswith(f"{space}::") for name in own):
             yield Finding(
                 at=each.location,
-                message=f"{each.macro} names {each.type}, and there is no such class: this does not compile",
+                message=f"{each.macro} names the class {each.type}, which does not exist: this does not compile; correct the name",
                 about=(found.package.name, each.type),
             )
 
@@ -341,7 +342,7 @@ def _is_whole(library: Target, package: ProjectPackage) -> bool:
 
 CHECK = Check(
     id="plugin-not-loadable",
-    summary="What describes a plug-in, registers it, builds its library and exports it fits together.",
+    summary="Plug-in that pluginlib cannot load: description, registration, library and export disagree.",
     level=Level.ERROR,
     catalogue="B10",
     tags=("build", "plugins"),

@@ -16,13 +16,13 @@ TOOLS = frozenset(
 def check(system: System) -> Iterator[Finding]:
     topics = (topic for topic in system.topics if topic.name.rpartition("/")[2] not in TOOLS)
     yield from unmet(
-        system, topics, "takers", lambda topic: f"publishes {topic}, which nothing in the system subscribes to"
+        system, topics, "takers", lambda topic: f"publishes {topic}, but no node of the system subscribes to it"
     )
 
 
 CHECK = Check(
     id="publisher-without-subscriber",
-    summary="What a node publishes is subscribed to, in a system that is closed.",
+    summary="Published topic without a subscriber in a closed system.",
     level=Level.NOTE,
     decidability=Decidability.CLOSED_WORLD,
     catalogue="G02",

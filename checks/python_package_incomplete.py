@@ -73,13 +73,14 @@ def _missing_module(each: EntryPoint, package: ProjectPackage) -> Finding:
         if path.endswith(f"{folder.replace('.', '/')}/{path.rpartition('/')[2]}")
     )
     alike = [name for name in beside if is_slip(name, last) or name.replace("_", "") == last.replace("_", "")]
-    meant = f"; is {folder}.{alike[0]} meant?" if alike else ""
+    meant = f"; write {folder}.{alike[0]}" if alike else ""
     fixes: tuple[Fix, ...] = ()
     if len(alike) == 1:
         fixes = _replaced(each, each.module, f"{folder}.{alike[0]}", package)
     return Finding(
         at=each.location,
-        message=f"program {each.name} of package {package.name} cannot start: there is no module {each.module}{meant}",
+        message=f"program {each.name} of package {package.name} cannot start: the module {each.module} does not "
+        f"exist{meant}",
         about=(package.name, each.name),
         apart=(each.name,),
         fixes=fixes,
@@ -112,10 +113,11 @@ def _missing_name(each: EntryPoint, package: ProjectPackage) -> Finding | None:
     if re.search(rf"^\s*{name}\s*,?\s*(?:#.*)?$", text, re.M):
         return None  # perhaps a line of an import in parentheses
     alike = sorted(other for other in own if is_slip(other, name))
-    meant = f"; is {alike[0]}() meant?" if alike else ""
+    meant = f"; write {alike[0]}" if alike else ""
     return Finding(
         at=each.location,
-        message=f"program {each.name} of package {package.name} cannot start: {each.path} has no {each.function}{meant}",
+        message=f"program {each.name} of package {package.name} cannot start: {each.path} has no function "
+        f"{each.function}(){meant}",
         about=(package.name, each.name),
         related=((Location(each.path, 1), f"the module {each.module}"),),
         apart=(each.name,),
@@ -160,8 +162,9 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
             yield Finding(
                 at=Location(path, line),
                 message=(
-                    f"programs of package {package.name} are put into {value.removeprefix('$base/')}: ros2 run and launch files look "
-                    f"for {nodes[0].name} in lib/{package.name} and do not find it"
+                    f"programs of package {package.name} are installed to {value.removeprefix('$base/')}: ros2 run and launch "
+                    f"files search for {nodes[0].name} in lib/{package.name} and do not find it; write "
+                    f"$base/lib/{package.name}"
                 ),
                 about=(package.name, section),
                 fixes=(Fix(f"put them into lib/{package.name}", tuple(fixes)),),
@@ -181,8 +184,8 @@ def _no_directory(package: ProjectPackage, node: EntryPoint, path: str, given: d
     return Finding(
         at=Location(path, 1) if text else node.location,
         message=(
-            f"setup.cfg of package {package.name} does not say where programs go (install_scripts=$base/lib/{package.name} in "
-            f"[install]): they go to bin, and ros2 run does not find {node.name}"
+            f"setup.cfg of package {package.name} does not set the directory for programs: they are installed to bin, "
+            f"where ros2 run does not find {node.name}; write install_scripts=$base/lib/{package.name} under [install]"
         ),
         about=(package.name, "install_scripts"),
         fixes=fixes,
@@ -203,13 +206,14 @@ def _marker(package: ProjectPackage) -> Iterator[Finding]:
     if any(each.name == package.name for each in here):
         return
     setup = package.inside("setup.py")
-    wrong = f"data_files installs the marker {here[0].name}, which is not the package's name" if here else ""
+    wrong = f"data_files installs the marker {here[0].name}, which differs from the package name" if here else ""
     there = "" if package.has(f"resource/{package.name}") else f" an empty file resource/{package.name} and"
     yield Finding(
         at=here[0].location if here else Location(setup, _line_with(package.project.text(setup), "data_files")),
         message=(
-            f"{wrong or 'data_files installs no marker of the package'}: without it ros2 does not find the package {package.name} "
-            f"(colcon still writes one, with a warning); add{there} ('{_MARKERS}', ['resource/{package.name}'])"
+            f"{wrong or 'data_files installs no marker for the package index'}: ros2 does not find the package "
+            f"{package.name} (colcon only warns and writes a marker itself); add{there} ('{_MARKERS}', "
+            f"['resource/{package.name}'])"
         ),
         about=(package.name, "resource"),
         level=Level.WARNING,
@@ -237,8 +241,8 @@ def _packages(package: ProjectPackage) -> Iterator[Finding]:
         if package.project.workspace.names and not package.project.exists(directory):
             yield Finding(
                 at=where,
-                message=f"setup.py of package {package.name} names the Python package {name}, but {directory} is no directory: "
-                "the build stops",
+                message=f"setup.py of package {package.name} names the Python package {name}, but the directory {directory} does "
+                "not exist: the build stops; correct the name",
                 about=(package.name, name),
                 apart=(name,),
             )
@@ -250,7 +254,7 @@ def _line_with(text: str, word: str) -> int:
 
 CHECK = Check(
     id="python-package-incomplete",
-    summary="The programs and resources that a Python package of ROS 2 names are there, and go where ROS looks for them.",
+    summary="Entry point, module or resource of a Python package that does not exist or is installed in the wrong place.",
     level=Level.ERROR,
     catalogue="B08",
     tags=("build", "python"),

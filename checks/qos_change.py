@@ -11,10 +11,10 @@ from haros_ci.api.changes import Change, same_end
 GIVERS = ("publishers", "servers")
 POLICIES = ("reliability", "durability", "deadline", "liveliness")
 WORDS = {
-    "publishers": "subscribers that ask for what it offered before, as those with default settings may, get nothing",
-    "subscribers": "publishers that offer only what it asked for before are not heard",
-    "servers": "clients that ask for what it offered before get no answer",
-    "clients": "servers that offer only what it asked for before do not answer",
+    "publishers": "subscribers that request the old policies, as those with default settings may, receive no messages",
+    "subscribers": "it no longer receives from publishers that offer only the old policies",
+    "servers": "clients that request the old policies get no answer",
+    "clients": "it no longer answers servers that offer only the old policies",
 }
 
 
@@ -31,7 +31,7 @@ def _narrowed(project: Project, change: Change) -> Iterator[Finding]:
             yield Finding(
                 at=new.location,
                 message=(
-                    f"the {new.word} of {new.name} in {new.node} is {qos_in_words(new.qos)} now, and was "
+                    f"the {new.word} of {new.name} in {new.node} is now {qos_in_words(new.qos)}, before it was "
                     f"{qos_in_words(old.qos)}: {WORDS[new.kind]}"
                 ),
                 about=(new.name, new.kind, new.node.type, *policies),
@@ -57,7 +57,7 @@ def _is_refused(end: End, system: System) -> bool:
 
 CHECK = Check(
     id="qos-change",
-    summary="A change of quality of service does not shut out ends that were connected before.",
+    summary="Changed quality of service that disconnects existing publishers or subscribers.",
     level=Level.WARNING,
     tags=("topics", "qos", "change"),
     project=check,

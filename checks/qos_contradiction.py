@@ -23,14 +23,20 @@ def check(system: System) -> Iterator[Finding]:
 
 def _contradictions(end: End, qos: Qos) -> Iterator[str]:
     if qos.history == "keep_last" and qos.depth == 0:
-        yield "the last 0 messages are none, so ROS 2 takes the depth of the middleware instead; say how many"
+        yield (
+            "keep last with depth 0 keeps no message, so ROS 2 uses the default depth of the middleware instead; set "
+            "a depth"
+        )
     if end.kind == "subscribers" and isinstance(qos.lifespan, float):
-        yield "a lifespan is of publishers, and has no effect on a subscriber; set it there"
+        yield "lifespan is a policy of publishers and has no effect on a subscriber; set it on the publisher"
     if qos.liveliness == "manual_by_topic" and qos.lease is None and end.kind == "publishers":
-        yield "manual liveliness without a lease is never missed; set a lease, or leave it automatic"
+        yield (
+            "manual liveliness without a lease duration never expires; set a lease duration, or use automatic "
+            "liveliness"
+        )
     if isinstance(qos.lifespan, float) and isinstance(qos.deadline, float) and qos.lifespan < qos.deadline:
         if end.kind == "publishers":
-            yield "a message expires before the next one is due; let it live as long as the deadline"
+            yield "messages expire before the next one is due; set the lifespan to at least the deadline"
 
 
 def _not_kept(end: End, qos: Qos, system: System) -> Iterator[str]:
@@ -53,7 +59,7 @@ def _is_of_px4(end: End) -> bool:
 
 CHECK = Check(
     id="qos-contradiction",
-    summary="The policies of a quality of service go together.",
+    summary="Quality of service policies that contradict each other.",
     level=Level.WARNING,
     catalogue="Q09",
     tags=("topics", "qos"),

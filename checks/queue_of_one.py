@@ -15,8 +15,8 @@ def check(system: System) -> Iterator[Finding]:
             yield Finding(
                 at=end.location,
                 message=(
-                    f"{end.node} {does} {end.name} with a queue of one message: of those that come at once all but the last "
-                    "are lost"
+                    f"{end.node} {does} {end.name} with a queue of one message: when several messages arrive together, all "
+                    "but the last are lost; use a longer queue"
                 ),
                 about=(end,),
             )
@@ -24,7 +24,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="queue-of-one",
-    summary="Queues hold more than one message.",
+    summary="Queue of a single message.",
     level=Level.NOTE,
     tags=("topics", "qos"),
     profiles=("strict",),

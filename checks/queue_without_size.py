@@ -22,25 +22,32 @@ def _said(end: End) -> tuple[str, Level] | None:
     is_python = end.location.path.endswith(".py")
     if end.raw.queue_size is None and end.kind == "publishers":
         return (
-            f"{end.node} publishes {end.name} without queue_size: each message is sent to one subscriber after the other, "
-            "a slow one holds up the node; pass queue_size",
+            (
+                f"{end.node} publishes {end.name} without queue_size: publish() then blocks until each subscriber has the "
+                "message, so one slow subscriber delays the node; pass queue_size"
+            ),
             Level.NOTE,
         )
     if end.raw.queue_size != 0:
         return None
     if end.kind == "subscribers" and is_python:
-        return f"{end.node} subscribes to {end.name} with queue_size 0: rospy refuses it with an exception", Level.ERROR
+        return (
+            f"{end.node} subscribes to {end.name} with queue_size 0: rospy raises an exception; pass a positive size",
+            Level.ERROR,
+        )
     does = "publishes" if end.kind == "publishers" else "subscribes to"
     return (
-        f"{end.node} {does} {end.name} with a queue of size 0, which is a queue without a limit: it grows as long as messages "
-        "come faster than they are taken; give it a size",
+        (
+            f"{end.node} {does} {end.name} with queue size 0, which means no limit: the queue grows while messages "
+            "arrive faster than they are processed; pass a positive size"
+        ),
         Level.NOTE,
     )
 
 
 CHECK = Check(
     id="queue-without-size",
-    summary="Each publisher's and subscriber's queue has a size, which is not 0.",
+    summary="Publisher or subscriber without a queue size, or with size 0.",
     level=Level.WARNING,
     catalogue="Q05",
     tags=("topics", "qos"),

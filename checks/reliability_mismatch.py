@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, System, incompatible
 
 ADVICE = {
-    "publishers": "publish reliably, or let all of them subscribe with best effort",
-    "subscribers": "subscribe with best effort, as to sensor data (SensorDataQoS, qos_profile_sensor_data), or publish reliably",
-    "services": "use the default quality of service of services",
+    "publishers": "publish as reliable, or subscribe with best effort everywhere",
+    "subscribers": "subscribe with best effort (SensorDataQoS, qos_profile_sensor_data), or publish as reliable",
+    "services": "use the default quality of service of services on both sides",
 }
 
 
@@ -20,7 +20,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="reliability-mismatch",
-    summary="What a node subscribes to as reliable is published reliably.",
+    summary="Best-effort publisher of a topic that a subscriber requests as reliable.",
     level=Level.ERROR,
     catalogue="Q01",
     tags=("topics", "qos"),

@@ -25,7 +25,8 @@ def check(system: System) -> Iterator[Finding]:
             if twice and not _twice(end.original_name.split("/")[:-1]):
                 yield Finding(
                     at=named_at(end),
-                    message=f"{end.name}, {end.word} of {node}, has the namespace {twice} twice in a row",
+                    message=f"{end.name}, {end.word} of {node}, has the namespace {twice} twice in a row: other nodes search for it "
+                    "below one; remove one of the two",
                     about=(end,),
                     related=((end.location, f"{end.word} {end.original_name}"),),
                 )
@@ -39,8 +40,8 @@ def _of_node(node: SystemNode, twice: str) -> Finding:
     return Finding(
         at=node.location,
         message=(
-            f"{node.name} has the namespace {twice} twice in a row, pushed in more than one place: "
-            "who looks for it below one finds nothing there"
+            f"{node.name} has the namespace {twice} twice in a row, because two places push it: nodes that search for "
+            "it below one namespace do not find it; push it once"
         ),
         about=(node,),
     )
@@ -48,7 +49,7 @@ def _of_node(node: SystemNode, twice: str) -> Finding:
 
 CHECK = Check(
     id="repeated-namespace",
-    summary="A namespace is pushed once.",
+    summary="Namespace pushed twice.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     status=Status.PREVIEW,

@@ -44,7 +44,7 @@ def _configured(package: ProjectPackage) -> Iterator[Finding]:
     for command in package.commands("generate_dynamic_reconfigure_options"):
         for path in () if command.is_conditional else map(command.place, command.arguments):
             if path and path.endswith(".cfg") and path not in bits and package.project.text(path).startswith("#!"):
-                yield _bit(path, package, "dynamic_reconfigure runs it while building, which may stop there")
+                yield _bit(path, package, "dynamic_reconfigure runs it during the build, which may stop there")
 
 
 def _is_for_programs(each: Installed, package: ProjectPackage) -> bool:
@@ -63,11 +63,13 @@ def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
         yield Finding(
             at=at,
             message=(
-                f"the first line of {path} ends with a carriage return: the system looks for the interpreter "
-                f"{_interpreter(first)!r} with it in its name and finds none; end the line with a line feed alone"
+                f"the first line of {path} ends with a carriage return: the system searches for the interpreter "
+                f"{_interpreter(first)!r} including that character and does not find it; use line feeds only"
             ),
             about=(package.name, path),
-            fixes=(Fix("end the first line as POSIX has it", (Edit(path, (1, 1), (2, 1), first[:-2] + "\n"),)),),
+            fixes=(
+                Fix("remove the carriage return from the first line", (Edit(path, (1, 1), (2, 1), first[:-2] + "\n"),)),
+            ),
         )
     elif package.ros == 2 and (found := _PYTHON.match(first.rstrip("\n"))) is not None:
         fix = Fix("ask for python3", (Edit(path, (1, found.start(1) + 1), (1, found.end(1) + 1), "python3"),))
@@ -75,8 +77,8 @@ def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
         yield Finding(
             at=at,
             message=(
-                f"{path} asks for {_interpreter(first)!r}, which the systems that ROS 2 runs on do not have: it does not start "
-                "there; ask for python3"
+                f"{path} requests {_interpreter(first)!r}, which ROS 2 platforms do not have: the script does not start; "
+                "write python3"
             ),
             about=(package.name, path),
             level=Level.WARNING,
@@ -98,7 +100,7 @@ def _without(path: str, package: ProjectPackage, lines: list[str]) -> Finding:
             fixes = (Fix("begin with a shebang", (Edit(path, (1, 1), (1, 1), "#!/usr/bin/env python3\n"),)),)
     return Finding(
         at=Location(path, 1),
-        message=f"{path} is installed as a program and {what}: starting it fails with 'Exec format error'; {todo}",
+        message=f"{path} is installed as a program and {what}: the start fails with 'Exec format error'; {todo}",
         about=(package.name, path),
         level=Level.WARNING if path.endswith(_SHELL) else None,
         fixes=fixes,
@@ -115,8 +117,8 @@ def _mode(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
             yield Finding(
                 at=each.location,
                 message=(
-                    f"install(FILES) puts {each.path} where programs are, but without the execute bit: ros{_two(package)} "
-                    "run does not find it; install it with PROGRAMS"
+                    f"install(FILES) installs {each.path} next to programs, but without the execute bit: ros{_two(package)} "
+                    "run does not find it; use install(PROGRAMS)"
                 ),
                 about=(package.name, each.path),
             )
@@ -127,11 +129,11 @@ def _mode(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
     if _is_given_to_another(each.path, package):
         return
     if each.keeps_mode:
-        why = "setup.py installs it with the mode that it has: ros2 run does not find it"
+        why = "setup.py installs it with its file mode: ros2 run does not find it"
     elif package.ros == 1:
-        why = "it does not start from a devel space, where it runs in place"
+        why = "it does not start from a devel space, which runs it in place"
     else:
-        why = "colcon build --symlink-install leads to it as it is, and ros2 run does not find it"
+        why = "colcon build --symlink-install links to it, and ros2 run does not find it"
     if each.keeps_mode or package.ros is not None:
         yield _bit(each.path, package, why)
 
@@ -158,9 +160,9 @@ def _unpacked(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
         yield Finding(
             at=each.location,
             message=(
-                f"install(DIRECTORY) puts {', '.join(programs[:3])} where programs are, but without the execute bit: "
-                f"ros{_two(package)} run does not find {'it' if len(programs) == 1 else 'them'}; use install(PROGRAMS), or add "
-                "USE_SOURCE_PERMISSIONS"
+                f"install(DIRECTORY) installs {', '.join(programs[:3])} next to programs, but without the execute bit: "
+                f"ros{_two(package)} run does not find {('it' if len(programs) == 1 else 'them')}; use install(PROGRAMS), "
+                "or add USE_SOURCE_PERMISSIONS"
             ),
             about=(package.name, each.path),
         )
@@ -177,7 +179,7 @@ def _started(package: ProjectPackage, launched: dict[str, Location], seen: set[s
         if name in launched and name not in targets and path not in seen and path not in bits:
             alike = [other for other in package.project.workspace.names if other.endswith(f"/{name}")]
             if not any(other in bits for other in alike):
-                yield _bit(path, package, "roslaunch does not take it for a program", Level.ERROR)
+                yield _bit(path, package, "roslaunch does not recognise it as a program", Level.ERROR)
                 yield from _first_line(path, package)
 
 
@@ -259,7 +261,7 @@ def _two(package: ProjectPackage) -> str:
 
 CHECK = Check(
     id="script-not-runnable",
-    summary="Scripts that are installed or launched as programs can be started by the system.",
+    summary="Installed script that the system cannot start.",
     level=Level.ERROR,
     catalogue="B12",
     tags=("build",),

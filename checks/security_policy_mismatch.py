@@ -81,11 +81,11 @@ def _forbidden(policy: Policy, name: str, nodes: list[SystemNode], rules: Callab
 
 
 def _refusal(policy: Policy, profile: NodeProfile, end: End, verdicts: set[str]) -> Finding:
-    says = "denies that" if verdicts == {"denied"} else "does not allow that"
+    says = "denies this" if verdicts == {"denied"} else "does not allow it"
     return Finding(
         at=profile.location,
-        message=f"{profile.node} {DOES[end.kind]} {end.name}, and the policy of its enclave {profile.enclave} {says}: where"
-        f" security is enforced the node stops when it tries to; add {end.name} to its profile",
+        message=f"{profile.node} {DOES[end.kind]} {end.name}, but the policy of its enclave {profile.enclave} {says}: "
+        f"with security enforced the node stops at this call; add {end.name} to its profile",
         about=(policy.path, profile.enclave, profile.node, end.kind, end.name),
         related=((end.location, str(end)),),
         apart=(end.kind, end.name),
@@ -103,8 +103,8 @@ def _unused(policy: Policy, name: str, nodes: list[SystemNode]) -> Iterator[Find
                 continue
             yield Finding(
                 at=rule.location,
-                message=f"the policy lets {name} do what it never does: {_WORDS[rule.kind]} {rule.name}; take it out, so"
-                " that who breaks into the node cannot do it, either",
+                message=f"the policy allows {name} to {_WORDS[rule.kind]} {rule.name}, which its code never does: an attacker in "
+                "the node could use it; remove the permission",
                 about=(policy.path, profile.enclave, name, rule.kind, rule.name, "unused"),
                 level=Level.NOTE,
                 apart=(rule.kind, rule.name),
@@ -127,7 +127,7 @@ _WORDS = {
 
 CHECK = Check(
     id="security-policy-mismatch",
-    summary="The security policy of a node allows what the node does, and nothing else.",
+    summary="Security policy that denies what a node does, or permits what it never does.",
     level=Level.WARNING,
     catalogue="S01",
     tags=("security",),

@@ -19,7 +19,8 @@ def check(system: System) -> Iterator[Finding]:
             if publisher.node is subscriber.node and not publisher.implicit and not subscriber.implicit:
                 yield Finding(
                     at=named_at(subscriber),
-                    message=f"{subscriber.node} subscribes to {topic}, which it publishes itself: it gets its own messages back",
+                    message=f"{subscriber.node} subscribes to {topic}, which it also publishes: it receives its own messages; filter "
+                    "them, or use two topics",
                     about=(topic, publisher, subscriber),
                     related=((named_at(publisher), str(publisher)),),
                 )
@@ -28,7 +29,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="self-loop",
-    summary="A node does not subscribe to what it publishes.",
+    summary="Node that subscribes to its own topic.",
     level=Level.NOTE,
     status=Status.PREVIEW,
     catalogue="G14",

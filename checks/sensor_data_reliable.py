@@ -24,9 +24,9 @@ def check(system: System) -> Iterator[Finding]:
             yield Finding(
                 at=end.location,
                 message=(
-                    f"{end.node} subscribes to {topic} reliably ({qos_in_words(end.qos)}), and nothing in its system publishes "
-                    f"it: drivers that publish {end.type} with best effort, as is usual, are not heard; "
-                    "subscribe with best effort (SensorDataQoS, qos_profile_sensor_data)"
+                    f"{end.node} subscribes to {topic} as reliable ({qos_in_words(end.qos)}), and the publisher is outside "
+                    f"the system: drivers usually publish {end.type} with best effort, and then no message arrives; subscribe "
+                    "with best effort (SensorDataQoS, qos_profile_sensor_data)"
                 ),
                 about=(topic, end),
             )
@@ -34,7 +34,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="sensor-data-reliable",
-    summary="Sensor data from outside is subscribed to with best effort.",
+    summary="Reliable subscription to sensor data from outside the system.",
     level=Level.NOTE,
     decidability=Decidability.HEURISTIC,
     catalogue="Q08",

@@ -9,12 +9,12 @@ from haros_ci.api import Check, Finding, Level, System, type_mismatches
 
 
 def check(system: System) -> Iterator[Finding]:
-    yield from type_mismatches(system.services, "every call fails, or waits for ever")
+    yield from type_mismatches(system.services, "every call fails, or waits forever")
 
 
 CHECK = Check(
     id="service-type-mismatch",
-    summary="The server and the clients of a service have the same service type.",
+    summary="Service server and client with different service types.",
     level=Level.ERROR,
     catalogue="G07",
     tags=("services",),

@@ -47,7 +47,8 @@ def _finding(topic: Channel, publishers: list[End], first: End, second: End) -> 
     who = " and ".join(nodes) if len(nodes) < 4 else f"{', '.join(nodes[:2])} and {len(nodes) - 2} more"
     return Finding(
         at=named_at(wrong),
-        message=f"{topic} is published {'by ' + who if len(nodes) > 1 else 'twice by ' + who}: subscribers get a mixture",
+        message=f"{topic} is published {('by ' + who if len(nodes) > 1 else 'twice by ' + who)}: subscribers receive a "
+        "mix of their messages; remap one, or publish through one node",
         about=(topic, *publishers),
         related=tuple((named_at(end), f"{end}") for end in publishers),
     )
@@ -55,7 +56,7 @@ def _finding(topic: Channel, publishers: list[End], first: End, second: End) -> 
 
 CHECK = Check(
     id="several-publishers",
-    summary="A topic has one publisher.",
+    summary="Topic with several publishers.",
     level=Level.WARNING,
     catalogue="G11",
     aliases=("one_publisher_per_topic",),

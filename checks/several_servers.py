@@ -29,11 +29,11 @@ def _are_two(one: End, other: End) -> bool:
 def _finding(found: list[tuple[Channel, End, End]]) -> Finding:
     channel, first, second = found[0]
     if second.node.ros == 1:
-        effect = "the one that comes later takes over, and the other gets no call"
+        effect = "the server that registers later takes over, and the other one gets no calls"
     elif channel.kind == "action":
         effect = "both get every goal, and a client sees the answers of both"
     else:
-        effect = "both do what each request says, and the client takes whichever answer is first"
+        effect = "both execute each request, and the client takes the first answer"
     is_twice = first.node is not second.node and first.node.type == second.node.type and second.node.is_launched
     whose = f"{first.node} and {second.node}" if first.node is not second.node else f"two places of {first.node}"
     more = f" and {len(found) - 1} more" if len(found) > 1 else ""
@@ -50,7 +50,7 @@ def _finding(found: list[tuple[Channel, End, End]]) -> Finding:
 
 CHECK = Check(
     id="several-servers",
-    summary="A service or action has one server.",
+    summary="Service or action with several servers.",
     level=Level.ERROR,
     catalogue="G10",
     tags=("services", "actions"),

@@ -110,13 +110,16 @@ def _finding(package: ProjectPackage, use: _Use) -> Iterator[Finding]:
     if sources:
         return
     if is_there:
-        said = f"but {package.name} does not install it: an installed package has no such file, and opening it fails; install it to share/{package.name}"
+        said = (
+            f"but {package.name} does not install it: the file is missing after the installation, and opening it "
+            f"fails; install it to share/{package.name}"
+        )
     else:
         prefix = "" if package.path == "." else f"{package.path}/"
         own = sorted(name[len(prefix) :] for name in project.workspace.names if name.startswith(prefix))[:2000]
         same = [name for name in own if posixpath.basename(name) == posixpath.basename(use.inner)]
         near = same or get_close_matches(use.inner, own, 1, 0.8)
-        said = f"but {package.name} has no such file: opening it fails" + (
+        said = f"but {package.name} does not have this file: opening it fails" + (
             f"; did you mean {near[0]!r}?" if near else ""
         )
     yield Finding(
@@ -140,7 +143,7 @@ def _is_known(package: ProjectPackage) -> bool:
 
 CHECK = Check(
     id="share-file-missing",
-    summary="A program opens a file of a package that is not there once the package is installed.",
+    summary="File of a share directory that is opened but not installed.",
     level=Level.WARNING,
     tags=("packages", "code"),
     project=check,

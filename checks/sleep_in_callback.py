@@ -77,16 +77,19 @@ def _finding(every: list[tuple[Reached, Call, float]]) -> Finding:
     kind, title = each.callback.kind, each.callback.routine.title
     long = f" for {seconds:g} s" if seconds >= 0 else ""
     effect = (
-        "no other callback of the node's default group runs, and messages wait or are lost; use a timer, or a callback group of its own"
+        (
+            "no other callback of the node's default group runs, and messages are delayed or lost; use a timer, or a "
+            "separate callback group"
+        )
         if each.callback.ros == 2
-        else "the spinner calls no other callback, and messages wait or are lost; use a timer"
+        else "the spinner runs no other callback, and messages are delayed or lost; use a timer"
     )
     return Finding(
         at=call_place(each.routine, call),
-        message=f"the thread sleeps{long} in {title}, the callback of a {kind}: until then {effect}",
+        message=f"the thread sleeps{long} in {title}, the callback of a {kind}: during the sleep {effect}",
         about=(title, "sleep"),
-        related=tuple((call_place(other.routine, sleep), "it sleeps here, too") for other, sleep, _ in every[1:]),
-        flow=each.flow(call, "it sleeps here"),
+        related=tuple((call_place(other.routine, sleep), "also sleeps here") for other, sleep, _ in every[1:]),
+        flow=each.flow(call, "sleeps here"),
         level=Level.NOTE if all(_is_minor(*one) for one in every) else None,
     )
 
@@ -195,7 +198,7 @@ def _chrono(expression: Any) -> float:
 
 CHECK = Check(
     id="sleep-in-callback",
-    summary="No callback of a subscription, timer or service sleeps.",
+    summary="Sleep in a callback of a subscription, timer or service.",
     level=Level.WARNING,
     catalogue="C02",
     decidability=Decidability.EXACT,

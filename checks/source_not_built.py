@@ -89,8 +89,9 @@ def _needed(package: ProjectPackage, path: str, every: frozenset[str]) -> Iterat
             place, name = found
             yield Finding(
                 at=target.location,
-                message=f"{target.name} uses {name}, which {path} defines, but no target compiles this file: the linker finds no {name}; "
-                f"add {posixpath.relpath(path, posixpath.dirname(target.location.path))} to the sources of {target.name}, or of a library that it is linked with",
+                message=f"{target.name} uses {name}, which {path} defines, but no target compiles that file: the linker reports "
+                f"{name} as undefined; add {posixpath.relpath(path, posixpath.dirname(target.location.path))} to the "
+                f"sources of {target.name}, or of a library that it links",
                 about=(package.name, path),
                 apart=(path,),
                 related=((Location(path, 1), "no target compiles it"), (place, f"{name} is used here")),
@@ -126,7 +127,7 @@ def _includes(package: ProjectPackage, source: str, header: str) -> bool:
 
 CHECK = Check(
     id="source-not-built",
-    summary="A source is in no target, though what is compiled uses what it defines.",
+    summary="Source file that no target compiles although its definitions are used.",
     level=Level.ERROR,
     tags=("build", "code"),
     project=check,

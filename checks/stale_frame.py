@@ -54,11 +54,11 @@ def check(project: Project) -> Iterator[Finding]:
             yield Finding(
                 at=place,
                 message=(
-                    f"{what} still names the frame {name}, which this change renames to {new.name} ({new.at}): tf has no frame {name} "
-                    f"any more, so transforms from and to it fail; write {new.name} here, too"
+                    f"{what} still uses the frame {name}, which this change renames to {new.name} ({new.at}): tf has no frame "
+                    f"{name} any more, so look-ups fail; write {new.name} here, too"
                 ),
                 about=(name, place.path),
-                related=((new.at, f"the frame is called {new.name} here now"),),
+                related=((new.at, "the new name of the frame"),),
                 level=level,
             )
 
@@ -185,7 +185,7 @@ def _was_there(project: Project, base: Project, place: Location) -> bool:
 
 CHECK = Check(
     id="stale-frame",
-    summary="A coordinate frame is used under a name that a change gives up.",
+    summary="Old name of a renamed coordinate frame.",
     level=Level.ERROR,
     tags=("tf", "change"),
     project=check,

@@ -11,9 +11,9 @@ from haros_ci.api.changes import LeftBehind, left_behind
 #: What an end that is alone does, who is missing, and what comes of it.
 ALONE = {
     "subscribers": ("subscribes to", "publishes", "it gets no messages"),
-    "publishers": ("publishes", "subscribes to", "nobody gets its messages"),
+    "publishers": ("publishes", "subscribes to", "no node receives its messages"),
     "clients": ("calls", "serves", "its calls get no answer"),
-    "servers": ("serves", "calls", "nobody calls it"),
+    "servers": ("serves", "calls", "no node calls it"),
     "action_clients": ("sends goals to", "serves", "its goals are never accepted"),
     "action_servers": ("serves", "sends goals to", "it gets no goals"),
 }
@@ -37,18 +37,29 @@ def _finding(left: LeftBehind, ends: list[End]) -> Finding:
     at = _at(left, end)
     place = _at(left, left.now) if left.now is not None else None
     if left.now is None:
-        said = f"which this change removes from {left.before.node} ({left.before.node.type}): nothing else here {missing} it"
-        remedy = f"remove the {end.word}, or give it the name of one that is there"
+        said = (
+            f"which this change removes from {left.before.node} ({left.before.node.type}): no other node here "
+            f"{missing} it"
+        )
+        remedy = f"remove the {end.word}, or use an existing name"
     elif left.action == "moved away":
         return _moved_away(left, end)
     elif left.action == "retyped":
-        said = f"as {end.type}, but this change makes {left.now.node} ({place}) use {left.now.type}: the two do not connect"
+        said = (
+            f"as {end.type}, but {left.now.node} ({place}) uses {left.now.type} since this change: the two do not "
+            "connect"
+        )
         result, remedy = "no data passes", f"use {left.now.type} here, too"
     else:
-        said = f"but this change renames the {left.before.word} of {left.now.node} to {left.now.name} ({place}): nothing else here {missing} {left.name}"
+        said = (
+            f"but this change renames the {left.before.word} of {left.now.node} to {left.now.name} ({place}): no "
+            f"other node here {missing} {left.name}"
+        )
         remedy = f"write {left.now.name} here, too, or remap one of the two"
     related = (
-        ((place, f"{left.now} is {left.now.name} here now"),) if left.now is not None and place is not None else ()
+        ((place, f"{left.now} has the new name {left.now.name} here"),)
+        if left.now is not None and place is not None
+        else ()
     )
     shown = {each.location: (each.location, str(each)) for each in ends if each.location != at}
     return Finding(
@@ -67,8 +78,9 @@ def _moved_away(left: LeftBehind, end: End) -> Finding:
     return Finding(
         at=named_at(end),
         message=(
-            f"{end.node} {does} {end.name} since this change, and {left.name} before: nothing here {missing} {end.name}, while "
-            f"{partner.node} still has {left.name} ({named_at(partner)}), so {result}; write {left.name}, or rename both"
+            f"{end.node} {does} {end.name} since this change, before it was {left.name}: no node here {missing} "
+            f"{end.name}, while {partner.node} still uses {left.name} ({named_at(partner)}), so {result}; write "
+            f"{left.name}, or rename both"
         ),
         about=(left.name, end.kind, end.node.type),
         related=((named_at(partner), f"{partner.word} {partner.name} of {partner.node}"),),
@@ -83,7 +95,7 @@ def _at(left: LeftBehind, end: End) -> Location:
 
 CHECK = Check(
     id="stale-name",
-    summary="A topic, service or action is used under a name or type that a change gives up elsewhere.",
+    summary="Old name or type of a renamed or retyped topic, service or action.",
     level=Level.ERROR,
     tags=("topics", "services", "actions", "change"),
     project=check,

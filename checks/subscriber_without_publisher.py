@@ -13,12 +13,12 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _says(topic: Channel) -> str:
-    return f"subscribes to {topic}, which nothing in the system publishes: no message ever arrives"
+    return f"subscribes to {topic}, but no node of the system publishes it: no message ever arrives"
 
 
 CHECK = Check(
     id="subscriber-without-publisher",
-    summary="What a node subscribes to is published, in a system that is closed.",
+    summary="Subscription to a topic without a publisher in a closed system.",
     level=Level.NOTE,
     decidability=Decidability.CLOSED_WORLD,
     catalogue="G01",

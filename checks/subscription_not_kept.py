@@ -45,7 +45,10 @@ def check(project: Project) -> Iterator[Finding]:
                 routine,
                 call,
                 what,
-                f"nobody keeps the {what} that {call.name} returns: it ends at once, and its callback is never called",
+                (
+                    f"the {what} that {call.name} returns is not stored: it is destroyed at once, and its callback is never "
+                    "called"
+                ),
             )
         else:
             name = _dropped(code, routine, call)
@@ -54,14 +57,17 @@ def check(project: Project) -> Iterator[Finding]:
                     routine,
                     call,
                     what,
-                    f"the {what} is kept in {name} alone, a local variable of {routine.title}: it ends when that returns, and its callback is called no more",
+                    (
+                        f"the {what} is stored only in {name}, a local variable of {routine.title}: it is destroyed when the "
+                        "function returns, and its callback is no longer called"
+                    ),
                 )
 
 
 def _finding(routine: Routine, call: Call, what: str, said: str) -> Finding:
     return Finding(
         at=call_place(routine, call),
-        message=f"{said}; keep it in a member of the class",
+        message=f"{said}; store it in a member of the class",
         about=(routine.title, call.name, _topic(call)),
     )
 
@@ -90,7 +96,7 @@ def _dropped(code: Codebase, routine: Routine, call: Call) -> str | None:
 
 CHECK = Check(
     id="subscription-not-kept",
-    summary="What a node subscribes to, serves and times outlives the function that makes it.",
+    summary="Subscription, service or timer destroyed when the function returns.",
     level=Level.ERROR,
     catalogue="C03",
     tags=("code",),

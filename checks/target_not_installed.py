@@ -157,7 +157,10 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
             yield _finding(
                 package,
                 each.library,
-                f"the library {each.library} is installed to {places[0]}, but component containers load {each.type} from lib",
+                (
+                    f"the library {each.library} is installed to {places[0]}, but component containers load {each.type} from "
+                    "lib; correct the destination"
+                ),
                 level=Level.ERROR,
                 at=next((i.command.location for i in cmake.installs if each.library in i.things), target.location),
                 related=((each.location, "is registered here"),),
@@ -179,7 +182,7 @@ def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[
         base = posixpath.basename(each.library).removesuffix(".so")
         found = cmake.targets.get(base) or by_output.get(base) or by_output.get(f"lib{base}")
         if found is not None:
-            yield found, f"{each.type} is to be loaded from it", ((each.location, f"declares {each.type}"),)
+            yield found, f"{each.type} is loaded from it", ((each.location, f"declares {each.type}"),)
     keywords = ("INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
     for command in package.commands("ament_export_libraries", "catkin_package"):
         words = command.arguments if command.name != "catkin_package" else command.after("LIBRARIES", *keywords)
@@ -247,7 +250,7 @@ def _finding(
 
 CHECK = Check(
     id="target-not-installed",
-    summary="What runs, and what that is linked with, is installed to where it is looked for.",
+    summary="Executable, library or script that is used but not installed.",
     level=Level.ERROR,
     catalogue="B05",
     tags=("build",),

@@ -5,7 +5,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Channel, Check, End, Finding, Level, Location, System, can_meet, named_at, rule_of, way_to
+from haros_ci.api import (
+    Channel,
+    Check,
+    End,
+    Finding,
+    Level,
+    Location,
+    System,
+    can_meet,
+    line_of,
+    named_at,
+    rule_of,
+    way_to,
+)
 
 #: Two types, the publisher's first, with all ends that have them.
 Pair = tuple[str, str]
@@ -62,12 +75,12 @@ def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Findin
     publishers = [end for end in ends if end.kind == "publishers"]
     subscribers = [end for end in ends if end.kind == "subscribers"]
     wrong = _wrong(ends)
-    takes = f"{_nodes(subscribers)} subscribe{'s' if len(subscribers) == 1 else ''} to {topics[0]} as {taken}"
+    takes = f"{_nodes(subscribers)} subscribe{('s' if len(subscribers) == 1 else '')} to {topics[0]} as {taken}"
     gives = f"{_nodes(publishers)} publish{'es' if len(publishers) == 1 else ''} {given}"
     more = f"; so do {len(topics) - 1} more topics" if len(topics) > 1 else ""
     return Finding(
         at=named_at(wrong),
-        message=f"{takes}, but {gives}: no such message arrives{_advice(wrong)}{more}",
+        message=f"{takes}, but {gives}: the two do not connect, and no message arrives; use one type in both{_advice(wrong)}{more}",
         about=about,
         related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in all_ends),
         flow=way_to(wrong),
@@ -84,12 +97,14 @@ def _wrong(ends: tuple[End, ...]) -> End:
 
 
 def _advice(end: End) -> str:
-    return "" if rule_of(end) is None else f"; {end.original_name} is remapped here to {end.name}"
+    return "" if rule_of(end) is None else f"; {end.original_name} is remapped to {end.name} here"
 
 
 def _nodes(ends: list[End]) -> str:
     names = sorted({end.node.name for end in ends})
-    return names[0] if len(names) == 1 else f"{names[0]} and {len(names) - 1} more"
+    first = min((end for end in ends if end.node.name == names[0]), key=lambda end: end.location.sort_key)
+    more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+    return f"{names[0]}{more} ({line_of(first.location)})"
 
 
 def _among(topic: Channel, ends: tuple[End, ...]) -> Iterator[Finding]:
@@ -98,13 +113,14 @@ def _among(topic: Channel, ends: tuple[End, ...]) -> Iterator[Finding]:
         if _differ(one, other, topic):
             wrong = next((end for end in (other, one) if rule_of(end) is not None), other)
             verb, effect = (
-                ("publishes", "a subscriber gets the messages of one of them")
+                ("publishes", "a subscriber receives the messages of one of the two only")
                 if other.kind == "publishers"
-                else ("subscribes to", "one of them gets no message, whoever publishes it")
+                else ("subscribes to", "one of the two receives no message, whatever the publisher's type is")
             )
             yield Finding(
                 at=named_at(wrong),
-                message=f"{one.node} {verb} {topic} as {one.type}, and {other.node} as {other.type}: {effect}{_advice(wrong)}",
+                message=f"{one.node} {verb} {topic} as {one.type}, and {other.node} as {other.type} ({line_of(one.location)}, "
+                f"{line_of(other.location)}): {effect}; use one type in both{_advice(wrong)}",
                 about=(topic, one, other),
                 related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in (one, other)),
                 flow=way_to(wrong),
@@ -114,7 +130,7 @@ def _among(topic: Channel, ends: tuple[End, ...]) -> Iterator[Finding]:
 
 CHECK = Check(
     id="topic-type-mismatch",
-    summary="The publishers and subscribers of a topic have the same message type.",
+    summary="Publisher and subscriber of a topic with different message types.",
     level=Level.ERROR,
     catalogue="G06",
     tags=("topics",),

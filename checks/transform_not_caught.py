@@ -35,19 +35,23 @@ def check(project: Project) -> Iterator[Finding]:
             title = made.routine.title
             yield Finding(
                 at=call_place(each.routine, call),
-                message=f"{call.name} throws where the transform is not there yet or no more, and nothing between it and {title}, "
-                f"the callback of a {made.kind}, catches that: the node ends; catch tf2::TransformException"
+                message=f"{call.name} throws if the transform is not available, but neither {title}, the callback of a "
+                f"{made.kind}, nor a caller below it catches the exception: the node terminates; catch "
+                "tf2::TransformException"
                 if not each.routine.is_python
-                else f"{call.name} raises where the transform is not there yet or no more, and nothing between it and {title}, "
-                f"the callback of a {made.kind}, catches that: the exception leaves spin; catch tf2_ros.TransformException",
+                else (
+                    f"{call.name} raises if the transform is not available, but neither {title}, the callback of a "
+                    f"{made.kind}, nor a caller below it catches the exception: it ends spin(); catch "
+                    "tf2_ros.TransformException"
+                ),
                 about=(title, each.routine.title, call.name),
-                flow=each.flow(call, "it looks up a transform here"),
+                flow=each.flow(call, "looks up a transform here"),
             )
 
 
 CHECK = Check(
     id="transform-not-caught",
-    summary="The exceptions of transform look-ups in callbacks are caught.",
+    summary="Transform look-up in a callback without exception handling.",
     level=Level.WARNING,
     catalogue="C04",
     tags=("code", "tf"),

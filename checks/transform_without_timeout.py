@@ -42,16 +42,17 @@ def check(project: Project) -> Iterator[Finding]:
             seen.add(id(call))
             yield Finding(
                 at=call_place(each.routine, call),
-                message=f"the transform at the time of a message is looked up without a timeout in {made.routine.title}: the transform mostly "
-                "arrives after the message, which is then lost; give a timeout, or use a tf2_ros::MessageFilter",
+                message=f"the look-up at the time stamp of a message in {made.routine.title} has no timeout: the transform "
+                "usually arrives later than the message, so the look-up fails and the message is lost; pass a timeout, "
+                "or use a tf2_ros::MessageFilter",
                 about=(made.routine.title, each.routine.title, call.name),
-                flow=each.flow(call, "it looks up a transform here"),
+                flow=each.flow(call, "looks up a transform here"),
             )
 
 
 CHECK = Check(
     id="transform-without-timeout",
-    summary="A transform at a message's time is waited for.",
+    summary="Transform look-up at a message's time without a timeout.",
     level=Level.NOTE,
     decidability=Decidability.HEURISTIC,
     profiles=("strict",),

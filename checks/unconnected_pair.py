@@ -34,8 +34,8 @@ def _finding(kind: str, given: Channel, taken: Channel, giver: End, taker: End) 
     return Finding(
         at=named_at(taker),
         message=(
-            f"{taker.node} subscribes to {taken}, which nothing publishes, and {giver.node} publishes {given}, to which nothing "
-            f"subscribes, both {kind}: if they are meant for each other, one of them has to be remapped"
+            f"{taker.node} subscribes to {taken}, and {giver.node} publishes {given}, both {kind}: the two do not "
+            "connect, and neither has another partner; if they belong together, remap one of them"
         ),
         about=(given, taken, giver, taker),
         related=((named_at(giver), f"{giver.word} {given}"),),
@@ -45,7 +45,7 @@ def _finding(kind: str, given: Channel, taken: Channel, giver: End, taker: End) 
 
 CHECK = Check(
     id="unconnected-pair",
-    summary="The only publisher and the only subscriber of a message type are connected.",
+    summary="Publisher and subscriber of the same type with different names and no other partner.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     status=Status.PREVIEW,

@@ -56,8 +56,8 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
     alternative = f" (or {', '.join(others)})" if others else ""
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} needs {name} to build ({uses[0].what}), and nothing that it declares brings it; "
-        f"add <{kind}>{name}</{kind}>{alternative}",
+        message=f"{package.name} needs {name} to build ({uses[0].what}), but package.xml does not declare it: the build "
+        f"fails on a machine without {name}; add <{kind}>{name}</{kind}>{alternative}",
         about=(package.name, name),
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),
@@ -71,8 +71,8 @@ def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Findin
     line = next((each.line for each in package.raw.dependencies if each.name == name), None)
     return Finding(
         at=Location(package.manifest_path, line or 1),
-        message=f"{package.name} needs {name} to build ({uses[0].what}), and declares it for its tests alone: who builds it without its tests may not have it;"
-        f" make it <{kind}>{name}</{kind}>",
+        message=f"{package.name} needs {name} to build ({uses[0].what}), but declares it for tests only: a build without "
+        f"tests may lack it; write <{kind}>{name}</{kind}>",
         about=(package.name, name),
         level=Level.WARNING,
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
@@ -82,7 +82,7 @@ def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Findin
 
 CHECK = Check(
     id="undeclared-dependency",
-    summary="The packages that a build needs come with the dependencies of package.xml.",
+    summary="Build dependency that package.xml does not declare.",
     level=Level.ERROR,
     project=check,
     catalogue="M01",

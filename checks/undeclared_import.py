@@ -72,7 +72,8 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
     module = uses[0].what.removeprefix("import ")
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} imports {module}, but depends on nothing that brings it; add <{kind}>{name}</{kind}>{alternative}",
+        message=f"{package.name} imports {module}, but package.xml declares no package that provides it: the import fails "
+        f"on a machine without {name}; add <{kind}>{name}</{kind}>{alternative}",
         about=(package.name, name),
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),
@@ -87,8 +88,8 @@ def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Findin
     line = next((each.line for each in package.raw.dependencies if each.name == name), None)
     return Finding(
         at=Location(package.manifest_path, line or 1),
-        message=f"{package.name} imports {name} ({uses[0].what}), and declares it for its tests alone: who installs it does not get it;"
-        f" make it <{kind}>{name}</{kind}>",
+        message=f"{package.name} imports {name} ({uses[0].what}), but declares it for tests only: an installation without "
+        f"tests lacks it; write <{kind}>{name}</{kind}>",
         about=(package.name, name),
         level=Level.WARNING,
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
@@ -98,7 +99,7 @@ def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Findin
 
 CHECK = Check(
     id="undeclared-import",
-    summary="The Python modules that installed files import come with the dependencies of package.xml.",
+    summary="Python import that package.xml does not declare.",
     level=Level.ERROR,
     project=check,
     catalogue="M02",

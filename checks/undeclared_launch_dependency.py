@@ -45,7 +45,8 @@ def check(system: System) -> Iterator[Finding]:
         tag = "exec_depend" if package.format > 1 else "run_depend"
         yield Finding(
             at=_manifest(package),
-            message=f"a launch file of {package.name} needs {use.package}; add <{tag}>{use.package}</{tag}>",
+            message=f"a launch file of {package.name} uses {use.package}, but package.xml does not declare it: the launch "
+            f"fails on a machine without {use.package}; add <{tag}>{use.package}</{tag}>",
             about=(package.name, use.package),
             related=((use.location, f"needs {use.package}"),),
             flow=included_by(use),
@@ -89,7 +90,7 @@ def _provided(package: Package, system: System) -> tuple[frozenset[str], bool]:
 
 CHECK = Check(
     id="undeclared-launch-dependency",
-    summary="What a launch file needs is a dependency of its package.",
+    summary="Package used by a launch file that package.xml does not declare.",
     level=Level.WARNING,
     catalogue="L04",
     tags=("launch", "packages"),

@@ -49,8 +49,8 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
     alternative = f" (or {', '.join(others)})" if others else ""
     return Finding(
         at=last_dependency(package),
-        message=f"the tests of {package.name} need {name} ({uses[0].what}), and nothing that it declares brings it: where only"
-        f" declared packages are installed they fail; add <test_depend>{name}</test_depend>{alternative}",
+        message=f"the tests of {package.name} need {name} ({uses[0].what}), but package.xml does not declare it: they "
+        f"fail on a machine without {name}; add <test_depend>{name}</test_depend>{alternative}",
         about=(package.name, name),
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),
@@ -60,7 +60,7 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
 
 CHECK = Check(
     id="undeclared-test-dependency",
-    summary="The packages that the tests need come with the dependencies of package.xml.",
+    summary="Test dependency that package.xml does not declare.",
     level=Level.WARNING,
     project=check,
     tags=("packages", "build"),

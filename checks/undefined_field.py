@@ -14,7 +14,8 @@ def check(project: Project) -> Iterator[Finding]:
     for each in missing_fields(project):
         yield Finding(
             at=each.location,
-            message=f"{each.written}: {each.struct.name} has no field {each.field}, and raises AttributeError{_like(each)}",
+            message=f"{each.written}: {each.struct.name} has no field {each.field}, so the line raises "
+            f"AttributeError{_like(each)}",
             about=(each.struct.name, each.field),
             apart=(each.routine.title, each.struct.name, each.field),
         )
@@ -30,7 +31,7 @@ def _like(each: MissingField) -> str:
 
 CHECK = Check(
     id="undefined-field",
-    summary="Python code asks messages for fields that they have.",
+    summary="Message field that does not exist.",
     level=Level.ERROR,
     catalogue="I03",
     tags=("interfaces", "python"),

@@ -49,7 +49,7 @@ def is_same(one: Fault, other: Fault, description: Description) -> bool:
 
 def flow(fault: Fault, description: Description) -> tuple[tuple[Location, str], ...]:
     way = lead(description, fault.way)
-    return (*way, (fault.location, "which says this")) if way else ()
+    return (*way, (fault.location, "the argument is read here")) if way else ()
 
 
 def message(fault: Fault, description: Description) -> str:
@@ -62,11 +62,14 @@ def message(fault: Fault, description: Description) -> str:
             names = [each.name for each in description.robot.faults if each.certain and each.kind == "argument"]
             every = ", ".join(dict.fromkeys(names))
             return f"{description.robot.path} reads the argument{'s' if ',' in every else ''} {every}, not given here and without a default: xacro stops with an error"
-        return f"$(arg {name}) is read, but no xacro:arg declares {name!r} before: xacro stops unless whoever runs it gives it"
+        return (
+            f"$(arg {name}) is read, but no xacro:arg declares {name!r} before: xacro stops unless the command line "
+            "passes it"
+        )
     if fault.kind == "macro":
         return f"calls the macro {name!r}, which is not defined here: xacro stops with an error{hint}"
     if fault.kind == "block":
-        return f"inserts the block {name!r}, which nobody gives: xacro stops with an error{hint}"
+        return f"inserts the block {name!r}, which no caller passes: xacro stops with an error{hint}"
     if fault.kind == "parameter":
         many = "s" if " " in name else ""
         return f"calls the macro {fault.of!r} without its parameter{many} {name}: xacro stops with an error"
@@ -75,16 +78,19 @@ def message(fault: Fault, description: Description) -> str:
     if fault.kind == "default":
         return f'the xacro:arg {name!r} has no default: xacro stops with an error; give it default=""'
     if fault.kind == "include":
-        return f"includes {name}, but there is no such file: xacro stops with an error{hint}"
+        return f"includes {name}, but this file does not exist: xacro stops with an error{hint}"
     if fault.kind == "unprefixed":
         since = "since ROS Noetic " if description.ros == 1 else ""
-        return f"<{name}> is the name of a macro, but {since}xacro calls it as <xacro:{name}> only: nothing comes of this element"
+        return (
+            f"<{name}> has the name of a macro, but {since}xacro expands <xacro:{name}> only: the element has no "
+            f"effect; write <xacro:{name}>"
+        )
     return ""
 
 
 CHECK = Check(
     id="undefined-in-xacro",
-    summary="The macros, properties, arguments and files that a xacro file uses are there.",
+    summary="Undefined macro, property, argument or file in xacro.",
     level=Level.ERROR,
     catalogue="X01",
     tags=("robot-description",),

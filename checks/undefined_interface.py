@@ -37,7 +37,7 @@ class Defining:
         """The interface whose name is most like *stem*, in words; "" if none is."""
         names = {e.name.partition("/")[2].lower(): e.name for e in self.interfaces if kind in (e.kind, "")}
         found = get_close_matches(stem, sorted(names), 1)
-        return f"; {names[found[0]]} is there" if found else ""
+        return f"; did you mean {names[found[0]]}?" if found else ""
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -126,7 +126,8 @@ def _unless_handmade(
         module = name.rpartition(".")[0].replace(".", "/")
         if any(each.endswith((f"{module}.py", f"{module}/__init__.py")) for each in project.workspace.names):
             return None
-        said, effect, is_sure = f"{name} is imported, but {of.package.name} defines none", "the import fails", True
+        said = f"{name} is imported, but {of.package.name} defines no such interface"
+        effect, is_sure = "the import fails", True
     return Finding(
         at=at,
         message=f"{said}: {effect}{of.like(reference.kind, reference.stem)}",
@@ -138,7 +139,7 @@ def _unless_handmade(
 
 CHECK = Check(
     id="undefined-interface",
-    summary="Every message, service and action that code or another interface names is defined.",
+    summary="Message, service or action that its package does not define.",
     level=Level.ERROR,
     catalogue="I02",
     tags=("interfaces",),

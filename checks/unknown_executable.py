@@ -22,7 +22,8 @@ def check(system: System) -> Iterator[Finding]:
         if use.is_library:
             yield Finding(
                 at=use.location,
-                message=f"{use.program!r} of package {use.package} is a library and no program: this node cannot start{_instead(use)}",
+                message=f"{use.program!r} of package {use.package} is a library, not a program: this node cannot "
+                f"start{_instead(use)}",
                 about=(f"{use.package}/{use.program}",),
                 flow=included_by(use),
                 apart=(use.program,),
@@ -42,12 +43,12 @@ def check(system: System) -> Iterator[Finding]:
 def _instead(use: ProgramUse) -> str:
     if use.similar:
         return meant(use.similar)
-    return "; name the program that uses it, or load its component into a container"
+    return "; name a program that links it, or load its component into a container"
 
 
 CHECK = Check(
     id="unknown-executable",
-    summary="What launch files start is built or installed by its package.",
+    summary="Node, component or nodelet that its package does not provide.",
     level=Level.ERROR,
     catalogue="L03",
     tags=("launch",),

@@ -29,10 +29,10 @@ def check(system: System) -> Iterator[Finding]:
             alone = _stands_alone(known, system)
         if meant is None and not (alone and knowledge().is_package(use.package) is False):
             continue
-        hint = f"; did you mean {meant!r}?" if meant else ": it is not in the workspace, nor in any distribution of ROS"
+        hint = f"; did you mean {meant!r}?" if meant else ": it is neither in the workspace nor in a ROS distribution"
         yield Finding(
             at=use.location,
-            message=f"there is no package {use.package!r}{hint}",
+            message=f"package {use.package!r} does not exist{hint}",
             about=(use.package,),
             flow=included_by(use),
             apart=(use.package,),
@@ -72,7 +72,7 @@ def _is_common(prefix: str, system: System) -> bool:
 
 CHECK = Check(
     id="unknown-package",
-    summary="The packages that launch files name exist.",
+    summary="Package name in a launch file that does not exist.",
     level=Level.ERROR,
     decidability=Decidability.HEURISTIC,
     catalogue="L02",

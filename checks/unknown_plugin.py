@@ -123,7 +123,8 @@ def _released(use: _Use, known: _Known) -> str:
 def _of_elsewhere(use: _Use, meant: str) -> Finding:
     return Finding(
         at=use.location,
-        message=f"no released package is known to export a plug-in {use.name}: what {use.key} loads is not found; is {meant} meant?",
+        message=f"no released package is known to export a plug-in {use.name}: loading {use.key} fails; did you mean "
+        f"{meant}?",
         about=(use.name, use.key),
         level=Level.WARNING,
         apart=(use.name,),
@@ -133,15 +134,15 @@ def _of_elsewhere(use: _Use, meant: str) -> Finding:
 def _finding(use: _Use, meant: str, known: _Known) -> Finding:
     owners = sorted(known.owners.get(_plain(meant or use.name).rpartition("::")[0], ()))
     if meant and _plain(meant) == _plain(use.name):
-        hint = f"it is exported as {meant}, and the names have to be the same text"
+        hint = f"it is exported as {meant}; write the same name"
     elif meant:
-        hint = f"{meant} is meant, perhaps"
+        hint = f"did you mean {meant}?"
     else:
         names = sorted(known.spaces[_plain(use.name).rpartition("::")[0]])
         hint = f"there are {', '.join(names[:3])}" + (" and more" if len(names) > 3 else "")
     return Finding(
         at=use.location,
-        message=f"no description of package {owners[0]} exports a plug-in {use.name}: what {use.key} loads is not found; {hint}",
+        message=f"no plug-in description of package {owners[0]} exports {use.name}: loading {use.key} fails; {hint}",
         about=(use.name, use.key),
         related=((known.names[meant], f"{meant} is exported here"),) if meant else (),
         apart=(use.name,),
@@ -227,7 +228,7 @@ def _in_robot(path: str, root: Element) -> Iterator[_Use]:
 
 CHECK = Check(
     id="unknown-plugin",
-    summary="The plug-ins that parameters and code name are exported by their packages.",
+    summary="Plug-in name that no package exports.",
     level=Level.ERROR,
     catalogue="P13",
     tags=("parameters", "plugins"),

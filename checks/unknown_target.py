@@ -73,7 +73,7 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
         yield from ((name, "install() stops the build") for name in things if not _is_made(package, name))
     elif command.name in ("ament_export_targets", "ament_export_interfaces"):
         for name in _sets(package, command):
-            yield name, "no install(TARGETS ... EXPORT) puts a target into it, and CMake stops"
+            yield name, "no install(TARGETS ... EXPORT) adds a target to it, and CMake stops"
     elif command.name == "catkin_package":
         names = command.after("LIBRARIES", *_KEYWORDS)
         yield from _exported(package, names)
@@ -81,12 +81,15 @@ def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[s
             if target.kind == "library" and target.output != target.name and not target.is_conditional:
                 yield (
                     target.name,
-                    f"its file is {target.prefix}{target.output}{target.suffix}, and packages that use it look for {target.name}",
+                    (
+                        f"its file is {target.prefix}{target.output}{target.suffix}, but packages that use it search for "
+                        f"{target.name}"
+                    ),
                 )
         for word in command.after("INCLUDE_DIRS", *_KEYWORDS):
             path = command.place(word) if package.project.workspace.names else None
             if path is not None and not package.project.exists(path) and not may_appear(package, path, _QUIET):
-                yield word, "there is no such directory, and catkin_package() stops the build"
+                yield word, "this directory does not exist, and catkin_package() stops the build"
     elif command.name == "ament_export_libraries":
         yield from _exported(package, words)
     elif command.name == "ament_export_dependencies":
@@ -119,7 +122,8 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
             fix = add_dependency(package, "exec_depend", name)
             yield Finding(
                 at=command.location,
-                message=f"catkin_package() exports {name}, which is no <{tag}> of {package.name}: it stops the build",
+                message=f"catkin_package() exports {name}, which is not a <{tag}> of {package.name}: CMake stops; add the tag, or "
+                "remove the name",
                 about=(package.name, name),
                 apart=(name,),
                 fixes=(fix,) if fix is not None else (),
@@ -128,8 +132,8 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
     if lost:
         yield Finding(
             at=command.location,
-            message=f"catkin_package() exports {' and '.join(lost)}, but no find_package() finds that: packages that use {package.name} "
-            "get neither its headers nor its libraries",
+            message=f"catkin_package() exports {' and '.join(lost)} without a find_package() of it: packages that use "
+            f"{package.name} get neither its headers nor its libraries; add find_package()",
             about=(package.name, "DEPENDS"),
             level=Level.WARNING,
         )
@@ -194,7 +198,7 @@ def _needed(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[s
         if project.knowledge.is_package(name) is None or known or package.build.problems:
             continue
         if not any(path.endswith((f"Find{name}.cmake", f"{name}Config.cmake")) for path in scripts):
-            yield name, "there is no such package, and packages that use it stop at find_package()"
+            yield name, "this package does not exist, and packages that use it stop at find_package()"
 
 
 def _is_made(package: ProjectPackage, name: str) -> bool:
@@ -223,8 +227,12 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
     near = [] if is_made else [each for each in names if each.lower() == name.lower()]
     near = near or ([] if is_made else get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75))
     is_only_exported = is_made or command.name == "ament_export_dependencies"
-    hint = f"; did you mean {near[0]}?" if near else "" if is_only_exported else "; name what it makes, or drop it"
-    said = f"{package.name} exports {name}" if is_only_exported else f"{name} is nothing that {package.name} makes"
+    hint = f"; did you mean {near[0]}?" if near else "" if is_only_exported else _instead(names)
+    said = (
+        f"{package.name} exports {name}"
+        if is_only_exported
+        else f"{command.name}(): {name} is not a target of {package.name}"
+    )
     return Finding(
         at=command.location,
         message=f"{said}: {what}{hint}",
@@ -234,9 +242,17 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
     )
 
 
+def _instead(targets: list[str]) -> str:
+    """What to write for a name that is like none of *targets*."""
+    if not targets:
+        return "; remove the name"
+    more = f" and {len(targets) - 3} more" if len(targets) > 3 else ""
+    return f"; the package builds {', '.join(targets[:3])}{more}"
+
+
 CHECK = Check(
     id="unknown-target",
-    summary="The targets and libraries that CMake installs, links and exports are made.",
+    summary="CMake target or library that the package does not build.",
     level=Level.ERROR,
     catalogue="B09",
     tags=("build",),

@@ -51,8 +51,8 @@ def _lost(manager: SystemNode, parameter: Parameter, name: str, wanted: str, the
     return Finding(
         at=parameter.origin or parameter.location or manager.location,
         message=(
-            f"{manager} manages {name!r}, but nothing starts {wanted}: "
-            f"it waits for that node, and activates none of the others{hint}"
+            f"{manager} manages {name!r}, but the launch file does not start {wanted}: the manager waits for it and "
+            f"activates none of its other nodes{hint}"
         ),
         about=(manager, wanted),
         related=((manager.location, f"{manager} is started here"),),
@@ -65,14 +65,15 @@ def _unmanaged(system: System, managed: set[str]) -> Iterator[Finding]:
         if node.kind == "lifecycle" and node.name not in managed and node.is_launched:
             yield Finding(
                 at=node.location,
-                message=f"{node} is a lifecycle node that no lifecycle manager of the system names: it stays unconfigured",
+                message=f"{node} is a lifecycle node, but no lifecycle manager of the system lists it: it stays unconfigured; add "
+                "it to node_names",
                 about=(node,),
             )
 
 
 CHECK = Check(
     id="unmanaged-lifecycle-node",
-    summary="Lifecycle managers name the nodes that are started.",
+    summary="Lifecycle node and lifecycle manager that do not match.",
     level=Level.WARNING,
     decidability=Decidability.CLOSED_WORLD,
     catalogue="L15",

@@ -33,7 +33,7 @@ def check(system: System) -> Iterator[Finding]:
         is_given = is_settable and _is_given(system, read)
         yield Finding(
             at=read.location,
-            message=f"{how} is read, but nothing declares or sets it: launch stops here{unless}{meant(read.similar)}",
+            message=f"{how} is read, but never declared or set: launch stops here{unless}{meant(read.similar)}",
             level=Level.NOTE if is_given else Level.WARNING if is_settable else None,
             about=(read.name,),
             apart=(read.name,),
@@ -57,9 +57,12 @@ def _undeclared(read: ArgumentRead, how: str, is_here: bool) -> Finding:
     Who starts the latter by hand gives the argument, as launch sets what the command line gives, declared or not.
     """
     if is_here:
-        message = f"{how} is read before the file declares it: launch stops here; declare it first"
+        message = f"{how} is read before its declaration: launch stops here; move the declaration up"
     else:
-        message = f"{how} is declared in an included file only: launch stops here, unless '{read.name}:=…' is given; declare it in this file, too"
+        message = (
+            f"{how} is declared only in an included file: launch stops here, unless '{read.name}:=…' is given; "
+            "declare it in this file, too"
+        )
     return Finding(
         at=read.location,
         message=message,
@@ -76,7 +79,7 @@ def _missing(system: System) -> Iterator[Finding]:
         for name in use.missing:
             yield Finding(
                 at=use.location,
-                message=f"includes {use.path} without its argument {name!r}, which has no default: launch stops here",
+                message=f"includes {use.path} without the argument {name!r}, which has no default: launch stops here; pass it",
                 about=(use.path or "", name),
                 apart=(use.path or "", name),
                 flow=included_by(use),
@@ -86,7 +89,7 @@ def _missing(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="unset-launch-argument",
-    summary="Launch arguments that are read are declared, and those without a default are passed.",
+    summary="Launch argument that is read but not declared or set.",
     level=Level.ERROR,
     catalogue="L07",
     tags=("launch",),

@@ -43,7 +43,8 @@ def check(system: System) -> Iterator[Finding]:
         if argument.is_used is False and not any(why(argument, system) for why in (_stands_in, _is_passed, _is_kept)):
             yield Finding(
                 at=argument.location,
-                message=f"launch argument {argument.name!r} is declared, but nothing reads it: setting it has no effect",
+                message=f"launch argument {argument.name!r} is declared, but never read: setting it has no effect; use it, or "
+                "remove the declaration",
                 about=(argument.name,),
                 apart=(argument.name,),
                 flow=included_by(argument),
@@ -84,7 +85,7 @@ def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:
 
 CHECK = Check(
     id="unused-launch-argument",
-    summary="Launch arguments that are declared or passed have an effect.",
+    summary="Launch argument that is declared or passed but not read.",
     level=Level.WARNING,
     catalogue="L08",
     tags=("launch",),

@@ -31,7 +31,7 @@ def check(system: System) -> Iterator[Finding]:
             first, (text, end) = given[0], said[0] or ("", None)
             yield Finding(
                 at=first.at,
-                message=f"the QoS override {first.key} of {first.node} does nothing: {text}",
+                message=f"the QoS override {first.key} of {first.node} has no effect: {text}",
                 about=(first.node, first.key) if end is None else (first.node, end, first.key),
                 related=((end.location, f"{end}"),) if end is not None else (),
                 flow=((first.tag, f"{first.node} is given the parameters"), (first.at, "this one has no effect")),
@@ -63,8 +63,8 @@ def _value(given: Given) -> Iterator[Finding]:
         yield Finding(
             at=given.at,
             message=(
-                f"{given.node} stops with an exception: {policy} is one of {', '.join(words)}, "
-                f"not {given.value!r}{_like(given.value, words)}"
+                f"{given.node} stops with an exception: {policy} must be one of {', '.join(words)}, not "
+                f"{given.value!r}{_like(given.value, words)}"
             ),
             about=(given.node, given.key),
             level=Level.ERROR,
@@ -75,7 +75,7 @@ def _unused(node: SystemNode, key: str) -> tuple[str, End | None] | None:
     """Why *node* has no parameter *key*, with the end that it is about; None if that is not known for sure."""
     parts = key.removeprefix(HEAD).split(".")
     if len(parts) != 3:
-        return f"its name is not {HEAD}<topic>.<publisher or subscription>.<policy>", None
+        return f"its name does not have the form {HEAD}<topic>.<publisher or subscription>.<policy>", None
     topic, entity, policy = parts
     word, _, suffix = entity.partition("_")
     if word not in KINDS:
@@ -92,20 +92,20 @@ def _unused(node: SystemNode, key: str) -> tuple[str, End | None] | None:
         return f"only {', '.join(policies)} may be overridden there{_like(policy, policies)}", alike[0]
     others = sorted({name.partition(".")[0] for name in declared if name.startswith(word)})
     if others:
-        return f"it is {others[0]} that may be overridden", alike[0]
+        return f"only {others[0]} can be overridden", alike[0]
     if any(unknown.field == "qos" for end in alike for unknown in end.raw.unknowns):
         return None
-    return f"the {word} of {topic} is made without overriding options; give it QosOverridingOptions", alike[0]
+    return f"the {word} of {topic} is created without overriding options; pass QosOverridingOptions", alike[0]
 
 
 def _other_topic(topic: str, ends: tuple[End, ...]) -> str:
     for end in ends:
         if end.original_name == topic:
-            return f", it is remapped to {end.name}"
+            return f", which is remapped to {end.name}"
     names = sorted({end.name for end in ends})
     for name in names:
         if name.endswith(f"/{topic.strip('/')}"):
-            return f", the key needs the whole name, {name}"
+            return f", and the key must contain the full name {name}"
     return _like(topic, names)
 
 
@@ -116,7 +116,7 @@ def _like(word: str, words: tuple[str, ...] | list[str]) -> str:
 
 CHECK = Check(
     id="unused-qos-override",
-    summary="A parameter that overrides quality of service is one that its node has.",
+    summary="Quality of service override that has no effect.",
     level=Level.WARNING,
     catalogue="Q10",
     tags=("topics", "qos", "parameters"),

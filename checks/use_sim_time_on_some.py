@@ -27,8 +27,8 @@ def check(system: System) -> Iterator[Finding]:
             yield Finding(
                 at=node.location,
                 message=(
-                    f"{node} takes its time from the computer's clock, but {partner}, which it exchanges messages with, "
-                    f"from /clock: their times do not fit together; set use_sim_time for it, too"
+                    f"{node} uses system time, but {partner}, with which it exchanges messages, uses simulated time (/clock): "
+                    f"their time stamps do not match; set use_sim_time for {node}, too"
                 ),
                 about=(node, partner, "use_sim_time"),
             )
@@ -70,7 +70,7 @@ STAMPED = frozenset(("sensor_msgs", "nav_msgs", "tf2_msgs", "visualization_msgs"
 
 CHECK = Check(
     id="use-sim-time-on-some",
-    summary="The nodes of a system that exchange stamped messages take their time from the same clock.",
+    summary="Simulated and real time mixed between nodes that exchange messages.",
     level=Level.WARNING,
     decidability=Decidability.CLOSED_WORLD,
     catalogue="P10",

@@ -40,7 +40,7 @@ def _build_type(package: ProjectPackage) -> Iterator[Finding]:
     certain = [each for each in found if not each.attributes.get("condition")]
     if len(certain) > 1 and len({word(each) for each in certain}) > 1:
         names = " and ".join(word(each) for each in certain)
-        message = f"{package} has the build types {names}: colcon permits one and leaves the package out; keep one"
+        message = f"{package} has the build types {names}: colcon allows one and skips the package; remove the others"
         yield _finding(package, place(package, certain[1]), message, "several")
     elif not found:
         yield from _none(package)
@@ -63,8 +63,10 @@ def _none(package: ProjectPackage) -> Iterator[Finding]:
     yield _finding(
         package,
         place(package, None),
-        f"{package} says no build type and {why}: colcon takes it for a catkin package and leaves it out of the environment;"
-        f" export <build_type>{kind}</build_type>",
+        (
+            f"{package} declares no build type and {why}: colcon treats it as a catkin package and leaves it out of "
+            f"the environment; add <build_type>{kind}</build_type> to <export>"
+        ),
         "none",
         seen,
         _only(add_export(package, "build_type", kind, f"export the build type {kind}")),
@@ -81,18 +83,28 @@ def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]
             yield _finding(
                 package,
                 at,
-                f"there is no build type {kind}: colcon does not build {package}; {near} is one",
+                (
+                    f"{package} has the build type {kind}, which does not exist: colcon does not build the package; write "
+                    f"{near}"
+                ),
                 "unknown",
                 fixes=_only(set_text(package, element, near, f"change it to {near}")),
             )
     elif kind in ("ament_cmake", "catkin", "cmake") and has_files and not package.has("CMakeLists.txt"):
-        more = " (it has a setup.py: is it ament_python?)" if package.has("setup.py") and kind == "ament_cmake" else ""
-        message = f"{package} has the build type {kind} and no CMakeLists.txt: its build fails{more}"
+        more = (
+            " (it has a setup.py: did you mean ament_python?)"
+            if package.has("setup.py") and kind == "ament_cmake"
+            else ""
+        )
+        message = f"{package} has the build type {kind}, but no CMakeLists.txt: its build fails{more}"
         yield _finding(package, at, message, "no CMakeLists.txt")
     elif (
         kind == "ament_python" and has_files and not any(map(package.has, ("setup.py", "setup.cfg", "pyproject.toml")))
     ):
-        message = f"{package} has the build type ament_python and no setup.py: its build fails"
+        message = (
+            f"{package} has the build type ament_python, but no setup.py: its build fails; add setup.py, or correct "
+            "the build type"
+        )
         yield _finding(package, at, message, "no setup.py")
     elif kind == "ament_cmake" and catkin is not None and ament is None and not _is_for_both(package):
         yield _other(package, at, kind, catkin, "catkin")
@@ -105,10 +117,12 @@ def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]
             yield _finding(
                 package,
                 at,
-                f"{package} has the build type ament_python: colcon runs setup.py and never CMakeLists.txt, so {made.name}"
-                " is not built; take ament_cmake with ament_cmake_python, or make it a package of its own",
+                (
+                    f"{package} has the build type ament_python: colcon runs setup.py but not CMakeLists.txt, so {made.name} "
+                    "is not built; use ament_cmake with ament_cmake_python, or a separate package"
+                ),
                 "CMake is not run",
-                ((made.location, f"{made.name} is made here"),),
+                ((made.location, f"{made.name} is defined here"),),
                 level=Level.WARNING,
             )
 
@@ -122,8 +136,10 @@ def _other(package: ProjectPackage, at: Location, kind: str, call: CMakeCommand,
     return _finding(
         package,
         at,
-        f"{package} has the build type {kind}, but its CMakeLists.txt calls {call.name}(): it is written for {meant},"
-        " and what is built of it is not found",
+        (
+            f"{package} has the build type {kind}, but its CMakeLists.txt calls {call.name}() of {meant}: the "
+            "packages that use it do not find what it builds; correct the build type"
+        ),
         "other",
         ((call.location, f"written for {meant}"),),
     )
@@ -160,10 +176,12 @@ def _build_tool(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[F
             yield _finding(
                 package,
                 place(package, None),
-                f"{package} is built with {name} and does not depend on it: where only what manifests name is installed, it"
-                f" is missing; add <buildtool_depend>{name}</buildtool_depend>",
+                (
+                    f"{package} is built with {name}, but does not depend on it: on a machine with only the declared "
+                    f"dependencies {name} is missing; add <buildtool_depend>{name}</buildtool_depend>"
+                ),
                 name,
-                ((found.location, f"{name} is looked for"),),
+                ((found.location, f"{name} is searched for here"),),
                 _only(add_dependency(package, "buildtool_depend", name)),
                 Level.WARNING,
             )
@@ -216,7 +234,7 @@ def _finding(
 
 CHECK = Check(
     id="wrong-build-type",
-    summary="The manifest of a package names the build type and the build tool that the package is written for.",
+    summary="Build type that does not fit the package.",
     level=Level.ERROR,
     catalogue="M07",
     tags=("packages",),

@@ -40,19 +40,22 @@ def _allowed(package: ProjectPackage) -> Iterator[Finding]:
     if READABLE.fullmatch(name) is None:
         if any(mark in name for mark in "@{}$%<>"):
             return  # a template of a manifest
-        message = f"{name} is no package name: catkin and colcon refuse the manifest; use lower case, digits and _"
+        message = (
+            f"{name} is not a valid package name: catkin and colcon reject the manifest; use lower case letters, "
+            "digits and _"
+        )
         yield _finding(package, package.at("name"), message, "refused", Level.ERROR)
     elif interfaces and OF_INTERFACES.fullmatch(name) is None:
         message = (
-            f"{name} is no name for a package of interfaces: rosidl refuses to generate code for it; use lower case, digits"
-            " and single _"
+            f"{name} is not a valid name for an interface package: rosidl generates no code for it; use lower case "
+            "letters, digits and single _"
         )
         related = ((interfaces[0].location, "interfaces are generated here"),)
         yield _finding(package, package.at("name"), message, "interfaces", Level.ERROR, related)
     elif PROPER.fullmatch(name) is None or len(name) < 2:
         message = (
-            f"{name} is not as packages are named (REP 144: lower case, digits and single _, a letter first): tools that make"
-            " names of code, topics or Debian packages of it go wrong"
+            f"{name} does not follow REP 144 (lower case letters, digits and single _, a letter first): tools that "
+            "derive names of code, topics or Debian packages from it fail; rename it"
         )
         yield _finding(package, package.at("name"), message, "convention", Level.NOTE)
 
@@ -68,12 +71,15 @@ def _of_project(package: ProjectPackage) -> Iterator[Finding]:
         yield _finding(
             package,
             named.location,
-            f"project({name}) in the package {package}: {calls[0].name}() stops, as both have to be the same name",
+            (
+                f"CMake has project({name}), package.xml has {package}: {calls[0].name}() stops, because the two names "
+                "must be equal"
+            ),
             "project",
             Level.ERROR,
             (
                 (package.at("name"), f"the package's name is {package}"),
-                (calls[0].location, "where the names are compared"),
+                (calls[0].location, "the names are compared here"),
             ),
         )
 
@@ -98,8 +104,10 @@ def _of_setup(package: ProjectPackage) -> Iterator[Finding]:
         yield _finding(
             package,
             Location(given.location.path, given.location.line),
-            f"setup.py calls the package {given.name}, the manifest {package}: ROS looks for its files, and Python for its"
-            " programs, under different names",
+            (
+                f"setup.py has the name {given.name}, package.xml {package}: ROS and Python search for the files of the "
+                "package under different names; use one name"
+            ),
             "setup.py",
             None,
             ((package.at("name"), f"the package's name is {package}"),),
@@ -124,7 +132,7 @@ def _finding(
 
 CHECK = Check(
     id="wrong-package-name",
-    summary="A package has a proper name, and CMake and setup.py give it the same one.",
+    summary="Invalid package name, or different names in package.xml, CMake and setup.py.",
     level=Level.WARNING,
     catalogue="M08",
     tags=("packages",),

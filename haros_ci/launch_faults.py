@@ -110,7 +110,11 @@ def _of_ros1(path: str, element: LaunchElement) -> Iterator[Problem]:
         yield Problem(path, f"<{element.tag}> lacks the attribute '{missing[0]}'; add it", element.line)
     name = element.get("name") or ""
     if element.tag == "node" and "$(eval" not in name and "/" in re.sub(r"\$\([^()]*\)", "", name):
-        yield Problem(path, f"node name '{name}' holds a namespace; use ns=... The tag is left out", element.line)
+        yield Problem(
+            path,
+            f"node name '{name}' contains a namespace, which roslaunch rejects; write ns=... instead",
+            element.line,
+        )
     if element.tag in _ENTERED:
         for child in element.children:
             yield from _of_ros1(path, child)
@@ -121,4 +125,6 @@ def _of_python(workspace: Workspace, path: str) -> Iterator[Problem]:
 
     error = syntax_error(workspace.text(path))
     if error is not None:
-        yield Problem(path, f"this is not valid Python: {error[1]}; correct the syntax", error[0])
+        yield Problem(
+            path, f"Python syntax error: {error[1]}; ros2 launch cannot load the file; correct the syntax", error[0]
+        )

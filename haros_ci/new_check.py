@@ -36,7 +36,7 @@ def check(system: System) -> Iterator[Finding]:
 
 CHECK = Check(
     id="{id}",
-    summary="What holds where the rule is kept.",
+    summary="What is wrong where the rule fires.",
     level=Level.WARNING,
     status=Status.PREVIEW,
     run=check,

@@ -44,7 +44,7 @@ def test_all_that_uses_it_is_related(tmp_path: Path) -> None:
     assert "field x: float64 → float32" in result.message and "RIHS01_" in result.message
     assert [(r.location.path, r.location.line, r.message) for r in result.related] == [
         ("node.py", 2, "imports it"),
-        ("msg/State.msg", None, "demo/State contains it, and changes with it"),
+        ("msg/State.msg", None, "demo/State contains it and changes with it"),
         ("node.py", 6, "/listener: subscriber /state, as a part of demo/State"),
         ("node.py", 2, "imports it, as a part of demo/State"),
     ]

@@ -32,7 +32,7 @@ def findings(tmp_path: Path, files: dict[str, str], executables: tuple[str, ...]
 def test_ros_2_has_python3_alone(shebang: str, tmp_path: Path) -> None:
     ((path, level, message),) = findings(tmp_path, filled({"talker.py": f"#!{shebang}\n{CODE}"}))
     assert (path, level) == ("talker.py", "warning")
-    assert "ask for python3" in message
+    assert "write python3" in message
 
 
 @pytest.mark.parametrize(
@@ -73,4 +73,4 @@ def test_data_files_keep_their_mode(tmp_path: Path) -> None:
     }
     ((path, level, message),) = findings(tmp_path, files, ("other.py",))
     assert (path, level) == ("talker.py", "warning")
-    assert "setup.py installs it with the mode that it has" in message
+    assert "setup.py installs it with its file mode" in message

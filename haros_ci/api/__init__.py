@@ -30,6 +30,7 @@ from haros_ci.checking.system import (
     can_meet,
 )
 from haros_ci.checking.whole_graph import WholeGraph, is_opaque
+from haros_ci.checking.wording import line_of
 from haros_ci.model.architecture import (
     Condition,
     Endpoint,
@@ -81,6 +82,7 @@ __all__ = [
     "is_moved",
     "is_opaque",
     "is_slip",
+    "line_of",
     "may_be",
     "misplaced",
     "named_at",

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from haros_ci.changes.names import may_be_same
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import Channel, End, System, SystemNode
+from haros_ci.checking.wording import line_of
 from haros_ci.model.changes import REMOVED, RENAMED, Change
 
 #: How changes name the ends of kinds.
@@ -172,5 +173,6 @@ def in_words(change: Change, name: str) -> str:
     """What has become of *name*: ``renamed to /new in this change``."""
     if change.action == RENAMED:
         new = change.names[change.old_names.index(name)] if name in change.old_names else change.name
-        return f"renamed to {new} in this change"
+        where = f" ({line_of(change.head)})" if change.head is not None else ""
+        return f"renamed to {new} in this change{where}"
     return "removed in this change"

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from haros_ci.checking.check import Finding, Place
 from haros_ci.checking.compatibility import Mismatch, in_words, mismatches, override_place
 from haros_ci.checking.system import End, System
+from haros_ci.checking.wording import line_of
 from haros_ci.model.architecture import Qos
 from haros_ci.results.rule import Level
 
@@ -27,7 +28,7 @@ def incompatible(system: System, policy: str, fix: str, advice: dict[str, str]) 
         related = tuple((end.location, f"{end}: {in_words(end.qos)}") for end in found.others[:SHOWN])
         yield Finding(
             at=place or found.end.location,
-            message=f"{_said(found, policy)}; {advice[kind]}",
+            message=f"{_said(found, policy)}; {advice[kind]}; the {found.other} is at {line_of(found.other.location)}",
             about=(found.channel, found.end, found.other),
             related=(*related, *(((found.end.location, f"{found.end}"),) if place is not None else ())),
             flow=tuple(_flow(found)),
@@ -40,33 +41,33 @@ def _said(found: Mismatch, policy: str) -> str:
     giver, taker = found.giver, found.taker
     if found.channel.kind == "service":
         return (
-            f"the client {taker.node} of the service {found.channel} is {in_words(taker.qos)}, "
-            f"but the server {giver.node} is {in_words(giver.qos)}: no call gets an answer"
+            f"client {taker.node} of service {found.channel} uses {in_words(taker.qos)}, "
+            f"but server {giver.node} uses {in_words(giver.qos)}: no call gets an answer"
         )
     nodes = sorted({end.node.name for end in found.others} - {found.other.node.name})
     more = f" and {len(nodes)} more" if nodes else ""
     asks, gives = _policy(policy, giver.qos, taker.qos)
     many_ask, many_give = more if found.is_giver else "", "" if found.is_giver else more
-    lost = "nothing arrives" if found.is_starved else f"nothing of {giver.node} arrives"
+    lost = "no message arrives" if found.is_starved else f"no message of {giver.node} arrives"
     return (
         f"{taker.node}{many_ask} {'subscribe' if many_ask else 'subscribes'} to {found.channel} {asks} "
         f"({in_words(taker.qos)}), but {giver.node}{many_give} {'publish' if many_give else 'publishes'} it {gives} "
-        f"({in_words(giver.qos)}): ROS 2 does not connect them, {lost}"
+        f"({in_words(giver.qos)}): ROS 2 does not connect the two, so {lost}"
     )
 
 
 def _policy(policy: str, offered: Qos | None, asked: Qos | None) -> tuple[str, str]:
     """What one end asks for and the other one offers, as a phrase with "subscribes" and "publishes"."""
     if policy == "reliability":
-        return "reliably", "with best effort"
+        return "as reliable", "with best effort"
     if policy == "durability":
-        return "with earlier messages", "without keeping any"
+        return "as transient local", "as volatile"
     if policy == "deadline":
         return _time("deadline", asked and asked.deadline), _time("deadline", offered and offered.deadline)
     if asked is not None and asked.liveliness == "manual_by_topic" and offered is not None:
         if offered.liveliness != "manual_by_topic":
             return "with manual liveliness", "with automatic liveliness"
-    return _time("lease", asked and asked.lease), _time("lease", offered and offered.lease)
+    return _time("lease duration", asked and asked.lease), _time("lease duration", offered and offered.lease)
 
 
 def _time(name: str, value: object) -> str:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from haros_ci.checking.check import Finding
 from haros_ci.checking.remapping import named_at, rule_of, way_to
 from haros_ci.checking.system import Channel, End
+from haros_ci.checking.wording import line_of
 
 
 def type_mismatches(channels: Iterable[Channel], consequence: str) -> Iterator[Finding]:
@@ -28,13 +29,13 @@ def type_mismatches(channels: Iterable[Channel], consequence: str) -> Iterator[F
             wrong = next((end for end in (*clients, *servers) if rule_of(end) is not None), None)
             wrong = wrong or next((end for end in (*clients, *servers) if end.in_source), clients[0])
             rule = rule_of(wrong)
-            advice = "" if rule is None else f"; {wrong.original_name} is remapped here to {wrong.name}"
+            advice = "" if rule is None else f"; {wrong.original_name} is remapped to {wrong.name} here"
             others = f" and {len(clients) - 1} more" if len(clients) > 1 else ""
             yield Finding(
                 at=named_at(wrong),
                 message=(
-                    f"{clients[0].node}{others} uses {channel} as {wanted}, "
-                    f"but {servers[0].node} offers {given}: {consequence}{advice}"
+                    f"{clients[0].node}{others} ({line_of(clients[0].location)}) uses {channel} as {wanted}, "
+                    f"but {servers[0].node} ({line_of(servers[0].location)}) offers {given}: {consequence}; use one type in both{advice}"
                 ),
                 about=(channel, *ends),
                 related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in ends),

@@ -112,9 +112,9 @@ class Conversation:
             try:
                 said = json.loads(line)
             except (ValueError, RecursionError) as err:
-                raise Ended("it wrote what cannot be understood") from err
+                raise Ended("its output cannot be parsed") from err
             if not isinstance(said, dict):
-                raise Ended("it wrote what cannot be understood")
+                raise Ended("its output cannot be parsed")
             if said.get("kind") == "done":
                 return
             yield said

@@ -179,7 +179,7 @@ def _gave_up(unit: str, error: Element, workspace: Workspace) -> GaveUp:
     """The reason; a file that is not of the workspace (``#include "/etc/passwd"``) is not quoted."""
     path, line = error.children[0]["file"], int(error.children[0]["line"])
     if all(file.path != path for file in workspace.files):
-        return GaveUp(unit, "it includes a file that is not part of the workspace and cannot be read")
+        return GaveUp(unit, "it includes a file outside the workspace, which cannot be read")
     reason = error.attributes["msg"].partition("\n")[0]
     return GaveUp(unit, reason, line or None) if path == unit else GaveUp(unit, f"{reason} ({path}:{line})")
 

@@ -124,7 +124,7 @@ def _ask(
             results, gave_up = collected[said.unit]
             if isinstance(said, Finding):
                 if len(results) == MOST:
-                    raise Unread(f"told more than {MOST:,} findings of one file")
+                    raise Unread(f"more than {MOST:,} findings for one file")
                 results.append(clean.result(said.result, by_path[said.unit]))
             else:
                 gave_up.append(replace(said, message=clean.text(said.message, by_path[said.unit])))
@@ -132,7 +132,7 @@ def _ask(
         raise _Failed(clean.text(str(err), units[0])) from err
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as err:
         words = clean.text(_last_words(output.stderr), units[0])
-        raise _Failed(words or f"wrote what cannot be understood ({err})") from err
+        raise _Failed(words or f"its output cannot be parsed ({err})") from err
     answers = [(path, Answer(tuple(found), tuple(given))) for path, (found, given) in sorted(collected.items())]
     return answers, output.seconds
 

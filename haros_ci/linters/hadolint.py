@@ -59,7 +59,7 @@ def command(program: Program, batch: Batch) -> Command:
 def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """The JSON report; a finding's column is always 1 there, so its line is meant."""
     if output.code or b"Error parsing your config file" in output.stderr:
-        raise ValueError(f"exit code {output.code}, or settings that it does not understand")
+        raise ValueError(f"exit code {output.code}, or invalid settings")
     paths = copies.names(batch)
     for said in json.loads(output.stdout):
         path, line = paths[said["file"]], said["line"]

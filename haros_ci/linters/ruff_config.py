@@ -67,7 +67,7 @@ def chain(workspace: Workspace, path: str, problems: list[Problem] | None = None
             break
         target, why = _target(workspace, path, named, [link.path for link in found])
         if why:
-            said.append(Problem(path, f"ruff is not told of the file that `extend` names here: {why}"))
+            said.append(Problem(path, f"ruff does not read the file that `extend` names here: {why}"))
         path = target
     return tuple(found)
 
@@ -107,7 +107,7 @@ def _harmless(path: str, options: dict[str, Any], said: list[Problem]) -> dict[s
         given = kept[SOURCES] if isinstance(kept[SOURCES], list) else []
         kept[SOURCES] = [source for source in given if isinstance(source, str) and _stays_inside(source)]
         if len(kept[SOURCES]) < len(given):
-            said.append(Problem(path, "ruff is not told of a directory under `src` that lies outside the workspace"))
+            said.append(Problem(path, "ruff does not use a directory under `src` that lies outside the workspace"))
     return kept
 
 

@@ -139,7 +139,7 @@ def _analyse(
                 except TypeError:  # what a tool wrote need not be hashable, nor have an order
                     decoded = None
                 if decoded is None:
-                    work.fail(f"{name} failed: wrote what cannot be understood; without a result: {path}", (path,))
+                    work.fail(f"{name} failed: its output cannot be parsed; without a result: {path}", (path,))
                     continue
                 # What is reported now and what a warm run will report come from the same bytes.
                 store.put(name, path, work.keys[path], value)

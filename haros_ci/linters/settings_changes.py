@@ -152,6 +152,6 @@ def _what(change: _Change, is_there: bool) -> str:
         said.append(f"The change turns off: {', '.join(named[:MOST_RULES])}{more}.")
     if change.unread and is_there:
         said.append(
-            f"What it says for {', '.join(sorted(change.unread))} cannot be read, so what it turns off is not known."
+            f"The settings for {', '.join(sorted(change.unread))} cannot be read, so the rules that they turn off are unknown."
         )
-    return " ".join(said) or f"As far as is known it turns off nothing of {', '.join(sorted(change.tools))}."
+    return " ".join(said) or f"No rule of {', '.join(sorted(change.tools))} is known to be turned off."

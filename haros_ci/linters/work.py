@@ -155,7 +155,7 @@ def _begun(
                 Notification(Level.WARNING, problem.message, linter.NAME, problem.path, problem.line)
             )
     if not units and asked:
-        note = f"{linter.NAME} found nothing to analyse here: no file of its kind, or no settings that it needs"
+        note = f"{linter.NAME} found no file to analyse: the workspace has no file of its kind, or lacks the settings that it needs"
         work.notifications.append(Notification(Level.NOTE, note, linter.NAME))
     return work
 

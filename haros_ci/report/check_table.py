@@ -13,7 +13,7 @@ Written by `haros-ci rules --checks`. A *stable* check runs by default where a p
 `--select ID`. *Exact* findings follow from the sources, *closed-world* ones need `closed: true` in the configuration, *heuristic*
 ones go by likeness. `haros-ci explain ID` shows a check's page; the catalogue's short id is an alias.
 
-| Check | Alias | Level | Sure | Status | Profiles | What holds where it is kept |
+| Check | Alias | Level | Sure | Status | Profiles | Defect |
 |---|---|---|---|---|---|---|
 """
 

@@ -14,7 +14,7 @@ TOOL = "haros-ci"
 
 MALFORMED_MANIFEST = Rule(
     id="malformed-manifest",
-    summary="A package.xml cannot be read, so nothing that depends on it can be built or checked.",
+    summary="package.xml that cannot be parsed.",
     level=Level.ERROR,
     help=(
         "catkin, colcon and this tool read a package's name and dependencies from package.xml (REP 127, 140, 149). "
@@ -28,14 +28,14 @@ MALFORMED_MANIFEST = Rule(
 
 MALFORMED_LAUNCH = Rule(
     id="malformed-launch-file",
-    summary="A launch file is refused, so nothing in it starts.",
+    summary="Launch file that launch rejects.",
     level=Level.ERROR,
     help=(
         "roslaunch and ros2 launch stop at a launch file that is not well-formed XML, and at every file that includes it. "
-        "So they do at a tag or an attribute that they do not know, an attribute that is missing, a substitution that is not closed, a "
-        "node's name with a namespace in it (roslaunch), and Python that is none. "
-        "A tag that ros2 launch itself does not have is a warning: an installed package may register it (launch.frontend.launch_extension). "
-        "Correct the line that the message names: a tag that is not closed, a quote that is missing, a bare & or <."
+        "They also stop at an unknown tag or attribute, a missing attribute, an unclosed substitution, a "
+        "node name with a namespace (roslaunch), and a Python syntax error. "
+        "An unknown tag of ROS 2 is a warning: an installed package may register it (launch.frontend.launch_extension). "
+        "Correct the line that the message names; typical are an unclosed tag, a missing quote, and a bare & or <."
     ),
     precision="very-high",
     profiles=("ros", "strict", "google", "bugs-only", "architecture"),
@@ -44,11 +44,11 @@ MALFORMED_LAUNCH = Rule(
 
 UNUSED_SUPPRESSION = Rule(
     id="unused-suppression",
-    summary="A haros suppression comment hides nothing.",
+    summary="Suppression comment without effect.",
     level=Level.NOTE,
     help=(
-        "The rule named in the comment does not report anything there any more. A comment that is left behind will "
-        "hide the next, unrelated finding. Remove it. A name in the comment that no rule has silences nothing: that is an error, "
+        "The rule named in the comment no longer reports a finding there. A comment left behind would "
+        "hide the next, unrelated finding. Remove it. A name that is not the name of a rule has no effect: that is an error, "
         "with the name that was probably meant."
     ),
     precision="high",
@@ -58,7 +58,7 @@ UNUSED_SUPPRESSION = Rule(
 
 FILE_NOT_ANALYSED = Rule(
     id="file-not-analysed",
-    summary="A file that the change adds or alters cannot be analysed, so nothing is known of it.",
+    summary="Added or changed file that cannot be analysed.",
     level=Level.WARNING,
     help=(
         "Reported where a base revision is asked for. A file is not analysed if a line is too long, if it holds NUL bytes or is encoded as "
@@ -75,7 +75,7 @@ FILE_NOT_ANALYSED = Rule(
 
 FAILED_QUERY = Rule(
     id="failed-query",
-    summary="A query of the project file cannot be evaluated, so it finds nothing.",
+    summary="Query of the project file that cannot be evaluated.",
     level=Level.ERROR,
     help=(
         "The message names the query by its key in the project file, the line and column in its text, and what is wrong: a name that "
@@ -126,7 +126,7 @@ def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
             TOOL,
             rule.id,
             rule.level,
-            f"The change makes this file one that is not analysed: {_why(problem)}",
+            f"this file cannot be analysed since this change: {_why(problem)}",
             Location(problem.path),
         )
         for problem in problems

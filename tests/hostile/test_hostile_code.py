@@ -247,7 +247,7 @@ def test_ruff_settings_that_name_a_file_outside(trap: Trap) -> None:
     trap.write("sub/ruff.toml", 'extend = "/etc/passwd"\n')
     trap.write("sub/beside.py", PYTHON)
     outcome = trap.run()
-    assert outcome.code == 1 and outcome.says("ruff is not told of the file that `extend` names here")
+    assert outcome.code == 1 and outcome.says("ruff does not read the file that `extend` names here")
     assert_harmless(trap, outcome)
     assert_the_rest_is_analysed(outcome)
     assert ("sub/beside.py", 2, "undefined-variable") in outcome.findings()

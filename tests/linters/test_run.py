@@ -43,7 +43,7 @@ def test_results_are_sorted_and_the_version_recorded(tmp_path: Path) -> None:
     [
         ("crash", "was ended by signal 11"),
         ("raise", "RuntimeError: out of ideas"),
-        ("babble", "wrote what cannot be understood"),
+        ("babble", "output cannot be parsed"),
         ("flood", "wrote more than it may"),
     ],
 )

@@ -16,7 +16,7 @@ from haros_ci.workspace.tool_settings import TOOL_SETTINGS
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = {"a.py": "", "p/b.cpp": ""}
-NOTHING = "turns off nothing"
+NOTHING = "is known to be turned off"
 
 
 def said(place: Path, before: Mapping[str, str], after: Mapping[str, str]) -> dict[str, str]:
@@ -145,7 +145,7 @@ def test_files_that_settings_name_are_told(tmp_path: Path) -> None:
 )
 def test_what_cannot_be_read_is_said(tmp_path: Path, name: str, text: str) -> None:
     told = said(tmp_path, {}, {name: text})
-    assert "cannot be read, so what it turns off is not known" in told[name]
+    assert "cannot be read, so the rules that they turn off are unknown" in told[name]
 
 
 # -- the table ----------------------------------------------------------------------------------------------------

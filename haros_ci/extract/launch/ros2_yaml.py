@@ -73,7 +73,7 @@ class _Reader:
     def elements(self, found: list[Entity], node: Any, depth: int) -> None:
         for item in node.value:
             if item.id != "mapping" or len(item.value) != 1 or item.value[0][0].id != "scalar":
-                self.problem(item, "an element of a list is a map of one key, the kind of element; part what is here")
+                self.problem(item, "each item of a list must be a map with one key, the tag; split this item")
             else:
                 key, content = item.value[0]
                 found.append(self.entity(str(key.value), content, key, depth + 1))

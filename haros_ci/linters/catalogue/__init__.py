@@ -75,7 +75,7 @@ def _table(tool: str) -> ModuleType:
 
 
 def _unknown(tool: str, identifier: str) -> Rule:
-    summary = f"The rule {identifier} of {tool} is kept."
+    summary = f"Finding of {tool}'s rule {identifier}."
     return Rule(
         id=identifier,
         summary=summary[:1024],

@@ -9,7 +9,7 @@ from haros_ci.results.rule import Level
 RULE = Single(
     tool="black",
     name="would-reformat",
-    summary="A file is laid out as Black lays it out.",
+    summary="File not formatted by Black.",
     advice="Run `black` on the file: it changes the layout and nothing else.",
     suppress="`# fmt: skip` on a line, or `# fmt: off` before and `# fmt: on` after",
     address="https://black.readthedocs.io/en/stable/",

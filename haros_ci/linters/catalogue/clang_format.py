@@ -17,7 +17,7 @@ TABLE = Table(
             "The workspace has a .clang-format, so somebody has decided how its C++ is laid out. `clang-format -i FILE` with"
             " the version that the project uses brings the file there; other versions of clang-format may differ in detail.",
             ("formatting",),
-            (("formatting", "Rw", "C and C++ files are laid out as the workspace's .clang-format asks."),),
+            (("formatting", "Rw", "C or C++ file not formatted by the workspace's .clang-format."),),
         ),
     ),
 )

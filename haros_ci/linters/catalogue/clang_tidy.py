@@ -66,7 +66,7 @@ def invented(name: str) -> Rule:
 
 
 def _rule(name: str, letters: str, tags: str, subject: str) -> Rule:
-    summary = f"Clang-tidy's check '{words(name)}' on {subject} finds nothing."
+    summary = f"Finding of clang-tidy's check '{words(name)}' ({subject})."
     return Rule(
         id=name,
         summary=summary,

@@ -13,7 +13,7 @@ TABLE = Table(
         Group(
             "cmakelint could not find where a command ends: a parenthesis or a quote is missing.",
             ("correctness",),
-            (("syntax", "Rw", "Each command is closed."),),
+            (("syntax", "Rw", "Unclosed command."),),
             precision="medium",
         ),
         Group(
@@ -24,19 +24,19 @@ TABLE = Table(
                 (
                     "convention/filename",
                     "Sw",
-                    "A Find module is named FindX.cmake, and CMakeLists.txt as CMake spells it.",
+                    "Wrong file name of a Find module or CMakeLists.txt.",
                 ),
-                ("package/consistency", "Sw", "A Find module calls find_package_handle_standard_args()."),
-                ("package/stdargs", "Sw", "A Find module gives find_package_handle_standard_args() its own name."),
+                ("package/consistency", "Sw", "Find module without find_package_handle_standard_args()."),
+                ("package/stdargs", "Sw", "Wrong name in find_package_handle_standard_args()."),
             ),
         ),
         Group(
             "",
             ("readability",),
             (
-                ("readability/logic", "Sn", "What closes a block, as endif() does, does not repeat the condition."),
-                ("readability/mixedcase", "Sn", "The commands of a file are all in lower or all in upper case."),
-                ("readability/wonkycase", "Sn", "A command is in lower or in upper case, not in both."),
+                ("readability/logic", "Sn", "Repeated condition in endif() or another closing command."),
+                ("readability/mixedcase", "Sn", "Mixed upper-case and lower-case commands in one file."),
+                ("readability/wonkycase", "Sn", "Command with upper-case and lower-case letters."),
             ),
         ),
         Group(
@@ -46,18 +46,22 @@ TABLE = Table(
                 (
                     "linelength",
                     "Sn",
-                    "Lines are no longer than allowed: 140 characters unless .cmakelintrc tells otherwise.",
+                    "Line longer than the limit (140 characters unless .cmakelintrc sets another).",
                 ),
-                ("whitespace/eol", "Sn", "No line ends with spaces."),
-                ("whitespace/extra", "Sn", "No space stands between a command and its parenthesis."),
-                ("whitespace/indent", "Sn", "Indentation is a multiple of two spaces, or of what .cmakelintrc tells."),
+                ("whitespace/eol", "Sn", "Trailing spaces."),
+                ("whitespace/extra", "Sn", "Space between a command and its parenthesis."),
+                (
+                    "whitespace/indent",
+                    "Sn",
+                    "Indentation that is not a multiple of two spaces (or of the value in .cmakelintrc).",
+                ),
                 (
                     "whitespace/mismatch",
                     "Sn",
-                    "Inside parentheses stand as many spaces at the end as at the beginning.",
+                    "Unequal spaces inside parentheses.",
                 ),
-                ("whitespace/newline", "Sn", "Lines end with a line feed alone."),
-                ("whitespace/tabs", "Sn", "Indentation is made of spaces."),
+                ("whitespace/newline", "Sn", "Line ending other than LF."),
+                ("whitespace/tabs", "Sn", "Indentation with tabs."),
             ),
         ),
     ),
@@ -72,4 +76,4 @@ def rules() -> dict[str, Rule]:
 
 def invented(identifier: str) -> Rule:
     """A category that a newer cmakelint has."""
-    return TABLE.rule(identifier, "-n", f"Cmakelint's category {identifier} finds nothing.", _OTHER)
+    return TABLE.rule(identifier, "-n", f"Finding of cmakelint's category {identifier}.", _OTHER)

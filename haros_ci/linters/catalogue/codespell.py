@@ -9,7 +9,7 @@ from haros_ci.results.rule import Level
 RULE = Single(
     tool="codespell",
     name="misspelling",
-    summary="Words are spelled as in the dictionary.",
+    summary="Misspelt word.",
     advice="Correct the word, or put it into `ignore-words-list` of `.codespellrc`.",
     suppress="`codespell:ignore word` in a comment on the line",
     address="https://github.com/codespell-project/codespell",

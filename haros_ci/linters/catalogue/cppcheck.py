@@ -168,7 +168,7 @@ _UNKNOWN = Group("", (), (), precision="medium")
 
 
 def _generic(identifier: str) -> str:
-    return f"Cppcheck's check '{words(identifier)}' finds nothing."
+    return f"Finding of cppcheck's check '{words(identifier)}'."
 
 
 def _rule(identifier: str, letters: str, summary: str, group: Group, cwe: int | None) -> Rule:

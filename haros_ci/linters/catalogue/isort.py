@@ -9,7 +9,7 @@ from haros_ci.results.rule import Level
 RULE = Single(
     tool="isort",
     name="unsorted-imports",
-    summary="Imports stand in the order of isort.",
+    summary="Imports not in isort's order.",
     advice="Run `isort` on the file: it moves imports and nothing else.",
     suppress="`# isort: skip` on a line, or `# isort: skip_file` at the head",
     address="https://pycqa.github.io/isort/",

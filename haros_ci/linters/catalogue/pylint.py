@@ -98,7 +98,7 @@ _OTHER = Group("", (), (), precision="medium")
 
 
 def _generic(symbol: str) -> str:
-    return f"Pylint's check '{words(symbol)}' finds nothing."
+    return f"Finding of pylint's check '{words(symbol)}'."
 
 
 def _rule(symbol: str, letters: str, summary: str, group: Group) -> Rule:

@@ -41,7 +41,7 @@ def rules() -> dict[str, Rule]:
 
 def invented(identifier: str) -> Rule:
     """A rule for any other code, as severe as ShellCheck finds it."""
-    return TABLE.rule(identifier, _LETTERS[severity(identifier)], f"ShellCheck's {identifier} finds nothing.", _OTHER)
+    return TABLE.rule(identifier, _LETTERS[severity(identifier)], f"Finding of ShellCheck's rule {identifier}.", _OTHER)
 
 
 def severity(identifier: str) -> str:

@@ -10,14 +10,14 @@ DOCUMENTATION = "https://github.com/jendrikseipp/vulture#types-of-unused-code"
 
 #: (rule, profile letter, vulture's code for noqa comments, summary)
 ROWS: tuple[tuple[str, str, str, str], ...] = (
-    ("unreachable-code", "R", "V201", "Every statement can be reached, and every condition can be true and false."),
-    ("unused-attribute", "-", "V101", "An attribute is read somewhere in the package."),
-    ("unused-class", "-", "V102", "A class is used somewhere in the package."),
-    ("unused-function", "-", "V103", "A function is used somewhere in the package."),
-    ("unused-import", "R", "V104", "An imported name is used."),
-    ("unused-method", "-", "V105", "A method is used somewhere in the package."),
-    ("unused-property", "-", "V106", "A property is used somewhere in the package."),
-    ("unused-variable", "S", "V107", "A variable or parameter is used."),
+    ("unreachable-code", "R", "V201", "Unreachable code or constant condition."),
+    ("unused-attribute", "-", "V101", "Attribute that the package never reads."),
+    ("unused-class", "-", "V102", "Class that the package never uses."),
+    ("unused-function", "-", "V103", "Function that the package never uses."),
+    ("unused-import", "R", "V104", "Unused import."),
+    ("unused-method", "-", "V105", "Method that the package never uses."),
+    ("unused-property", "-", "V106", "Property that the package never uses."),
+    ("unused-variable", "S", "V107", "Unused variable or parameter."),
 )
 GUESS = (
     "Vulture matches names over the whole package and cannot see what launch files, other packages or ROS itself call;"
@@ -32,7 +32,7 @@ def rules() -> dict[str, Rule]:
 
 def invented(name: str) -> Rule:
     """A rule for a kind of a newer version."""
-    return _rule(name, "-", "", f"Vulture's '{name}' finds nothing.")
+    return _rule(name, "-", "", f"Finding of vulture's check '{name}'.")
 
 
 def _rule(name: str, letters: str, code: str, summary: str) -> Rule:

@@ -14,7 +14,7 @@ TABLE = Table(
             "Every program that reads the file stops here. A tag that is not closed, a bare & or <, an attribute that stands"
             " twice or without quotes, and an entity that XML does not know (`&nbsp;`) are the usual causes.",
             ("correctness", "xml"),
-            (("parser-error", "Be", "An XML file is well-formed."),),
+            (("parser-error", "Be", "XML file that is not well-formed."),),
             precision="very-high",
         ),
         Group(
@@ -22,17 +22,17 @@ TABLE = Table(
             " programs that look for its namespace.",
             ("correctness", "xml"),
             (
-                ("namespace-error", "Rw", "A namespace prefix is declared before it is used."),
-                ("namespace-warning", "Sn", "The name of a namespace is a whole URI."),
+                ("namespace-error", "Rw", "Undeclared namespace prefix."),
+                ("namespace-warning", "Sn", "Relative namespace URI."),
             ),
         ),
         Group(
             "",
             ("xml",),
             (
-                ("parser-warning", "Sn", "An XML file gives its reader no reason to wonder."),
-                ("validity-error", "-w", "An XML file keeps to the document type that it declares."),
-                ("validity-warning", "-n", "A declared document type is consistent."),
+                ("parser-warning", "Sn", "XML file with a parser warning."),
+                ("validity-error", "-w", "XML file that violates its document type."),
+                ("validity-warning", "-n", "Inconsistent document type."),
             ),
         ),
     ),

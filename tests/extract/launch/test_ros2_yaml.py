@@ -66,7 +66,7 @@ def test_a_group_with_attributes_has_its_elements_below_children() -> None:
         (
             "launch:\n- a: 1\n  b: 2",
             2,
-            "an element of a list is a map of one key, the kind of element; part what is here",
+            "each item of a list must be a map with one key, the tag; split this item",
         ),
         ("launch:\n- nodes: {}", 2, "launch knows no <nodes> here; did you mean <node>?"),
         ("launch:\n- node: x", 2, "'node' needs a map of its attributes"),
