@@ -256,7 +256,7 @@ BOMB = '<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><checkstyle><file n
         ({"output": "json"}, "", 1, "exit code 1, and nothing was written"),
         ({"output": "sarif"}, "", 1, "exit code 1, and nothing was written"),
         ({"stream": "stderr"}, "a.py:1: error: e\n", 1, "exit code 1, and nothing was written"),
-        ({"output": "json"}, "oops", 1, "cannot be understood"),
+        ({"output": "json"}, "oops", 1, "cannot be parsed"),
         ({"output": "json"}, "[" * 100_000, 0, "failed"),
         ({"output": "json"}, '{"a":' * 100_000, 0, "failed"),
         ({"output": "json"}, '[{"message": "no place"}]', 0, "an entry without path: check 'fields'"),
