@@ -84,11 +84,24 @@ def settled(workspace: Workspace, settings: Settings, base: Base | BaselineUnava
     """
     if base is None or settings.trust_config:
         return workspace
+    workspace = _with_known_generators(workspace, base)
     if isinstance(base, BaselineUnavailable):
         from haros_ci.workspace.base_settings import no_settings
 
         return replace(workspace, settings=no_settings(workspace.root))
     return replace(workspace, settings=base.settings)
+
+
+def _with_known_generators(workspace: Workspace, base: Base | BaselineUnavailable) -> Workspace:
+    """*workspace*, in which files are generated if they were so in *base*: else a comment would keep linters out of a change."""
+    before: set[str] = set()
+    if not isinstance(base, BaselineUnavailable):
+        before = {base.renames.get(file.path, file.path) for file in base.workspace.files if file.is_generated}
+    files = tuple(
+        replace(file, is_generated=False) if file.is_generated and file.path not in before else file
+        for file in workspace.files
+    )
+    return replace(workspace, files=files)
 
 
 def compare(

@@ -186,6 +186,13 @@ OTHERS: tuple[Row, ...] = (
         "tests/hostile/test_hostile_hiding_comments.py::test_they_are_counted_everywhere",
     ),
     Row(
+        "all linters",
+        ("a first comment that calls the file generated (`DO NOT EDIT`, `auto-generated`)",),
+        "all that linters report on that file",
+        Origin.BASE,
+        "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_generated",
+    ),
+    Row(
         "cppcheck, clang-tidy",
         ("compile_commands.json",),
         "definitions (`-D`) and include directories; it is made by a build and seldom part of a change",

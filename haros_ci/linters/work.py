@@ -175,6 +175,8 @@ def _concerns(linter: Linter, workspace: Workspace) -> bool:
 
 
 def _is_asked_for(unit: Unit, workspace: Workspace) -> bool:
+    if unit.file.is_generated and not unit.covers:
+        return False
     return workspace.targets is None or not workspace.targets.isdisjoint((unit.file.path, *unit.covers))
 
 

@@ -59,7 +59,8 @@ class SourceFile:
 
     *path* is POSIX-style and relative to the workspace root; *digest* is the SHA-256 of its bytes in hex; *size* is
     in bytes; *package* is the name of the package that contains it, or None; *lines* counts line feeds;
-    *has_directive* is False where no suppression comment of ours can be in it.
+    *has_directive* is False where no suppression comment of ours can be in it; *is_generated* is True for a file whose first
+    comment says that a program has written it: linters leave it alone.
     """
 
     path: str
@@ -69,3 +70,4 @@ class SourceFile:
     package: str | None = None
     lines: int = 0
     has_directive: bool = True
+    is_generated: bool = False

@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.confined import sentence
 from haros_ci.results.result import Coverage
+
+
+#: Files that a sentence names.
+_NAMED = 3
 
 
 def coverage(workspace: Workspace, ways: Collection[str] = ()) -> Coverage:
@@ -19,6 +23,8 @@ def coverage(workspace: Workspace, ways: Collection[str] = ()) -> Coverage:
         unseen.append("1 input could not be read as it stands.")
     elif count:
         unseen.append(f"{count} inputs could not be read as they stand.")
+    if generated := [file.path for file in workspace.files if file.is_generated and workspace.reports_on(file.path)]:
+        unseen.append(_generated(generated))
     return Coverage(
         packages=len(workspace.packages),
         files=len(workspace.files),
@@ -27,3 +33,10 @@ def coverage(workspace: Workspace, ways: Collection[str] = ()) -> Coverage:
         unseen=tuple(unseen),
         sandbox=sentence(ways),
     )
+
+
+def _generated(paths: Sequence[str]) -> str:
+    named = ", ".join(paths[:_NAMED]) + (f" and {len(paths) - _NAMED} more" if len(paths) > _NAMED else "")
+    if len(paths) == 1:
+        return f"1 file was not linted, because its first comment says that it is generated: {named}."
+    return f"{len(paths)} files were not linted, because their first comments say that they are generated: {named}."

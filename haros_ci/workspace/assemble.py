@@ -11,6 +11,7 @@ from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Hiding, Problem, Workspace
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
+from haros_ci.workspace.generated import says_generated
 from haros_ci.workspace.package_xml import parse_package, settled, supports_both
 
 #: A package, and what is wrong with its manifest.
@@ -108,6 +109,7 @@ def assemble(
                     digest=sha256(content.data).hexdigest(),
                     lines=content.data.count(b"\n"),
                     has_directive=b"haros:" in content.data,
+                    is_generated=says_generated(content.language, content.data),
                 )
             )
     packages = _outermost(packages)

@@ -83,3 +83,46 @@ def test_excluded_files_and_other_targets_are_not_looked_at(trap: Trap) -> None:
     assert not trap.run("--baseline-rev=main", "--exclude=b.cpp", *QUICK).says("silence")
     given = trap.command("check", CHEAP_FINDING[0], "--baseline-rev=main", *QUICK)
     assert "silence" not in given
+
+
+MARK = "// This file was automatically generated. DO NOT EDIT.\n"
+
+
+def found(trap: Trap, *options: str) -> tuple[set[str], list[str]]:
+    """The files in which the defect is found, and the sentences on what was not looked at."""
+    outcome = trap.run(*options, *QUICK, "--fail-on=never")
+    assert_harmless(trap, outcome)
+    results = outcome.report["results"]
+    return {r["path"] for r in results if r["rule"] == "uninitvar"}, outcome.report["coverage"]["unseen"]
+
+
+def test_generated_files_are_not_linted(trap: Trap) -> None:
+    pull_request(trap, {"gen.cpp": MARK + DEFECT}, {"gen.cpp": MARK + DEFECT, "a.cpp": DEFECT})
+    paths, unseen = found(trap)
+    assert "a.cpp" in paths and "gen.cpp" not in paths
+    assert any("1 file was not linted" in each and "gen.cpp" in each for each in unseen), unseen
+
+
+def test_a_change_that_calls_a_file_generated(trap: Trap) -> None:
+    """The mark counts if the base revision has it; a file that moves keeps it."""
+    long = DEFECT + "".join(f"int a{number};\n" for number in range(30))
+    base = {"gen.cpp": MARK + DEFECT, "old.cpp": MARK + long, "a.cpp": "int a;\n"}
+    head = {
+        "gen.cpp": MARK + DEFECT + "int x;\n",
+        "moved.cpp": MARK + long,
+        "a.cpp": MARK + DEFECT,
+        "b.cpp": MARK + DEFECT,
+    }
+    pull_request(trap, base, head)
+    paths, unseen = found(trap, "--baseline-rev=main")
+    assert {"a.cpp", "b.cpp"} <= paths and not {"gen.cpp", "moved.cpp"} & paths
+    assert any("2 files were not linted" in each and "gen.cpp, moved.cpp" in each for each in unseen), unseen
+
+
+def test_without_the_base_revision_no_file_is_generated(trap: Trap) -> None:
+    """An orphan head has no base to look at; so every file is linted."""
+    pull_request(trap, {"gen.cpp": MARK + DEFECT}, {"gen.cpp": MARK + DEFECT})
+    trap.git("checkout", "-q", "--orphan", "alone")
+    trap.write("more.cpp", "int more;\n")
+    trap.commit()
+    assert "gen.cpp" in found(trap, "--baseline-rev=main", "--no-require-baseline")[0]
