@@ -121,7 +121,7 @@ def test_a_change_that_calls_a_file_generated(trap: Trap) -> None:
 
 def test_without_the_base_revision_no_file_is_generated(trap: Trap) -> None:
     """An orphan head has no base to look at; so every file is linted."""
-    pull_request(trap, {"gen.cpp": MARK + DEFECT}, {"gen.cpp": MARK + DEFECT})
+    pull_request(trap, {"gen.cpp": MARK + DEFECT}, {"gen.cpp": MARK + DEFECT, "a.cpp": "int a;\n"})
     trap.git("checkout", "-q", "--orphan", "alone")
     trap.write("more.cpp", "int more;\n")
     trap.commit()
