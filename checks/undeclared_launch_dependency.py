@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, System
@@ -31,6 +32,17 @@ _PLAIN: tuple[str, ...] = (
 _PLAIN += ("message_runtime", "rosidl_", "std_srvs", "pluginlib", "eigen", "class_loader", "rviz2", "rviz", "nodelet")
 
 
+#: Tools that people start while they make or watch a robot.
+_TOOLS = frozenset(
+    ("moveit_setup_assistant", "moveit_ros_benchmarks", "plotjuggler", "plotjuggler_ros", "rosbag", "ros2bag")
+)
+#: So many packages with a launch file of one name have it from a generator.
+_MANY = 3
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+#: Places that a script fills in when it copies the file: ``$NAME$``, ``@NAME@``, ``{{ name }}``.
+_BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w+ ?\}\})")
+
+
 def check(system: System) -> Iterator[Finding]:
     provided: dict[str, tuple[frozenset[str], bool]] = {}
     for use in system.facts(PackageUse):
@@ -42,6 +54,8 @@ def check(system: System) -> Iterator[Finding]:
         found, is_whole = provided[package.name]
         if use.package in found or not _exists(use.package, package.ros, system):
             continue
+        if _is_left_out(package, use, system):
+            continue
         tag = "exec_depend" if package.format > 1 else "run_depend"
         yield Finding(
             at=_manifest(package),
@@ -51,8 +65,33 @@ def check(system: System) -> Iterator[Finding]:
             related=((use.location, f"needs {use.package}"),),
             flow=included_by(use),
             apart=(use.package,),
-            level=None if is_whole else Level.NOTE,
+            level=None if is_whole and not _is_aside(use, system) else Level.NOTE,
         )
+
+
+def _is_left_out(package: Package, use: PackageUse, system: System) -> bool:
+    """Whether the manifest has the dependency in a comment, or the launch file is a template that is yet to be filled in."""
+    if system.workspace is None:
+        return False
+    comments = _COMMENT.findall(system.workspace.text(_manifest(package).path))
+    if any(re.search(rf">\s*{re.escape(use.package)}\s*<", comment) for comment in comments):
+        return True
+    return _BLANK.search(system.workspace.text(use.location.path)) is not None
+
+
+def _is_aside(use: PackageUse, system: System) -> bool:
+    """Whether it is a tool for developers, or a launch file that several packages have alike, none of which declares it.
+
+    Such files come from a generator (MoveIt's setup assistant), and packages ship without what few of their users want.
+    """
+    if use.package in _TOOLS or use.package.startswith("rqt"):
+        return True
+    name = "/" + use.location.path.rpartition("/")[2]
+    names = system.workspace.names if system.workspace is not None else ()
+    alike = [path for path in sorted(names) if path.endswith(name)]
+    owners = {each.name: each for path in alike if (each := owner(system, Location(path, 1))) is not None}
+    declared = {dependency.name for each in owners.values() for dependency in each.dependencies}
+    return len(owners) >= _MANY and use.package not in declared
 
 
 def _exists(name: str, ros: int | None, system: System) -> bool:

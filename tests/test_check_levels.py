@@ -263,3 +263,28 @@ def test_a_launch_configuration_that_the_command_line_can_give(
     cmake = CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)")
     every = {"package.xml": ROS2, "CMakeLists.txt": cmake, "launch/a.launch.xml": READS, **files}
     assert levels("unset-launch-argument", every, tmp_path) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("packages", "uses", "declares", "expected"),
+    [
+        (2, "joy", "", [Level.WARNING, Level.WARNING]),
+        (3, "joy", "", [Level.NOTE] * 3),
+        (3, "joy", "<exec_depend>joy</exec_depend>", [Level.WARNING, Level.WARNING]),
+        (1, "rqt_graph", "", [Level.NOTE]),
+        (1, "moveit_setup_assistant", "", [Level.NOTE]),
+    ],
+)
+def test_dependencies_of_launch_files_from_a_generator(
+    packages: int, uses: str, declares: str, expected: list[Level], tmp_path: Path
+) -> None:
+    """*declares* is what the last package of several has."""
+    files = {}
+    for number in range(packages):
+        more = declares if number + 1 == packages else ""
+        build = "<export><build_type>ament_cmake</build_type></export>"
+        manifest = PACKAGE.format("ament_cmake", "rclcpp", more + build)
+        files[f"p{number}/package.xml"] = manifest.replace("demo", f"p{number}")
+        files[f"p{number}/CMakeLists.txt"] = CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)")
+        files[f"p{number}/launch/a.launch.xml"] = f'<launch><node pkg="{uses}" exec="x"/></launch>\n'
+    assert levels("undeclared-launch-dependency", files, tmp_path) == expected

@@ -234,5 +234,5 @@ def test_settings_that_cannot_be_read_are_named(trap: Trap) -> None:
     outcome = trap.run("--baseline-rev=main")
     assert_harmless(trap, outcome)
     notes = dict(outcome.notes())
-    assert "cannot be read, so what it turns off is not known" in notes["ruff.toml"]
-    assert "cannot be read, so what it turns off is not known" in notes[".yamllint"]
+    assert "cannot be read, so the rules that they turn off are unknown" in notes["ruff.toml"]
+    assert "cannot be read, so the rules that they turn off are unknown" in notes[".yamllint"]
