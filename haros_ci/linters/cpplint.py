@@ -28,6 +28,8 @@ LINE_LENGTH = {1: 120, 2: 100, None: 100}
 HEADERS = "h,hh,hpp,hxx,h++,cuh"
 SUFFIXES = frozenset("c cc cpp cxx c++ h hh hpp hxx h++ ipp tpp txx inl cu cuh".split())
 
+#: Suffixes of files that are there to be included: templates apart from their header, tables, CUDA.
+_PARTS = (".cu", ".cuh", ".ipp", ".tpp", ".txx", ".ixx", ".inl", ".impl", ".inc", ".def", ".icc")
 _LINE = re.compile(r"(\d+|None):  (.*)  \[([\w/+]+)\] \[(\d)\]$", re.DOTALL)
 
 
@@ -98,18 +100,25 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if match is None or match[1] not in paths:
             continue
         said = _LINE.fullmatch(line, match.end())
-        if said is not None and not _is_cuda(match[1], said[3], said[2]):
+        if said is not None:
             place = Location(match[1], whole_number(said[1]) or None)
+            if _is_part(match[1], said[3], said[2], batch.workspace, place.line):
+                continue
             yield Finding(match[1], Result(NAME, said[3], Level.WARNING, said[2], place))
 
 
-def _is_cuda(path: str, category: str, message: str) -> bool:
-    """Whether cpplint takes a CUDA file that is included for a source that is not to be."""
-    return (
-        category == "build/include"
-        and "Do not include" in message
-        and (".cu" in message or path.endswith((".cu", ".cuh")))
-    )
+def _is_part(path: str, category: str, message: str, workspace: Workspace, line: int | None) -> bool:
+    """Whether cpplint takes a part of a header (``.ipp``), a CUDA file, or a source beside the file for one "from other packages".
+
+    It looks at the suffix alone. What is included by its bare name in quotes lies beside the file.
+    """
+    if category != "build/include" or "Do not include" not in message:
+        return False
+    if path.endswith((".cu", ".cuh")) or any(f"include {suffix} files" in message for suffix in _PARTS):
+        return True
+    lines = workspace.text(path).split("\n") if line else []
+    text = lines[line - 1] if line and line <= len(lines) else ""
+    return re.match(r'\s*#\s*include\s*"[^"/]+"', text) is not None
 
 
 def _settings(workspace: Workspace, directory: str) -> Iterator[str]:

@@ -71,6 +71,24 @@ def test_cpplint_stays_quiet(tmp_path: Path, line: str) -> None:
     assert parse(cpplint, tmp_path, {"a b.cpp": ""}, DONE, line) == []
 
 
+INCLUDED = "./a b.cpp:{}:  Do not include {} files from other packages.  [build/include] [4]"
+
+
+@pytest.mark.parametrize(
+    ("number", "suffix"), [(1, ".cpp"), (2, ".cpp"), (3, ".ipp"), (4, ".inl"), (4, ".cu"), (3, ".inc"), (5, ".cpp")]
+)
+def test_cpplint_on_a_part_of_a_header(tmp_path: Path, number: int, suffix: str) -> None:
+    text = '#include "part.cpp"\n  # include  "part.cpp"  // beside it\n#include <a/b.ipp>\n#include "a/b.inl"\n#include "p.cpp"\n'
+    assert parse(cpplint, tmp_path, {"a b.cpp": text}, DONE, INCLUDED.format(number, suffix)) == []
+
+
+@pytest.mark.parametrize(("number", "suffix"), [(1, ".cpp"), (2, ".cc"), (3, ".cpp"), (9, ".cpp")])
+def test_cpplint_on_a_source_of_another_package(tmp_path: Path, number: int, suffix: str) -> None:
+    text = '#include "other/a.cpp"\n#include <other/a.cc>\n#include <a.cpp>\n'
+    (said,) = parse(cpplint, tmp_path, {"a b.cpp": text}, DONE, INCLUDED.format(number, suffix))
+    assert isinstance(said, Finding) and said.result.rule == "build/include"
+
+
 @pytest.mark.parametrize("stdout", ["", "Total errors found: 0\n", "Done processing ./b.cpp\n"])
 def test_cpplint_must_answer_for_every_file(tmp_path: Path, stdout: str) -> None:
     with pytest.raises(ValueError, match="no answer for a b.cpp"):
