@@ -25,6 +25,13 @@ _MAKES_NAMES = re.compile(
     r"\b(?:globals|vars|locals)\(\)[ \t]*(?:\[|\.(?:update|setdefault)\b)|(?<![\w.])exec(?:file)?\("
 )
 
+_LATE = re.compile(r"^from __future__ import [^\n]*\bannotations\b", re.MULTILINE)
+_ANNOTATED = re.compile(r"(?:->|[\w)\]][ \t]*:)[ \t]*[\w\[\]., |]*$")
+#: Where a colon begins no annotation.
+_STATEMENT = re.compile(
+    r"\s*(?:if|elif|else|for|while|with|try|except|finally|class|return|lambda|assert|case)\b|[^#]*[{]|[^#]*\[[^\]]*:|[^#]*\blambda\b"
+)
+
 
 def weighed_names(
     results: Iterable[Result],
@@ -34,7 +41,7 @@ def weighed_names(
 ) -> tuple[Result, ...]:
     """*results* without names that something else defines, and with a warning for those that may well be defined.
 
-    May be: a name of Python 2 in a package of ROS 1, all of whose distributions but the last have Python 2 (REP 3); a name
+    Or that nothing evaluates: in annotations, where the file imports them from __future__ (PEP 563). May be: a name of Python 2 in a package of ROS 1, all of whose distributions but the last have Python 2 (REP 3); a name
     in a string, where annotations stand that are not evaluated; any name where the file makes names of strings. *text* reads
     a path, *is_ros1* tells of one whether it is of a package of ROS 1; where the level *is_given* by the settings it stands.
     """
@@ -46,10 +53,20 @@ def weighed_names(
             if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _ASKS_FOR_VERSION.search(whole)):
                 continue
             old = name[1] in OF_PYTHON_2 and is_ros1(result.location.path)
-            if (old or _is_in_string(result, whole) or _MAKES_NAMES.search(whole)) and not is_given(result):
+            unsure = old or _is_in_string(result, whole) or _is_in_annotation(result, whole)
+            if (unsure or _MAKES_NAMES.search(whole)) and not is_given(result):
                 result = replace(result, level=max(result.level, Level.WARNING, key=lambda level: level.rank))
         weighed.append(result)
     return tuple(weighed)
+
+
+def _is_in_annotation(result: Result, text: str) -> bool:
+    """Whether the place of *result* is in an annotation on its line, and the file has none evaluated."""
+    lines, at = text.split("\n"), result.location
+    if not at.line or not at.column or at.line > len(lines) or not _LATE.search(text):
+        return False
+    before = lines[at.line - 1][: at.column - 1]
+    return _ANNOTATED.search(before) is not None and not _STATEMENT.match(before)
 
 
 def _is_in_string(result: Result, text: str) -> bool:

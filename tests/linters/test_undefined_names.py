@@ -66,3 +66,37 @@ def test_names_that_others_define() -> None:
 def test_a_level_that_the_settings_give_stands() -> None:
     said = Result("ruff", "F821", Level.ERROR, "Undefined name `xrange`", Location("a.py", 1, 1))
     assert weighed_names([said], lambda path: "xrange\n", lambda path: True, lambda result: True) == (said,)
+
+
+LATE = "from __future__ import annotations\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "HOME: Final = 1\n",
+        "class A:\n    home: Final[str] = 'a'\n",
+        "def f(a: int, b: list[Final]) -> None: ...\n",
+        "def f(a: int) -> dict[str, Final]: ...\n",
+        "def f(\n    a: int | Final,\n): ...\n",
+    ],
+)
+def test_annotations_that_nothing_evaluates(text: str) -> None:
+    assert level("Final", LATE + text) is Level.WARNING
+    assert level("Final", text) is Level.ERROR
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "home: str = Final\n",
+        "if home: Final\n",
+        "print({1: Final})\n",
+        "f = lambda a: Final\n",
+        "def f(a=Final): ...\n",
+        "a[1:Final]\n",
+        "a[b:Final]\n",
+    ],
+)
+def test_what_is_evaluated_all_the_same(text: str) -> None:
+    assert level("Final", LATE + text) is Level.ERROR

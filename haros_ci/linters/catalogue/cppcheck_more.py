@@ -91,7 +91,7 @@ GROUPS: tuple[Group, ...] = (
         "Unused code misleads the reader and often points at a slip. Remove it, or use the value.",
         ("redundancy", "unused-code"),
         (
-            ("redundantAssignment", "Rs", "Assigned value overwritten before it is read."),
+            ("redundantAssignment", "Ss", "Assigned value overwritten before it is read."),
             ("redundantContinue", "Ss", "Redundant continue."),
             ("redundantIfRemove", "Ss", "Redundant search before a removal."),
             ("redundantInitialization", "Ss", "Initial value overwritten before it is read."),
