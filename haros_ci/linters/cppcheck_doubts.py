@@ -15,6 +15,9 @@ _OF_LITERALS = frozenset({"assignBoolToPointer", "selfAssignment", "AssignmentIn
 _OF_UNUSED = frozenset({"unreadVariable", "unusedVariable"})
 #: ``Variable 'pose(2)' is assigned …`` and ``Unused variable: pose``.
 _SUBJECT = re.compile(r"'([^']+)'|: (\w+)\.?$")
+_OF_UNSET = frozenset({"uninitvar", "legacyUninitvar", "uninitStructMember"})
+#: ``Uninitialized variable: made.cost``: to return *made* copies the member, and the caller may set it.
+_MEMBER = re.compile(r": (\w+)\.\w+$")
 #: Types whose objects refer to what others own: who writes to them writes there.
 _VIEW = (
     r"\b(?:(?:Ref|Map|Block|VectorBlock|span|mdspan|ArrayRef|reference_wrapper)\s*<[^;{{}}()]{{0,200}}>|Mat_?(?:<[^;<>]{{0,200}}>)?)"
@@ -44,6 +47,11 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     if rule in _OF_LITERALS:
         lines = text.split("\n")
         return 0 < line <= len(lines) and _NAMED_ARGUMENT.search(lines[line - 1]) is not None
+    member = _MEMBER.search(message.rstrip(".")) if rule in _OF_UNSET else None
+    if member is not None:
+        lines = text.split("\n")
+        returned = rf"\s*return\s+{member[1]}\s*;"
+        return 0 < line <= len(lines) and re.match(returned, lines[line - 1]) is not None
     if rule == "missingReturn":
         return _is_exhaustive(line, text)
     subject = _SUBJECT.search(message) if rule in _OF_UNUSED else None

@@ -29,6 +29,8 @@ REFUTED = [
     ("assignBoolToPointer", "Boolean value assigned to pointer.", 'm.def("f", &f, "on"_a = false);'),
     ("selfAssignment", "Redundant assignment of '\"a\"' to itself.", 'm.def("f", &f, "a"_a="a");'),
 ]
+COST = "Uninitialized variable: made.cost"
+REFUTED += [("uninitvar", COST, "return made;\n"), ("uninitvar", COST, "    return made ;\n")]
 SWITCH = "switch (kind)\n{\n  case Kind::A:\n    return 1;\n  case Kind::B: { return 2; }\n}\n"
 EXIT = "Found an exit path from function with non-void return type that has missing return statement."
 REFUTED += [
@@ -37,6 +39,12 @@ REFUTED += [
     ("missingReturn", EXIT, SWITCH.replace("Kind::", "robot::Kind::")),
 ]
 STANDS = [
+    ("uninitvar", COST, "return made.cost;\n"),
+    ("uninitvar", COST, "return other;\n"),
+    ("uninitvar", COST, "return made + 1;\n"),
+    ("uninitvar", COST, "use(made);\n"),
+    ("uninitvar", "Uninitialized variable: made", "return made;\n"),
+    ("nullPointer", "Null pointer dereference: made.cost", "return made;\n"),
     ("missingReturn", EXIT, SWITCH.replace("Kind::", "")),
     ("missingReturn", EXIT, SWITCH.replace("Kind::A", "1").replace("Kind::B", "2")),
     ("missingReturn", EXIT, SWITCH.replace("case Kind::B", "default")),
