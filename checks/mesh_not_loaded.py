@@ -14,9 +14,14 @@ _SUFFIXES = (".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx", ".3ds", ".
 
 def check(project: Project) -> Iterator[Finding]:
     meshes = [path for path in project.workspace.names if path.lower().endswith(_SUFFIXES)]
+    disguised: set[str] = set()
     for description in descriptions(project):
         for mesh in description.robot.meshes:
             said = fault(mesh, project, meshes) if mesh.filename else ""
+            if said and mesh.path is not None and not mesh.is_missing:
+                if mesh.path in disguised:  # several robots may have the one file
+                    continue
+                disguised.add(mesh.path)
             if said:
                 yield Finding(
                     at=mesh.location,
@@ -24,7 +29,7 @@ def check(project: Project) -> Iterator[Finding]:
                     about=(description.package or description.robot.path, mesh.filename or ""),
                     flow=lead(description, mesh.way),
                     apart=(mesh.filename or "",),
-                    level=Level.ERROR if mesh.is_missing and mesh.certain else None,
+                    level=Level.NOTE if not mesh.is_missing else Level.ERROR if mesh.certain else None,
                 )
 
 
@@ -41,8 +46,8 @@ def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:
     if mesh.path is not None and mesh.path.lower().endswith(".stl") and is_disguised(project.workspace.head(mesh.path)):
         name = mesh.path.rpartition("/")[2]
         return (
-            f"{name} is a binary STL file, but its header begins with 'solid' like a text STL file: some programs "
-            "parse it as text and load no geometry; export it with another header"
+            f"{name} is a binary STL file, but its header begins with 'solid' like a text STL file: a program that does not "
+            "compare the size parses it as text and loads no geometry; export it with another header"
         )
     return ""
 

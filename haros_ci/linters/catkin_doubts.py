@@ -19,6 +19,7 @@ _COMPUTED = (
 )
 #: Variables that catkin_lint evaluates.
 _KNOWN = re.compile(r"(?:CMAKE_|PROJECT_|CATKIN_|catkin_)\w*|\w+_(?:SOURCE|BINARY)_DIR")
+_SIMPLE = re.compile(r"^\s*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
 #: Characters of a statement that are looked at.
 _LONGEST = 2000
 
@@ -29,6 +30,11 @@ def is_refuted(rule: str, message: str, directory: str, path: str, line: int | N
     A missing file is not known to be missing if its name has a variable that catkin_lint does not evaluate; a file of
     another place of the same repository is there wherever the repository is.
     """
+    if rule == "MISSING_CMD":  # the macros of catkin_simple call catkin_package() and what belongs to it
+        return (
+            "catkin_package" in message
+            and _SIMPLE.search(workspace.text(join(directory, "CMakeLists.txt"))) is not None
+        )
     named = _FILE.search(message)
     if named is None:
         return False

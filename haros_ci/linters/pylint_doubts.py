@@ -31,6 +31,7 @@ _NEAR = 40
 #: Characters of a line that are looked at.
 _LONGEST = 400
 _NAME = re.compile(r"[A-Za-z_][\w.]*")
+_BRANCH = re.compile(r"\s*(?:if|elif|else)\b")
 _MAIN = re.compile(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
 
 
@@ -45,8 +46,29 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     if rule == "not-callable":
         return _is_tested(text, line, column)
     if rule == "possibly-used-before-assignment":
-        return _is_of_main(text, line, column)
+        return _is_of_main(text, line, column) or _is_module(text, line, column)
     return False
+
+
+def _is_module(text: str, line: int, column: int) -> bool:
+    """Whether the name there is a module that a branch imports above (``if os.name == 'nt'``): the use is behind the same test."""
+    lines = text.split("\n")
+    name = _NAME.match(lines[line - 1][column : column + _LONGEST]) if 0 < line <= len(lines) else None
+    if name is None:
+        return False
+    word = re.escape(name[0].partition(".")[0])
+    imported = re.compile(
+        rf"^[ \t]+(?:import[ \t]+(?:[\w., \t]*\b)?{word}\b|from[ \t]+[\w.]+[ \t]+import[ \t][^\n#]*\b{word}\b)"
+    )
+    above = (index for index, each in enumerate(lines[: line - 1]) if imported.match(each[:_LONGEST]))
+    return any(_BRANCH.match(_head(lines, index)) for index in above)
+
+
+def _head(lines: list[str], index: int) -> str:
+    """The line above *index* that begins the block that it is in."""
+    indent = len(lines[index]) - len(lines[index].lstrip())
+    above = (each for each in reversed(lines[:index]) if each.strip() and len(each) - len(each.lstrip()) < indent)
+    return next(above, "")
 
 
 def _is_decorated(text: str, line: int, column: int) -> bool:

@@ -6,7 +6,8 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from haros_ci.linters import installed, pylint_doubts, python2, ruff_config, settings_files
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
@@ -76,21 +77,25 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     """The JSON report: absolute names, code points from 1, ends exclusive; a syntax error may lack its code."""
     roots = {os.path.abspath(batch.workspace.root), os.path.realpath(batch.workspace.root)}
     paths = {os.path.join(root, file.path): file.path for root in roots for file in batch.files}
-    silenced: set[str] = set()
-    for said in json.loads(output.stdout):
+    answers = json.loads(output.stdout)
+    broken = {paths.get(said["filename"]): said["location"]["row"] for said in reversed(answers) if _is_syntax(said)}
+    old = {path for path in broken if path is not None and python2.is_python2(batch.workspace.text(path))}
+    for path in sorted(old):
+        yield GaveUp(path, "it is Python 2", broken[path])
+    for said in answers:
         path, rule = paths.get(said["filename"]), said["code"] or SYNTAX
-        if path is None or path in silenced:
-            continue
+        if path is None or path in old or (path in broken and rule != SYNTAX):
+            continue  # what ruff makes of the rest of a file that it cannot parse is a guess
         start, end = said["location"], said["end_location"]
-        if rule == SYNTAX and python2.is_python2(batch.workspace.text(path)):
-            silenced.add(path)
-            yield GaveUp(path, "it is Python 2", start["row"])
-            continue
         if _is_refuted(rule, start["row"], start["column"] - 1, batch.workspace.text(path)):
             continue
         place = Location(path, start["row"], start["column"], end["row"], end["column"])
         level = Level.ERROR if rule == SYNTAX else Level.WARNING
         yield Finding(path, Result(NAME, rule, level, said["message"], place))
+
+
+def _is_syntax(said: Mapping[str, Any]) -> bool:
+    return (said["code"] or SYNTAX) == SYNTAX
 
 
 def _is_refuted(rule: str, line: int, column: int, text: str) -> bool:

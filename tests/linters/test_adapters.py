@@ -245,7 +245,10 @@ def test_ruff(tmp_path: Path) -> None:
 
     items = [
         item(tmp_path / "a.py", "F401"),
+        item(tmp_path / "b.py", "F821"),
         item(tmp_path / "b.py", None, 2),
+        item(tmp_path / "b.py", "F401", 3),
+        item(tmp_path / "c.py", "F821"),
         item(tmp_path / "c.py", None, 2),
         item(tmp_path / "c.py", "F401"),
         item(Path("/etc/passwd"), "F401"),
@@ -253,9 +256,9 @@ def test_ruff(tmp_path: Path) -> None:
     files = {"a.py": "import os\n", "b.py": "\n(\n", "c.py": "\nprint 'x'\n"}
     said = parse(ruff, tmp_path, files, json.dumps(items))
     assert brief(said) == [
+        ("c.py", "it is Python 2", 2),
         ("a.py", "F401", "a.py:1:8"),
         ("b.py", "invalid-syntax", "b.py:2:8"),
-        ("c.py", "it is Python 2", 2),
     ]
 
 

@@ -15,6 +15,13 @@ from linter_samples import workspace
 MISSING = "add_rostest() needs missing file '{}'."
 NAMED = "get_filename_component(NAME ${CMAKE_CURRENT_SOURCE_DIR} NAME)\nadd_rostest(${NAME}.test)\n"
 REFUTED = [
+    (
+        "MISSING_CMD",
+        "missing catkin_package().",
+        "find_package(catkin_simple REQUIRED)\ncs_install()\ncs_export()\n",
+        None,
+    ),
+    ("MISSING_CMD", "missing catkin_package().", "  cs_export(INCLUDE_DIRS include)\n", 1),
     ("MISSING_FILE", MISSING.format(".test"), NAMED, 2),
     ("MISSING_FILE", MISSING.format("test/.test"), "", 1),
     ("MISSING_FILE", MISSING.format("${NAME}.test"), "", 1),
@@ -26,6 +33,9 @@ REFUTED = [
     ("EXTERNAL_FILE", "include() uses file '../common.cmake' which is not in package.", "", 1),
 ]
 STANDS = [
+    ("MISSING_CMD", "missing catkin_package().", "find_package(catkin REQUIRED)\n", None),
+    ("MISSING_CMD", "missing catkin_package().", "# cs_export()\n", None),
+    ("MISSING_CMD", "missing generate_messages().", "cs_export()\n", None),
     ("MISSING_FILE", MISSING.format("a.test"), "add_rostest(a.test)\n", 1),
     ("MISSING_FILE", MISSING.format("src/.hidden.cpp"), "add_rostest(src/.hidden.cpp)\n", 1),
     ("MISSING_FILE", MISSING.format("a.cpp"), "set(FILES a.cpp)\nadd_executable(a ${FILES})\n", 2),

@@ -41,7 +41,21 @@ REFUTED = [
         "args)",
     ),
 ]
+MODULE = "if os.name == 'nt':\n    import msvcrt\nelse:\n    import tty, termios\n"
+GET = "def get():\n    if os.name == 'nt':\n        return 1\n    termios.tcsetattr(x)\n"
+REFUTED += [
+    ("possibly-used-before-assignment", MODULE + GET, "termios.tcsetattr"),
+    ("possibly-used-before-assignment", MODULE + GET.replace("termios.tc", "tty.tc"), "tty.tcsetattr"),
+    ("possibly-used-before-assignment", "if a:\n  from b import c\nc()\n", "c()\n"),
+]
 STANDS = [
+    (
+        "possibly-used-before-assignment",
+        "try:\n    import termios\nexcept ImportError:\n    pass\n" + GET,
+        "termios.tcs",
+    ),
+    ("possibly-used-before-assignment", "if a:\n    termios = 1\n" + GET, "termios.tcs"),
+    ("possibly-used-before-assignment", MODULE + "if a:\n    speed = 1\nuse(speed)\n", "speed)"),
     ("pointless-statement", "fid = open(x)\nfid.close\n", "fid.close\n"),
     ("pointless-statement", "if x == 1:\n    pass\nx\n", "x\n"),
     ("pointless-statement", "sub = 1\nself.sub\n", "self.sub\n"),
