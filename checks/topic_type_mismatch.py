@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import (
@@ -22,6 +23,8 @@ from haros_ci.api import (
 
 #: Two types, the publisher's first, with all ends that have them.
 Pair = tuple[str, str]
+#: Lines of one statement.
+_STATEMENT = 3
 #: Defaults of parameters that have to be set: no names of topics.
 PLACEHOLDERS = ("unknown", "undefined", "unset", "none", "todo")
 
@@ -33,7 +36,7 @@ def check(system: System) -> Iterator[Finding]:
             continue
         found: dict[Pair, dict[End, None]] = {}
         for publisher, subscriber in topic.pairs():
-            if _differ(publisher, subscriber, topic):
+            if _differ(publisher, subscriber, topic, system):
                 ends = found.setdefault((publisher.type or "", subscriber.type or ""), {})
                 ends.update({publisher: None, subscriber: None})
         for pair, ends in found.items():
@@ -41,30 +44,40 @@ def check(system: System) -> Iterator[Finding]:
             about[topic] = None
             about.update(dict.fromkeys(ends))
         if not topic.subscribers:
-            yield from _among(topic, topic.publishers)
+            yield from _among(topic, topic.publishers, system)
         if not topic.publishers:
-            yield from _among(topic, topic.subscribers)
+            yield from _among(topic, topic.subscribers, system)
     for (_, given, taken), about in by_place.items():
         yield _finding(tuple(about), given, taken)
 
 
-def _differ(one: End, other: End, topic: Channel) -> bool:
+def _differ(one: End, other: End, topic: Channel, system: System) -> bool:
     """Whether their types differ, whichever of the alternatives in their code they are."""
     if one.type is None or other.type is None or one.implicit or other.implicit:
         return False
-    types, others = _types(one, topic), _types(other, topic)
+    types, others = _types(one, topic, system), _types(other, topic, system)
     return None not in types | others and not types & others
 
 
-def _types(end: End, topic: Channel) -> frozenset[str | None]:
+def _types(end: End, topic: Channel, system: System) -> frozenset[str | None]:
     """Its type, and those of the ends that the same node has instead: under other conditions, or in other releases."""
+    others = [each for each in topic.ends if each.node is end.node and each.kind == end.kind]
     if not _is_choice(end):
-        return frozenset({end.type})
-    return frozenset(e.type for e in topic.ends if e.node is end.node and e.kind == end.kind and _is_choice(e))
+        return frozenset(each.type for each in others if each is end or _is_beside(each, end, system))
+    return frozenset(each.type for each in others if _is_choice(each))
 
 
 def _is_choice(end: End) -> bool:
     return bool(end.conditions) or end.raw.source == "known-node"
+
+
+def _is_beside(one: End, other: End, system: System) -> bool:
+    """Whether they are the two sides of one conditional expression, which the model has no condition for."""
+    (first, last), path = sorted((one.location.line or 0, other.location.line or 0)), one.location.path
+    if path != other.location.path or last - first > _STATEMENT or system.workspace is None:
+        return False
+    text = "\n".join(system.workspace.text(path).split("\n")[max(first - 2, 0) : last])
+    return re.search(r"\?[^:]+:|\sif\b.+\selse\b", text, re.DOTALL) is not None
 
 
 def _finding(about: tuple[Channel | End, ...], given: str, taken: str) -> Finding:
@@ -107,10 +120,10 @@ def _nodes(ends: list[End]) -> str:
     return f"{names[0]}{more} ({line_of(first.location)})"
 
 
-def _among(topic: Channel, ends: tuple[End, ...]) -> Iterator[Finding]:
+def _among(topic: Channel, ends: tuple[End, ...], system: System) -> Iterator[Finding]:
     """Ends of one kind without another end in the system: who is there outside of it fits one of their types."""
     for one, other in can_meet(ends, ends):
-        if _differ(one, other, topic):
+        if _differ(one, other, topic, system):
             wrong = next((end for end in (other, one) if rule_of(end) is not None), other)
             verb, effect = (
                 ("publishes", "a subscriber receives the messages of one of the two only")
