@@ -80,13 +80,18 @@ def _is_left_out(package: Package, use: PackageUse, system: System) -> bool:
 
 
 def _is_aside(use: PackageUse, system: System) -> bool:
-    """Whether it is a tool for developers, or a launch file that several packages have alike, none of which declares it.
+    """Whether it is a tool for developers, or of a launch file that a user chooses by an argument or that several packages have.
 
-    Such files come from a generator (MoveIt's setup assistant), and packages ship without what few of their users want.
+    None of these may declare it. What is chosen is installed by who chooses it.
+
+    Files of one name in several packages come from a generator (MoveIt's setup assistant), and packages ship without what few of their users want.
     """
     if use.package in _TOOLS or use.package.startswith("rqt"):
         return True
-    name = "/" + use.location.path.rpartition("/")[2]
+    file = use.location.path.rpartition("/")[2]
+    if any(each.fullmatch(file) for each, _ in system.whole.chosen_files):
+        return True
+    name = "/" + file
     names = system.workspace.names if system.workspace is not None else ()
     alike = [path for path in sorted(names) if path.endswith(name)]
     owners = {each.name: each for path in alike if (each := owner(system, Location(path, 1))) is not None}

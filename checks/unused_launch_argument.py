@@ -63,8 +63,10 @@ def _stands_in(argument: ArgumentDeclaration, system: System) -> bool:
 def _is_passed(argument: ArgumentDeclaration, system: System) -> bool:
     """Whether an include of the workspace passes *argument* to the file, or one that may be of it does: then it is an interface."""
     path = argument.location.path
-    places = (path, path.rpartition("/")[2], "")
-    return any((place, argument.name) in system.whole.passed_arguments for place in places)
+    name = path.rpartition("/")[2]
+    if any((place, argument.name) in system.whole.passed_arguments for place in (path, name, "")):
+        return True
+    return any(argument.name in passed and file.fullmatch(name) for file, passed in system.whole.chosen_files)
 
 
 def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:

@@ -34,6 +34,12 @@ CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
 OF_TRANSPORTS = frozenset("format jpeg_quality png_level tiff".split())
 
 
+#: Lines that an include's tag with its file takes.
+_OF_INCLUDE = 4
+_FILE = re.compile(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
+_SUBSTITUTION = re.compile(r"\$\((?:arg|var|env|optenv|eval)\s[^()]*\)")
+
+
 class Given:
     """A parameter that *node* is given: its *key* is dotted in ROS 2, below the node's name in ROS 1."""
 
@@ -213,6 +219,16 @@ class Whole:
         return frozenset((use.path or _file_name(use.text), name) for use, name in every)
 
     @cached_property
+    def chosen_files(self) -> tuple[tuple[re.Pattern[str], frozenset[str]], ...]:
+        """Names of launch files that an include chooses by an argument (``slam_$(arg method).launch``), with what it passes."""
+        found: dict[str, set[str]] = {}
+        for system in self.systems:
+            for use in system.facts(IncludeUse):
+                if written := _chosen(system, use):
+                    found.setdefault(written, set()).update(passed.name for passed in use.passed)
+        return tuple((re.compile(written), frozenset(passed)) for written, passed in sorted(found.items()))
+
+    @cached_property
     def names(self) -> Mapping[str, frozenset[str]]:
         """The last parts of the names that the nodes of a program have, by ``package/executable``."""
         found: dict[str, set[str]] = {}
@@ -228,6 +244,19 @@ class Whole:
             names = [path for path in files if path.endswith(CODE) and not _OTHER.search(path)]
             self._sources[folder] = tuple(map(system.workspace.text, names))
         return self._sources.get(folder, ())
+
+
+def _chosen(system: System, use: IncludeUse) -> str:
+    """A pattern of the names that the file of an include in XML can have; "" if it has but one."""
+    if system.workspace is None or not use.location.line:
+        return ""
+    lines = system.workspace.text(use.location.path).split("\n")[use.location.line - 1 :][:_OF_INCLUDE]
+    written = _FILE.search("\n".join(lines))
+    name = written[1].rpartition("/")[2] if written is not None else ""
+    parts = _SUBSTITUTION.split(name)
+    if len(parts) < 2 or not any(len(part) > len(".xml") for part in parts):
+        return ""
+    return r"[\w.-]+".join(map(re.escape, parts))
 
 
 def taken_in(system: System) -> frozenset[tuple[Location, str]]:
