@@ -76,7 +76,8 @@ def check(project: Project) -> Iterator[Finding]:
                 yield _finding(package, thing, need)
         elif all(each.level is Level.NOTE for each in uninstalled(package, programs)):
             # else target-not-installed tells that the package has no install() at all
-            yield _finding(package, *next(iter(things.items()))) if len(things) == 1 else _nothing(package, things)
+            is_one = len(things) == 1 and package.ros == 2
+            yield _finding(package, *next(iter(things.items()))) if is_one else _nothing(package, things)
 
 
 def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
@@ -208,7 +209,7 @@ def _includes(package: ProjectPackage) -> Iterator[str]:
 
 
 def _nothing(package: ProjectPackage, things: Mapping[str, _Need]) -> Finding:
-    """One finding for a package without any install rule."""
+    """One finding for a package without any install rule; a note in ROS 1, where such a package is used from its devel space."""
     names = ", ".join(things)
     places = list(dict.fromkeys(place for need in things.values() for place in need.places))
     fix = install_line(package, _install_all(package, things), f"install {names}")
@@ -220,7 +221,7 @@ def _nothing(package: ProjectPackage, things: Mapping[str, _Need]) -> Finding:
         about=(package.name, *things),
         apart=tuple(things),
         related=tuple(places[:_SHOWN]),
-        level=Level.ERROR if is_needed else Level.WARNING,
+        level=Level.ERROR if is_needed else Level.WARNING if package.ros == 2 else Level.NOTE,
         fixes=(fix,) if fix is not None else (),
     )
 
@@ -245,7 +246,7 @@ def _finding(package: ProjectPackage, thing: str, need: _Need) -> Finding:
         )
     elif need.places:
         message = f"{what} of {package.name} is not installed, but {len(need.places)} places need it"
-        message = message.replace("1 places need", "something needs")
+        message = message.replace("1 places need it", "one place needs it")
     else:
         message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files"
     if not need.wrong and is_folder and package.build.commands:

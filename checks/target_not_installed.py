@@ -48,7 +48,10 @@ def _is_known(package: ProjectPackage) -> bool:
 
 
 def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Uninstalled]) -> Finding:
-    """One finding for a package without any install rule: nothing else of it is to be said."""
+    """One finding for a package without any install rule: nothing else of it is to be said.
+
+    A note in ROS 1, where who never installs uses such a package from its devel space.
+    """
     places = [(each.at, each.apart[0], each.level or Level.ERROR, each.related) for each in libraries]
     places += [(each.at, each.shown, each.level, each.related) for each in left]
     names = [name for _, name, _, _ in places]
@@ -61,7 +64,7 @@ def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Unins
         message=message,
         about=(package.name,),
         related=_related(((at, f"{name} is not installed") for at, name, _, _ in places[1:]), (r for *_, r in places)),
-        level=min((level for _, _, level, _ in places), key=_ORDER.index),
+        level=min((level for _, _, level, _ in places), key=_ORDER.index) if package.ros == 2 else Level.NOTE,
         fixes=_fixes(package, left) if left and not libraries and len({each.kind for each in left}) == 1 else (),
     )
 
