@@ -8,6 +8,9 @@ from collections.abc import Iterator, Mapping
 
 from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System, SystemNode, is_moved, is_slip
 
+#: Names that a message lists.
+_SHOWN = 5
+
 
 def check(system: System) -> Iterator[Finding]:
     reads = [end for end in system.ends if end.kind in ("getters", "setters") and end.node.ros == 1]
@@ -29,11 +32,16 @@ def check(system: System) -> Iterator[Finding]:
     by_last: dict[str, list[Parameter]] = {}
     for each in unread:
         by_last.setdefault(each.name.rpartition("/")[0], []).append(each)
+    moved: dict[tuple[SystemNode, str], list[tuple[End, Parameter, Location]]] = {}
     for end in _missing(reads, said, names):
         for each in _meant(end, by_last, unread):
             at = each.origin or each.location
-            if at is not None:
+            if at is not None and end.name.rpartition("/")[2] == each.name.rpartition("/")[2]:
+                moved.setdefault((end.node, at.path), []).append((end, each, at))
+            elif at is not None:
                 yield _finding(end, each, at)
+    for group in moved.values():  # the same slip with the name space for all parameters of a <node>
+        yield _finding(*group[0], tuple(group[1:]))
 
 
 def _missing(reads: list[End], said: set[str], names: set[str]) -> Iterator[End]:
@@ -57,15 +65,25 @@ def _meant(end: End, spaces: Mapping[str, list[Parameter]], unread: list[Paramet
             yield each
 
 
-def _finding(end: End, given: Parameter, at: Location) -> Finding:
+def _finding(
+    end: End, given: Parameter, at: Location, others: tuple[tuple[End, Parameter, Location], ...] = ()
+) -> Finding:
+    """The finding; *others* are parameters that are given in the same file with the same slip."""
+    names = [other.name for other, _, _ in others]
+    shown = ", ".join(names[:_SHOWN]) + (f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else "")
+    likewise = f"; likewise {shown}" if names else ""
     return Finding(
         at=at,
         message=(
             f"{end.node} reads the parameter {end.name}, which is never set, while {given.name} is set, which no node "
-            f"reads: the value has no effect; write {end.name}"
+            f"reads: the value has no effect; write {end.name}{likewise}"
         ),
-        about=(end, given.name),
-        related=((end.location, f"{end.name} is read here"),),
+        about=(end, given.name, *names),
+        apart=(given.name, *(each.name for _, each, _ in others)),
+        related=(
+            (end.location, f"{end.name} is read here"),
+            *((place, f"{each.name} is set here") for _, each, place in others),
+        ),
     )
 
 

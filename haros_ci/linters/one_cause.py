@@ -26,6 +26,14 @@ RULES = frozenset(
     """.split()
 )
 
+#: Rules that speak once of each argument of a call, or each name of an import: those of one line have one cause.
+OF_A_LINE = frozenset(
+    """
+    pylint:no-value-for-parameter pylint:unexpected-keyword-arg pylint:reimported ruff:F811 ruff:F507 flake8:F811
+    """.split()
+)
+)
+
 #: A finding names no more other places than this; the rest of a cause follows in another finding.
 MOST = 40
 
@@ -46,6 +54,15 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             candidates[result.rule, result.location.path].append(i)
     merged: dict[int, Result] = {}
     dropped: set[int] = set()
+    lines: dict[tuple[str, str, int], list[int]] = defaultdict(list)
+    for i, result in enumerate(given):
+        if result.full_id in OF_A_LINE and result.location.line:
+            lines[result.full_id, result.location.path, result.location.line].append(i)
+    for here in lines.values():
+        first, *others = sorted(here, key=lambda i: given[i].sort_key)[: MOST + 1]
+        if others:
+            merged[first] = _joined(given[first], [given[i] for i in others])
+            dropped.update(others)
     for (_, path), indexes in candidates.items():
         if len(indexes) > 1:
             for group in _groups(given, indexes, text(path)):

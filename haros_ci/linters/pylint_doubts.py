@@ -31,6 +31,7 @@ _NEAR = 40
 #: Characters of a line that are looked at.
 _LONGEST = 400
 _NAME = re.compile(r"[A-Za-z_][\w.]*")
+_OF_SHAPES = re.compile(r"\.(?:reshape|transpose|resize)[ \t]*\(")
 _BRANCH = re.compile(r"\s*(?:if|elif|else)\b")
 _MAIN = re.compile(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
 
@@ -43,6 +44,11 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return _is_on_purpose(text, line)
     if rule == "dangerous-default-value":
         return is_only_read(text, line)
+    if (
+        rule == "too-many-function-args"
+    ):  # NumPy's take a shape as one argument or as several, which pylint does not know
+        lines = text.split("\n")
+        return 0 < line <= len(lines) and _OF_SHAPES.search(lines[line - 1], column) is not None
     if rule == "not-callable":
         return _is_tested(text, line, column)
     if rule == "possibly-used-before-assignment":

@@ -60,3 +60,21 @@ def test_a_finding_names_so_many_places_at_most() -> None:
 def test_other_tools_pass_through() -> None:
     other = Result("pylint", "nullPointer", Level.ERROR, "'p'", Location("a.cpp", 3))
     assert one_cause([other, other], lambda path: TEXT) == (other, other)
+
+
+@pytest.mark.parametrize(
+    ("rule", "lines", "left"),
+    [
+        ("pylint:no-value-for-parameter", (3, 3, 5), 2),
+        ("ruff:F811", (1, 1, 1), 1),
+        ("pylint:undefined-variable", (3, 3), 2),
+        ("ruff:F821", (1, 1), 2),
+        ("pylint:F811", (1, 1), 2),
+    ],
+)
+def test_what_is_said_of_each_argument_or_name(rule: str, lines: tuple[int, ...], left: int) -> None:
+    tool, _, rule = rule.partition(":")
+    given = [Result(tool, rule, Level.ERROR, f"of {i}", Location("a.py", line, i + 1)) for i, line in enumerate(lines)]
+    found = one_cause(given, lambda path: "")
+    assert len(found) == left and found[0].message == "of 0"
+    assert sum(1 + len(result.related) for result in found) == len(lines)

@@ -44,11 +44,16 @@ REFUTED = [
 MODULE = "if os.name == 'nt':\n    import msvcrt\nelse:\n    import tty, termios\n"
 GET = "def get():\n    if os.name == 'nt':\n        return 1\n    termios.tcsetattr(x)\n"
 REFUTED += [
+    ("too-many-function-args", "a = points.reshape(-1, 1, 2)\n", "a = "),
+    ("too-many-function-args", "a.transpose (0, 2, 1)\n", "a.tr"),
     ("possibly-used-before-assignment", MODULE + GET, "termios.tcsetattr"),
     ("possibly-used-before-assignment", MODULE + GET.replace("termios.tc", "tty.tc"), "tty.tcsetattr"),
     ("possibly-used-before-assignment", "if a:\n  from b import c\nc()\n", "c()\n"),
 ]
 STANDS = [
+    ("too-many-function-args", "shape(1, 2, 3)\n", "shape"),
+    ("too-many-function-args", "reshape(1, 2, 3)\n", "reshape"),
+    ("too-many-function-args", "a.reshape(1).fill\nf(1, 2)\n", "f(1"),
     (
         "possibly-used-before-assignment",
         "try:\n    import termios\nexcept ImportError:\n    pass\n" + GET,
