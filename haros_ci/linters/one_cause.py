@@ -32,7 +32,6 @@ OF_A_LINE = frozenset(
     pylint:no-value-for-parameter pylint:unexpected-keyword-arg pylint:reimported ruff:F811 ruff:F507 flake8:F811
     """.split()
 )
-)
 
 #: A finding names no more other places than this; the rest of a cause follows in another finding.
 MOST = 40
