@@ -351,3 +351,33 @@ def test_a_launch_configuration_that_the_command_line_can_give(
     cmake = CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)")
     every = {"package.xml": ROS2, "CMakeLists.txt": cmake, "launch/a.launch.xml": READS, **files}
     assert levels("unset-launch-argument", every, tmp_path) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("/home/anna/certificates/robot.pem", Level.NOTE),
+        ("/home/anna/robot.KEY", Level.NOTE),
+        ("/data/tls/server.crt", Level.NOTE),
+        ("/data/tls/client.p12", Level.NOTE),
+        ("/home/anna/.ssh/id_rsa", Level.NOTE),
+        ("/home/anna/keys/id_ed25519.pub", Level.NOTE),
+        ("/home/anna/api_token.txt", Level.NOTE),
+        ("/home/anna/credentials.json", Level.NOTE),
+        ("/home/anna/maps/keyframes.yaml", Level.WARNING),
+        ("/home/anna/tokenizer/words.json", Level.WARNING),
+        ("/home/anna/maps/monkey.dae", Level.WARNING),
+        ("/data/secretariat/hall.yaml", Level.WARNING),
+    ],
+)
+def test_paths_of_credentials(path: str, expected: Level, tmp_path: Path) -> None:
+    launch = f'<launch><arg name="x" default="{path}"/><node pkg="demo" exec="n" args="$(var x)"/></launch>\n'
+    files = {
+        "package.xml": ROS2,
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)"),
+        "launch/a.launch.xml": launch,
+    }
+    check = next(check for check in checks() if check.id == "machine-specific-path")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level == expected
+    assert ("find-pkg-share" in result.message) == (expected is Level.WARNING)
