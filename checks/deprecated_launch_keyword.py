@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Fix, Level, System
-from haros_ci.api.launch import ConstructUse, included_by, renamed_keyword
+from haros_ci.api.launch import ConstructUse, depends_on_distribution, included_by, renamed_keyword
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -15,7 +15,10 @@ def check(system: System) -> Iterator[Finding]:
         if use.kind == "deprecated":
             calls.setdefault((use.location, use.presence, use.included), []).append(use)
     for uses in calls.values():
-        yield _finding(system, uses)
+        place = uses[0].location
+        text = system.workspace.text(place.path) if system.workspace is not None else ""
+        if not depends_on_distribution(text, place):
+            yield _finding(system, uses)
 
 
 def _finding(system: System, uses: list[ConstructUse]) -> Finding:

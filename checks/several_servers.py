@@ -3,22 +3,99 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from weakref import WeakKeyDictionary
 
-from haros_ci.api import Channel, Check, End, Finding, Level, System, can_meet, named_at, way_to
+from haros_ci.api import Channel, Check, End, Finding, Level, System, SystemNode, Whole, can_meet, named_at, way_to
+
+#: Code of programs.
+CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
+#: Two nodes, and what both offer: the channel with the server of each.
+_Pairs = dict[tuple[str, str], list[tuple[Channel, End, End]]]
+
+_Key = tuple[str, ...]
+
+#: Of all systems that are seen together, where each pair of nodes is reported, and all that have it.
+_SEEN: WeakKeyDictionary[Whole, dict[_Key, list[tuple[System, SystemNode]]]] = WeakKeyDictionary()
+#: The services and actions, by kind and name, of which it was looked up whether something calls them.
+_CALLED: WeakKeyDictionary[Whole, dict[tuple[str, str], bool]] = WeakKeyDictionary()
 
 
 def check(system: System) -> Iterator[Finding]:
-    found: dict[tuple[str, str], list[tuple[Channel, End, End]]] = {}
+    for each in _pairs(system).values():
+        first, *others = _systems_with(each, system)
+        if first[0] is system:
+            yield _finding(each, [node for _, node in others])
+
+
+def _systems_with(pairs: list[tuple[Channel, End, End]], system: System) -> list[tuple[System, SystemNode]]:
+    """The systems in which the same two nodes offer the same, each with the second node: first one that has it by default."""
+    if system.whole not in _SEEN:
+        seen: dict[_Key, list[tuple[System, SystemNode]]] = {}
+        for each in system.whole.systems:
+            for found in _pairs(each).values() if not each.is_refused else ():
+                seen.setdefault(_key(found), []).append((each, found[0][2].node))
+        for every in seen.values():
+            every.sort(key=lambda one: bool(one[1].presence) or not one[1].is_default)
+        _SEEN[system.whole] = seen
+    return _SEEN[system.whole].get(_key(pairs)) or [(system, pairs[0][2].node)]
+
+
+def _key(pairs: list[tuple[Channel, End, End]]) -> _Key:
+    """The two nodes with their programs, and what both offer."""
+    _, first, second = pairs[0]
+    nodes = (f"{end.node.name} {end.node.type}" for end in (first, second))
+    return (*nodes, *(f"{channel.kind} {channel.name}" for channel, _, _ in pairs))
+
+
+def _pairs(system: System) -> _Pairs:
+    """The services and actions with two servers, by the nodes that offer them."""
+    found: _Pairs = {}
     for channel in (*system.services, *system.actions):
         if len(channel.servers) < 2:
             continue
         servers = [end for end in channel.servers if not end.implicit and not end.conditions]
         pair = next(((a, b) for a, b in can_meet(servers, servers) if _are_two(a, b)), None)
-        if pair is not None:
+        if pair is not None and (pair[0].in_source or pair[1].in_source or _is_called(channel, system)):
             found.setdefault((pair[0].node.name, pair[1].node.name), []).append((channel, *pair))
-    for each in found.values():
-        yield _finding(each)
+    return found
+
+
+def _is_called(channel: Channel, system: System) -> bool:
+    """Whether something in the workspace has a client of *channel*, or a command that calls it: seen in a system, or written in a file."""
+    known = _CALLED.setdefault(system.whole, {})
+    if (channel.kind, channel.name) not in known:
+        known[channel.kind, channel.name] = _calls(channel, system)
+    return known[channel.kind, channel.name]
+
+
+def _calls(channel: Channel, system: System) -> bool:
+    if any(each.name == channel.name and each.kind == channel.kind and each.takers for each in _channels(system)):
+        return True
+    if system.workspace is None:
+        return False
+    name = re.escape(channel.name.lstrip("/"))
+    command = re.compile(rf"""(?:\bcall|\bsend_goal)["',\s]+(?:-\w+\s+)*/?{name}(?![\w/])""")
+    client = re.compile(
+        rf"""(?:[cC]lient|ServiceProxy)\w*\s*(?:<[^;]{{0,200}}?>\s*\w*\s*)?[({{][^;"']{{0,200}}["']/?{name}["']"""
+    )
+    value = re.compile(rf"""[:-][ \t]+["']?/{name}["']?[ \t]*$""", re.MULTILINE)
+    for file in system.workspace.files:
+        text = system.workspace.text(file.path)
+        if channel.name.lstrip("/") not in text:
+            continue
+        if command.search(text) or (file.path.endswith((".yaml", ".yml")) and value.search(text)):
+            return True
+        if file.path.endswith(CODE) and file.language != "launch" and client.search(text):
+            return True
+    return False
+
+
+def _channels(system: System) -> Iterator[Channel]:
+    for each in system.whole.systems:
+        yield from each.services
+        yield from each.actions
 
 
 def _are_two(one: End, other: End) -> bool:
@@ -26,7 +103,7 @@ def _are_two(one: End, other: End) -> bool:
     return one.location != other.location if one.node is other.node else one.node.name != other.node.name
 
 
-def _finding(found: list[tuple[Channel, End, End]]) -> Finding:
+def _finding(found: list[tuple[Channel, End, End]], likewise: list[SystemNode]) -> Finding:
     channel, first, second = found[0]
     if second.node.ros == 1:
         effect = "the server that registers later takes over, and the other one gets no calls"
@@ -42,7 +119,10 @@ def _finding(found: list[tuple[Channel, End, End]]) -> Finding:
         at=second.node.location if is_twice else named_at(second),
         message=f"{whose} offer the {channel.kind} {channel}{more}: {effect}{advice}",
         about=tuple(part for each in found for part in each),
-        related=tuple((end.location, f"{end.word} {end.name}") for _, one, two in found for end in (one, two)),
+        related=(
+            *((end.location, f"{end.word} {end.name}") for _, one, two in found for end in (one, two)),
+            *((node.location, f"{node} is started beside {first.node} here, too") for node in likewise),
+        ),
         flow=way_to(second),
         level=None if first.in_source and second.in_source else Level.WARNING,  # other releases may have other services
     )

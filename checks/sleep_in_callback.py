@@ -18,12 +18,32 @@ from haros_ci.api.code import (
     Variable,
     call_place,
     called,
+    calls_of,
     dotted,
     in_callbacks,
     names_in,
+    nodes,
     type_name,
 )
 
+#: What registers callbacks that lose something while they wait: messages, and the beat of a timer. Services and actions keep their requests.
+LOSING = (
+    *(
+        "create_subscription",
+        "create_generic_subscription",
+        "create_wall_timer",
+        "create_timer",
+        "subscribe",
+        "Subscriber",
+    ),
+    *("createTimer", "createWallTimer", "createSteadyTimer", "Timer", "registerCallback", "TransformListener"),
+)
+#: Words of failures, and of calls that begin again after one.
+FAILURE = re.compile(r"fail|err(?:or|no)?(?:$|[_A-Z])|invalid|timed?_?out", re.IGNORECASE)
+AGAIN = re.compile(
+    r"^(?:re_?)?(?:init\w*|connect\w*|open\w*|start\w*|set_?up\w*|reset\w*)$|^re(?:connect|open|start|try|boot)",
+    re.IGNORECASE,
+)
 #: Sleeps shorter than this many seconds hold nobody up.
 SHORT = 0.02
 #: Sleeps shorter than this are a note: of a pause of a few cycles messages are seldom lost.
@@ -68,14 +88,17 @@ def check(project: Project) -> Iterator[Finding]:
                 seen.add(id(call))
                 found.setdefault(id(each.callback.routine), []).append((each, call, seconds))
     for every in found.values():
-        yield _finding(every)
+        yield _finding(code, every)
 
 
-def _finding(every: list[tuple[Reached, Call, float]]) -> Finding:
+def _finding(code: Codebase, every: list[tuple[Reached, Call, float]]) -> Finding:
     """One finding for a callback, however often it sleeps."""
     each, call, seconds = every[0]
     kind, title = each.callback.kind, each.callback.routine.title
-    long = f" for {seconds:g} s" if seconds >= 0 else ""
+    long = f" for {seconds:g} s" if seconds >= 0 else " for a time that is not known"
+    where = f"{title}, the callback of a {kind}"
+    if each.routine is not each.callback.routine:
+        where = f"{each.routine.title}, which {title}, the callback of a {kind}, runs"
     effect = (
         (
             "no other callback of the node's default group runs, and messages are delayed or lost; use a timer, or a "
@@ -86,16 +109,50 @@ def _finding(every: list[tuple[Reached, Call, float]]) -> Finding:
     )
     return Finding(
         at=call_place(each.routine, call),
-        message=f"the thread sleeps{long} in {title}, the callback of a {kind}: during the sleep {effect}",
+        message=f"the thread sleeps{long} in {where}: during the sleep {effect}",
         about=(title, "sleep"),
         related=tuple((call_place(other.routine, sleep), "also sleeps here") for other, sleep, _ in every[1:]),
         flow=each.flow(call, "sleeps here"),
-        level=Level.NOTE if all(_is_minor(*one) for one in every) else None,
+        level=Level.NOTE
+        if _loses_nothing(code, each.callback) or all(_is_minor(code, *one) for one in every)
+        else None,
     )
 
 
-def _is_minor(each: Reached, call: Call, seconds: float) -> bool:
-    """Whether it holds others up briefly, a known number of times, or where nobody waits."""
+def _loses_nothing(code: Codebase, callback: Callback) -> bool:
+    """Whether it is a service of a class, or of a file without one, that has no subscription and no timer: requests wait, and are not lost."""
+    if callback.kind not in ("service", "action"):
+        return False
+    maker = callback.maker
+    package = maker.source.package
+    return not any(
+        routine.path == maker.path or (routine.source.package == package and "" != routine.owner == maker.owner)
+        for routine, _ in calls_of(code, *LOSING)
+    )
+
+
+def _is_after_failure(code: Codebase, routine: Routine, call: Call) -> bool:
+    """Whether it stands where something has failed, and the routine begins again or returns: nothing is done for others then."""
+    body = code.body(routine)
+    for place in call.around:
+        if place.kind == "handler" or (place.kind == "then" and _is_failure(place.statement)):
+            if any(place in around for _, around in body.returns):
+                return True
+            if any(place in other.around and AGAIN.search(other.name) for other in body.calls):
+                return True
+    return False
+
+
+def _is_failure(test: Any) -> bool:
+    """Whether a condition is the negation of something, or names a failure."""
+    words = (str(node[-1]) for node in nodes(test) if node[0] in ("name", "field"))
+    return (test[0] == "op" and test[1] == "!") or any(map(FAILURE.search, words))
+
+
+def _is_minor(code: Codebase, each: Reached, call: Call, seconds: float) -> bool:
+    """Whether it holds others up briefly, a known number of times, after a failure, or where nobody waits."""
+    if _is_after_failure(code, each.routine, call):
+        return True
     if 0 <= seconds < BRIEF or any(place.kind == "loop" and _is_bounded(place) for place in call.around):
         return True
     return any(TOOLS.search(routine.path.lower()) for routine in (each.callback.maker, each.routine))

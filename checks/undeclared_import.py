@@ -4,25 +4,55 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of
 from haros_ci.api.packages import (
     Need,
     Provisions,
     Sources,
     add_dependency,
+    distributions_of,
     first_provider,
     imports_of,
     is_of_ros,
     last_dependency,
     needs_of,
+    normal,
     others_of,
+    pinned,
 )
 
+#: So many places of one module are related, and so many modules of one finding are named.
 _SHOWN = 3
+_NAMED = 5
 _PIP = re.compile(r"\bpip3?\s+install\s+([^;&|]*)")
 _KEY = re.compile(r"^python3?-|-pip$")
+
+
+@dataclass(frozen=True, slots=True)
+class _Missing:
+    """A package that is not declared: what to declare, *others* that would do as well, and the modules of it that are imported.
+
+    *pin* is where pip is asked for a version of it.
+    """
+
+    name: str
+    others: tuple[str, ...]
+    uses: tuple[Need, ...]
+    is_certain: bool
+    pin: Location | None
+
+    @property
+    def modules(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys(use.what.removeprefix("import ") for use in self.uses))
+
+    @property
+    def level(self) -> Level | None:
+        """bloom takes no keys of pip, and the system has one version only: many have their users install such by hand."""
+        is_pip = all(key.endswith("-pip") for key in (self.name, *self.others))
+        return Level.NOTE if is_pip or self.pin is not None else None
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -33,13 +63,40 @@ def check(project: Project) -> Iterator[Finding]:
         by_pip = set(_by_pip(package)) if needs else set()
         missing: dict[frozenset[str], list[Need]] = {}
         for need in needs:
-            names = {_KEY.sub("", name).lower() for name in (need.what.removeprefix("import "), *need.providers)}
-            if provided is not None and not names & by_pip and provisions.lacks(provided, need.providers):
+            if provided is not None and not _called(need) & by_pip and provisions.lacks(provided, need.providers):
                 missing.setdefault(need.providers, []).append(need)
-        built = _for_building(package, provisions, sources) if missing else frozenset()
+        if not missing:
+            continue
+        built = _for_building(package, provisions, sources)
+        pins = pinned(package)
+        groups: dict[Level | None, list[_Missing]] = {}
         for providers, uses in missing.items():
-            if not providers & built:
-                yield _finding(package, uses)
+            tested = sorted(providers & package.declared)
+            if providers & built:
+                continue
+            if tested:
+                yield _only_tested(package, tested[0], uses)
+            else:
+                each = _missing(package, uses, pins)
+                groups.setdefault(each.level, []).append(each)
+        for group in groups.values():
+            yield _finding(package, group)
+
+
+def _called(need: Need) -> frozenset[str]:
+    """The names that pip may have for what brings a module."""
+    stems = (normal(_KEY.sub("", name)) for name in need.providers)
+    return distributions_of(need.what.removeprefix("import ")).union(stems)
+
+
+def _missing(package: ProjectPackage, uses: list[Need], pins: Mapping[str, Location]) -> _Missing:
+    name = first_provider(uses[0].providers, package)
+    others = others_of(uses[0].providers, name, package)
+    is_certain = not others and is_of_ros(name, package.project)
+    if name.startswith(("python3-", "python-")) and not name.endswith("-pip"):
+        others = []  # of the other Python, of pip, or with more than the module
+    pin = next((pins[each] for use in uses for each in sorted(_called(use)) if each in pins), None)
+    return _Missing(name, tuple(others), tuple(uses), is_certain, pin)
 
 
 def _for_building(package: ProjectPackage, provisions: Provisions, sources: Sources) -> frozenset[str]:
@@ -53,47 +110,72 @@ def _by_pip(package: ProjectPackage) -> Iterator[str]:
     """What the build itself installs with pip."""
     for command in package.commands("execute_process", "add_custom_command", "add_custom_target", "install"):
         for match in _PIP.finditer(" ".join(command.arguments)):
-            yield from (re.split(r"[=<>~!\[]", word.strip("\"'"))[0].lower() for word in match[1].split())
+            yield from (normal(re.split(r"[=<>~!\[]", word.strip("\"'"))[0]) for word in match[1].split())
 
 
-def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
-    tested = sorted(uses[0].providers & package.declared)
-    if tested:
-        return _only_tested(package, tested[0], uses)
-    name = first_provider(uses[0].providers, package)
-    others = others_of(uses[0].providers, name, package)
+def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
+    """One finding for all modules of which the same is at stake: they are declared in one place."""
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
-    is_certain = not others and is_of_ros(name, package.project)
-    fix = add_dependency(package, "exec_depend", name) if is_certain else None
-    is_pip = all(key.endswith("-pip") for key in (name, *others))
-    if name.startswith("python3-") and not name.endswith("-pip"):
-        others = []  # of Python 2, of pip, or with more than the module
-    alternative = f" (or {', '.join(others)})" if others else ""
-    module = uses[0].what.removeprefix("import ")
+    modules = tuple(module for each in group for module in each.modules)
+    lines = [f"<{kind}>{each.name}</{kind}>{_alternative(each)}" for each in group]
+    if len(group) == 1:
+        them, fails = "it", f"the import fails on a machine without {group[0].name}"
+    else:
+        them, fails = "them", "the imports fail on a machine without these packages"
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} imports {module}, but package.xml declares no package that provides it: the import fails "
-        f"on a machine without {name}; add <{kind}>{name}</{kind}>{alternative}",
-        about=(package.name, name),
-        related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
-        apart=(name,),
-        level=Level.NOTE if is_pip else None,  # bloom takes no keys of pip: many have their users install such by hand
-        fixes=() if fix is None else (fix,),
+        message=f"{package.name} imports {_listed(modules)}, but package.xml declares no package that provides {them}: "
+        f"{fails}; add {_listed(lines)}",
+        about=(package.name, *modules),
+        related=tuple(place for each in group for place in _places(each)),
+        apart=modules,
+        level=group[0].level,
+        fixes=_fixes(package, group),
     )
+
+
+def _alternative(each: _Missing) -> str:
+    pin = f", unless pip is to install it: {line_of(each.pin)} asks for a version" if each.pin is not None else ""
+    return (f" (or {', '.join(each.others)})" if each.others else "") + pin
+
+
+def _places(each: _Missing) -> Iterator[tuple[Location, str]]:
+    for use in each.uses[:_SHOWN]:
+        yield use.location, f"needs {each.name}: {use.what}"
+    if each.pin is not None:
+        yield each.pin, "pip is asked for a version here"
+
+
+def _fixes(package: ProjectPackage, group: list[_Missing]) -> tuple[Fix, ...]:
+    made = [add_dependency(package, "exec_depend", each.name) if each.is_certain else None for each in group]
+    fixes = [fix for fix in made if fix is not None]
+    if len(fixes) < len(group):
+        return ()
+    return (
+        Fix(f"declare {_listed([each.name for each in group])}", tuple(edit for fix in fixes for edit in fix.edits)),
+    )
+
+
+def _listed(names: Sequence[str]) -> str:
+    """*names* in words, of many the first ones and how many more there are."""
+    if len(names) > _NAMED:
+        return f"{', '.join(names[:_NAMED])} and {len(names) - _NAMED} more"
+    return " and ".join(part for part in (", ".join(names[:-1]), names[-1]) if part)
 
 
 def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
     """What the manifest has for tests alone, and more than tests use."""
+    modules = tuple(dict.fromkeys(use.what.removeprefix("import ") for use in uses))
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
     line = next((each.line for each in package.raw.dependencies if each.name == name), None)
     return Finding(
         at=Location(package.manifest_path, line or 1),
         message=f"{package.name} imports {name} ({uses[0].what}), but declares it for tests only: an installation without "
         f"tests lacks it; write <{kind}>{name}</{kind}>",
-        about=(package.name, name),
+        about=(package.name, *modules),
         level=Level.WARNING,
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
-        apart=(name,),
+        apart=modules,
     )
 
 

@@ -166,6 +166,7 @@ class Arm(Node):
     def __init__(self):
         super().__init__("arm")
         self.create_service(Trigger, "home", self.home)
+        self.create_timer(0.1, self.tick)
 
     def home(self, request, response):
         {}

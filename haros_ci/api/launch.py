@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from haros_ci.checking.distributions import depends_on_distribution
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.model.launch_facts import (
@@ -39,6 +40,7 @@ __all__ = [
     "PassedArgument",
     "PathUse",
     "ProgramUse",
+    "depends_on_distribution",
     "included_by",
     "meant",
     "owner",

@@ -55,6 +55,7 @@ from haros_ci.checking.provision import (
     last_dependency,
     others_of,
 )
+from haros_ci.checking.requirements import distributions_of, normal, pinned
 from haros_ci.checking.uninstalled import (
     Programs,
     Uninstalled,
@@ -115,6 +116,7 @@ __all__ = [
     "brings",
     "build_types",
     "class_names",
+    "distributions_of",
     "drop_element",
     "drop_lines",
     "exported_under",
@@ -142,7 +144,9 @@ __all__ = [
     "may_be_installed",
     "needs",
     "needs_of",
+    "normal",
     "others_of",
+    "pinned",
     "place",
     "reaches",
     "registers_otherwise",

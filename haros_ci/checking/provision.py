@@ -133,19 +133,37 @@ def exists(names: frozenset[str], package: ProjectPackage) -> bool:
 
 
 def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
-    """Of *names* the one to declare: a package of the same ROS, else a key of rosdep, the shortest of each."""
+    """Of *names* the one to declare: a package of the same ROS, else a key of rosdep, the shortest of each.
+
+    Of keys for Python those come first that are of one Python with what the package declares, or else the other packages of the workspace.
+    """
     project = package.project
     usable = [each for each in names if _is_name(each, project)]
+    families = _families(package)
     return min(
         usable,
         key=lambda n: (
             not exists(frozenset((n,)), package),
             not is_of_ros(n, project),
+            bool(families) and _family(n) not in {"", *families},
+            n.endswith("-pip"),
             n.startswith("python-"),
             len(n),
             n,
         ),
     )
+
+
+def _families(package: ProjectPackage) -> frozenset[str]:
+    """The Python, ``python`` or ``python3``, of the keys that *package* declares; if it has none, those of the whole workspace."""
+    own = frozenset(filter(None, map(_family, package.declared)))
+    return own or frozenset(
+        filter(None, (_family(each.name) for raw in package.project.workspace.packages for each in raw.dependencies))
+    )
+
+
+def _family(key: str) -> str:
+    return key.partition("-")[0] if _PYTHON.match(key) else ""
 
 
 def others_of(names: frozenset[str], name: str, package: ProjectPackage) -> list[str]:

@@ -18,6 +18,9 @@ from haros_ci.results.rule import Level
 
 #: So many other names of which the same is to be said are named.
 SHOWN = 5
+#: Files that keep build tools out of a directory (haros_ci/workspace/selection.py has the same), and the tags of checks of what is built.
+_MARKERS = frozenset(("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"))
+_OF_BUILDS = frozenset(("packages", "build"))
 #: Launch arguments that have to be set, with their values.
 Assigned = tuple[tuple[str, str], ...]
 #: The system of the same configuration under other launch arguments; None if it cannot be had.
@@ -96,17 +99,42 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
     """Run those of *checks* that look at the whole workspace; one that fails loses no other's findings."""
     results: dict[tuple[object, ...], Result] = {}
     failures = []
+    unseen = _marked(project)
     for check in checks:
         if check.project is None:
             continue
         try:
             for finding in check.project(project):
+                if unseen and _OF_BUILDS.intersection(check.tags):
+                    finding = _of_no_build(finding, unseen)
                 each = _Told(check, _mendable(finding, project.text), None, ())
                 results.setdefault((*each.key, subject(finding.about)), _result(each, (), tool))
         except Exception as err:  # a fault of one check must not lose the others
             said = f"the check {check.id} failed: {type(err).__name__}: {err}"
             failures.append(Notification(Level.ERROR, said, tool=tool))
     return Checked(tuple(sorted(results.values(), key=lambda result: result.sort_key)), (), tuple(failures))
+
+
+def _marked(project: Project) -> tuple[str, ...]:
+    """The files that keep build tools out of directories which are analysed all the same, because they were given to the run.
+
+    One that a change adds does not count: a change hides nothing. colcon, catkin and ament pass over such a directory even where it is
+    the root of the search (colcon_core/package_discovery, catkin_pkg/packages.py).
+    """
+    marked = [path for path in project.workspace.names if path.rpartition("/")[2] in _MARKERS]
+    if marked and project.base is not None:
+        marked = [path for path in marked if path in project.base.workspace.names]
+    return tuple(sorted(marked))
+
+
+def _of_no_build(finding: Finding, markers: tuple[str, ...]) -> Finding:
+    """A *finding* on a manifest or build is a note where the repository's own build never sees it."""
+    for marker in markers:
+        folder = marker.rpartition("/")[0]
+        if not folder or finding.at.path.startswith(f"{folder}/"):
+            message = f"{finding.message.rstrip('. ')} ({marker} keeps the package out of builds)"
+            return replace(finding, level=Level.NOTE, message=message)
+    return finding
 
 
 def _mendable(finding: Finding, text: Callable[[str], str]) -> Finding:

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Modules that package.xml does not declare: one finding for a package and level, pip's own, and the key that is proposed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from test_check_levels import CMAKE, PACKAGE, ROS2, levels
+
+from haros_ci.api.testing import said
+from haros_ci.checking.page import Example
+from haros_ci.registry import checks
+from haros_ci.results.rule import Level
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "expected"),
+    [
+        ("demo/requirements.txt", "numpy\nscipy>=1.9,<2\n", Level.NOTE),
+        ("requirements.txt", "SciPy[all] == 1.9.3  # the last one\n", Level.NOTE),
+        ("requirements-robot.txt", "scipy~=1.9; python_version > '3.8'\n", Level.NOTE),
+        ("requirements/base.txt", "scipy==1.*\n", Level.NOTE),
+        (
+            "demo/setup.py",
+            "from setuptools import setup\nsetup(install_requires=['setuptools', 'scipy>=1.9'])\n",
+            Level.NOTE,
+        ),
+        ("demo/setup.cfg", "[options]\ninstall_requires =\n    scipy >= 1.9\n", Level.NOTE),
+        ("pyproject.toml", '[project]\ndependencies = [\n  "scipy>=1.9",\n]\n', Level.NOTE),
+        ("pyproject.toml", '[tool.poetry.dependencies]\npython = "^3.8"\nscipy = "^1.9"\n', Level.NOTE),
+        ("demo/requirements.txt", "scipy\nnumpy==1.26\n", Level.ERROR),
+        ("demo/requirements.txt", "scipy; python_version > '3.8'\n", Level.ERROR),
+        ("demo/requirements.txt", "# scipy==1.9\nscipy-stubs==1.9\n", Level.ERROR),
+        ("other/requirements.txt", "scipy==1.9\n", Level.ERROR),
+        (
+            "demo/setup.py",
+            "from setuptools import setup\nsetup(install_requires=['scipy'], python_requires='>=3.8')\n",
+            Level.ERROR,
+        ),
+        ("pyproject.toml", '[tool.black]\nscipy = "1"\n', Level.ERROR),
+    ],
+)
+def test_modules_of_which_pip_is_asked_for_a_version(path: str, text: str, expected: Level, tmp_path: Path) -> None:
+    files = {
+        "demo/package.xml": ROS2.replace("rclcpp", "rclpy"),
+        "demo/CMakeLists.txt": CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)"),
+        "demo/n.py": "#!/usr/bin/env python3\nimport scipy\n",
+        path: text,
+    }
+    assert levels("undeclared-import", files, tmp_path) == [expected]
+
+
+def messages(files: dict[str, str], tmp_path: Path) -> list[tuple[Level, str, tuple[str, ...]]]:
+    check = next(check for check in checks() if check.id == "undeclared-import")
+    found = said(check, Example("", True, files), tmp_path)
+    return [(result.level, result.message, result.subject) for result in found]
+
+
+def test_all_modules_of_a_level_are_one_finding(tmp_path: Path) -> None:
+    modules = ("cv2", "laser_geometry", "matplotlib", "scipy", "serial", "diagnostic_updater", "carla")
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "rclpy"),
+        "CMakeLists.txt": CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)"),
+        "n.py": "#!/usr/bin/env python3\n" + "".join(f"import {module}\n" for module in modules),
+        "requirements.txt": "pyserial==3.5\n",
+    }
+    (error, said_of_error, subject), (note, said_of_note, others) = sorted(
+        messages(files, tmp_path), key=lambda m: m[0].value
+    )
+    assert (error, note) == (Level.ERROR, Level.NOTE)
+    assert subject == ("cv2", "demo", "diagnostic_updater", "laser_geometry", "matplotlib", "scipy")
+    assert others == ("carla", "demo", "serial")
+    assert "imports cv2, laser_geometry, matplotlib, scipy and diagnostic_updater, but" in said_of_error
+    assert "<exec_depend>python3-scipy</exec_depend>" in said_of_error
+    assert "unless pip is to install it: requirements.txt:1 asks for a version" in said_of_note
+
+
+@pytest.mark.parametrize(
+    ("own", "sibling", "expected"),
+    [
+        ("", "", "python3-scipy"),
+        ("python-numpy", "", "python-scipy"),
+        ("python3-numpy", "python-numpy", "python3-scipy"),
+        ("", "python-numpy", "python-scipy"),
+        ("python-numpy", "python3-numpy", "python-scipy"),
+    ],
+)
+def test_the_key_is_of_the_family_that_is_declared(own: str, sibling: str, expected: str, tmp_path: Path) -> None:
+    def manifest(name: str, key: str) -> str:
+        more = f"<depend>{key}</depend>" if key else ""
+        return PACKAGE.format("catkin", "rospy", more).replace("demo", name)
+
+    files = {
+        "demo/package.xml": manifest("demo", own),
+        "demo/CMakeLists.txt": "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\n"
+        "catkin_package()\ncatkin_install_python(PROGRAMS n.py DESTINATION lib/demo)\n",
+        "demo/n.py": "#!/usr/bin/env python\nimport scipy\n",
+        "other/package.xml": manifest("other", sibling),
+    }
+    ((_, message, _),) = messages(files, tmp_path)
+    assert f"add <exec_depend>{expected}</exec_depend>" in message
