@@ -100,3 +100,15 @@ def test_the_key_is_of_the_family_that_is_declared(own: str, sibling: str, expec
     }
     ((_, message, _),) = messages(files, tmp_path)
     assert f"add <exec_depend>{expected}</exec_depend>" in message
+
+
+@pytest.mark.parametrize("host", ["slicer", "bpy", "omni", "gdb", "FreeCAD"])
+def test_scripts_of_a_program_with_its_own_python(host: str, tmp_path: Path) -> None:
+    files = {
+        "demo/package.xml": ROS2.replace("rclcpp", "rclpy"),
+        "demo/CMakeLists.txt": CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)"),
+        "demo/n.py": f"#!/usr/bin/env python3\nimport {host}\nimport scipy\n",
+    }
+    assert messages(files, tmp_path / "host") == []
+    files["demo/n.py"] = files["demo/n.py"].replace(host, "os")
+    assert len(messages(files, tmp_path / "plain")) == 1

@@ -39,13 +39,25 @@ _ASIDE = re.compile(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(conftest|setu
 _TEST = re.compile(r"(^|/)(test_[^/]*|[^/]*_test)\.py$")
 
 
+#: Modules that a program with a Python of its own has for its scripts: what else they import is there as well, or is not.
+_HOSTS = frozenset(
+    """
+    slicer bpy bmesh FreeCAD FreeCADGui maya pymel hou nuke unreal c4d adsk abaqus rhinoscriptsyntax omni isaacsim carb
+    robolink gdb lldb idaapi gimpfu krita
+    """.split()
+)
+
+
 def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Need]:
     """What installed files, or *tests*, import at the outermost level, outside of ``try`` and ``if``, with known providers."""
     project = package.project
     own = _own(package)
     for path, is_launch in _tested(package) if tests else _installed(package):
         program = project.programs.get(path)
-        for module, location in imported(path, project.text(path), program):
+        found = list(imported(path, project.text(path), program))
+        if any(module in _HOSTS for module, _ in found):
+            continue
+        for module, location in found:
             if module in own or module in _PYTHON or module == package.name:
                 continue
             if module in _APART:
