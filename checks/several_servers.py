@@ -76,9 +76,9 @@ def _calls(channel: Channel, system: System) -> bool:
     if system.workspace is None:
         return False
     name = re.escape(channel.name.lstrip("/"))
-    command = re.compile(rf"""(?:\bcall|\bsend_goal)["',\s]+(?:-\w+\s+)*/?{name}(?![\w/])""")
+    command = re.compile(rf"""(?:\bcall|\bsend_goal)["',\s]{{1,40}}(?:-\w{{1,40}}\s{{1,9}}){{0,5}}/?{name}(?![\w/])""")
     client = re.compile(
-        rf"""(?:[cC]lient|ServiceProxy)\w*\s*(?:<[^;]{{0,200}}?>\s*\w*\s*)?[({{][^;"']{{0,200}}["']/?{name}["']"""
+        rf"""(?:[cC]lient|ServiceProxy)\w{{0,60}}\s{{0,9}}(?:<[^;]{{0,200}}?>\s{{0,9}}\w{{0,60}}\s{{0,9}})?[({{][^;"']{{0,200}}["']/?{name}["']"""
     )
     value = re.compile(rf"""[:-][ \t]+["']?/{name}["']?[ \t]*$""", re.MULTILINE)
     for file in system.workspace.files:

@@ -9,6 +9,8 @@ from functools import lru_cache
 
 from haros_ci.model.location import Location
 
+#: So many variables that are made of one another are followed.
+MAX_STEPS = 10
 _VARIABLE = "ROS_DISTRO"
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 _TESTED = (ast.If, ast.IfExp, ast.While)
@@ -78,7 +80,7 @@ def _names(tree: ast.Module) -> frozenset[str]:
             )
             made += [(frozenset((node.name,)), value) for value in returned if not _makes_actions(value)]
     found: frozenset[str] = frozenset()
-    for _ in range(len(made) + 1):
+    for _ in range(MAX_STEPS):
         more = found.union(*(targets for targets, value in made if not _makes_actions(value) and _asks(value, found)))
         if more == found:
             break

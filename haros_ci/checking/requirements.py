@@ -10,16 +10,19 @@ from functools import lru_cache
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.location import Location
 
-_NAME = r"([A-Za-z0-9][\w.-]*?)[ \t]*(?:\[[\w ,.-]*\])?"
-_RULE = r"[ \t]*\(?(?:===?|[<>~!]=|[<>])[ \t]*v?\d"
+_NAME = r"([A-Za-z0-9][\w.-]{0,100}?)[ \t]{0,9}(?:\[[\w ,.-]{0,200}\])?"
+_RULE = r"[ \t]{0,9}\(?(?:===?|[<>~!]=|[<>])[ \t]{0,9}v?\d"
 #: A line of requirements.txt or of ``install_requires`` in setup.cfg, and a quoted one in setup.py and pyproject.toml (PEP 508).
-_LINE = re.compile(rf"^[ \t]*{_NAME}{_RULE}", re.M)
+_LINE = re.compile(rf"^[ \t]*{_NAME}{_RULE}", re.MULTILINE)
 _QUOTED = re.compile(rf"""["']{_NAME}{_RULE}""")
 #: A dependency as Poetry writes it: ``scipy = "^1.9"``.
 _POETRY = re.compile(
-    r"""^([A-Za-z0-9][\w.-]*)[ \t]*=[ \t]*(?:\{[^}\n]*\bversion[ \t]*=[ \t]*)?["'][\^~<>=!]*[ \t]*\d""", re.M
+    r"""^([A-Za-z0-9][\w.-]{0,100})[ \t]{0,9}=[ \t]{0,9}(?:\{[^}\n]{0,300}\bversion[ \t]{0,9}=[ \t]{0,9})?["'][\^~<>=!]*[ \t]*\d""",
+    re.MULTILINE,
 )
-_POETRY_PART = re.compile(r"^\[tool\.poetry\.(?:group\.[\w-]+\.)?dependencies\][ \t]*\n((?:(?!\[).*\n?)*)", re.M)
+_POETRY_PART = re.compile(
+    r"^\[tool\.poetry\.(?:group\.[\w-]+\.)?dependencies\][ \t]*\n((?:(?!\[).*\n?)*)", re.MULTILINE
+)
 _REQUIREMENTS = re.compile(r"requirements?(?:[-_.][\w.-]+)?\.(?:txt|in)")
 _FILES = ("setup.py", "setup.cfg", "pyproject.toml")
 _MAX = 200_000
