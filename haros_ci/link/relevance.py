@@ -72,6 +72,9 @@ class Relevance:
         self._changes: dict[int, tuple[Function, frozenset[str], set[str]]] = {}
         self._variables: dict[int, tuple[Function, frozenset[str]]] = {}
         self._makes: dict[int, tuple[Function, bool]] = {}
+        self._within: dict[frozenset[str], Relevance] = {}
+        #: Functions and classes, by identity, from which no API call is reached, whatever counts.
+        self._barren: set[int] = set()
         #: Static variables that are made already, by identity; bodies without them, by the identity of the whole body.
         self.made: frozenset[int] = frozenset()
         self._rest: dict[int, tuple[Any, Any]] = {}
@@ -97,9 +100,11 @@ class Relevance:
 
     def within(self, visible: frozenset[str]) -> Relevance:
         """The same for code that can only reach functions and classes of these files."""
-        view = copy(self)
-        view._known, view._changes, view._makes, view._meant, view._views = {}, {}, {}, {}, {}
-        view._visible = visible
+        view = self._within.get(visible)
+        if view is None:
+            view = self._within[visible] = copy(self)
+            view._known, view._changes, view._makes, view._meant, view._views = {}, {}, {}, {}, {}
+            view._visible, view._within, view._barren = visible, {}, set()
         return view
 
     def after(self, statement: Statement, function: Function) -> Relevance:
@@ -108,6 +113,7 @@ class Relevance:
         if made not in self._views:
             view = self._views[made] = copy(self)
             view._known, view._makes, view.made = {}, {}, made
+            view._within, view._barren = {}, set()
             rest = without(self._without_made(function.body), statement)
             view._rest = {**self._rest, id(function.body): (function.body, rest)}
         return self._views[made]
@@ -241,19 +247,20 @@ class Relevance:
         """Whether an API call stands in *function* or in anything that it calls, in a function that *counts*."""
         waiting: list[tuple[Source, Function | Class]] = [(source, function)]
         seen: set[int] = set()
+        is_barren = True
         while waiting:
             where, item = waiting.pop()
-            if id(item) in seen:
+            if id(item) in seen or id(item) in self._barren:
                 continue
             seen.add(id(item))
             names = self._of(where, item)
-            if (
-                isinstance(item, Function)
-                and any(n in self._api and n != CALLED for n in names)
-                and counts(item, where)
-            ):
-                return True
+            if isinstance(item, Function) and any(n in self._api and n != CALLED for n in names):
+                is_barren = False
+                if counts(item, where):
+                    return True
             waiting += [found for name in names for found in self._named(name)]
+        if is_barren:  # and so is all that it reaches
+            self._barren |= seen
         return False
 
     def rules(self) -> tuple[Any, ...]:
