@@ -36,7 +36,7 @@ def check(system: System) -> Iterator[Finding]:
             about=(use.package,),
             flow=included_by(use),
             apart=(use.package,),
-            level=None if meant else Level.WARNING,
+            level=None if meant else Level.NOTE,  # many are built from a source that only a page names
             presence=use.presence,
         )
 

@@ -146,6 +146,7 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
             not exists(frozenset((n,)), package),
             not is_of_ros(n, project),
             bool(families) and _family(n) not in {"", *families},
+            n.endswith("_cmake_module"),  # brings a Find module, and the thing itself by another package
             n.endswith("-pip"),
             n.startswith("python-"),
             len(n),

@@ -33,6 +33,9 @@ OF_A_LINE = frozenset(
     """.split()
 )
 
+#: Rules that speak once of each use of a name that is not there: those of one name in one file have one cause.
+OF_A_NAME = frozenset("pylint:undefined-variable ruff:F821 flake8:F821 mypy:name-defined".split())
+
 #: A finding names no more other places than this; the rest of a cause follows in another finding.
 MOST = 40
 
@@ -53,10 +56,12 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             candidates[result.rule, result.location.path].append(i)
     merged: dict[int, Result] = {}
     dropped: set[int] = set()
-    lines: dict[tuple[str, str, int], list[int]] = defaultdict(list)
+    lines: dict[tuple[str, str, object], list[int]] = defaultdict(list)
     for i, result in enumerate(given):
         if result.full_id in OF_A_LINE and result.location.line:
             lines[result.full_id, result.location.path, result.location.line].append(i)
+        elif result.full_id in OF_A_NAME:
+            lines[result.full_id, result.location.path, result.message].append(i)
     for here in lines.values():
         first, *others = sorted(here, key=lambda i: given[i].sort_key)[: MOST + 1]
         if others:

@@ -68,7 +68,7 @@ def test_other_tools_pass_through() -> None:
         ("pylint:no-value-for-parameter", (3, 3, 5), 2),
         ("ruff:F811", (1, 1, 1), 1),
         ("pylint:undefined-variable", (3, 3), 2),
-        ("ruff:F821", (1, 1), 2),
+        ("ruff:F401", (1, 1), 2),
         ("pylint:F811", (1, 1), 2),
     ],
 )
@@ -78,3 +78,16 @@ def test_what_is_said_of_each_argument_or_name(rule: str, lines: tuple[int, ...]
     found = one_cause(given, lambda path: "")
     assert len(found) == left and found[0].message == "of 0"
     assert sum(1 + len(result.related) for result in found) == len(lines)
+
+
+@pytest.mark.parametrize("rule", ["pylint:undefined-variable", "ruff:F821"])
+def test_one_name_that_is_not_there(rule: str) -> None:
+    tool, _, rule = rule.partition(":")
+    places = [("a.py", 3, "x"), ("a.py", 9, "x"), ("a.py", 9, "y"), ("b.py", 3, "x")]
+    given = [Result(tool, rule, Level.ERROR, f"Undefined name `{n}`", Location(p, line, 1)) for p, line, n in places]
+    found = one_cause(given, lambda path: "")
+    assert [(r.location.path, r.location.line, len(r.related)) for r in found] == [
+        ("a.py", 3, 1),
+        ("a.py", 9, 0),
+        ("b.py", 3, 0),
+    ]

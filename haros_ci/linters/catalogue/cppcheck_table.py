@@ -20,7 +20,7 @@ GROUPS: tuple[Group, ...] = (
                 "Rw",
                 "Array index out of bounds in a case that the code tests for.",
             ),
-            ("arrayIndexThenCheck", "Bs", "Array index checked after its use."),
+            ("arrayIndexThenCheck", "Ss", "Array index checked after its use."),
             ("bufferAccessOutOfBounds", "Be", "Buffer access out of bounds."),
             ("containerOutOfBounds", "Se", "Container index or iterator out of bounds."),
             ("containerOutOfBoundsIndexExpression", "Be", "Container accessed at its size."),

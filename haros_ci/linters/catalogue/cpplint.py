@@ -42,7 +42,7 @@ GROUPS: tuple[Group, ...] = (
         "The compiler or another platform may reject or misread this; write the standard form.",
         ("portability",),
         (
-            ("build/storage_class", "RG", "Storage class after the type."),
+            ("build/storage_class", "SG", "Storage class after the type."),
             ("build/forward_decl", "RG", "Forward declaration of a nested class."),
             ("build/deprecated", "SG", "Operators >? and <? of old GCC versions."),
             ("build/endif_comment", "SG", "Text after #endif or #else that is not a comment."),
@@ -55,7 +55,7 @@ GROUPS: tuple[Group, ...] = (
         "Includes say what a file depends on; when they are incomplete a change in another package breaks the build.",
         ("include", "headers"),
         (
-            ("build/include", "RG", "Header included twice, without its directory, or an included .cc file."),
+            ("build/include", "SG", "Header included twice, without its directory, or an included .cc file."),
             (
                 "build/include_what_you_use",
                 "SG",
