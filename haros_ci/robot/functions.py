@@ -173,15 +173,15 @@ METHODS: Mapping[type, frozenset[str]] = {
 
 def method(value: object, name: str) -> Function | None:
     """The method *name* of *value*, if it is one that can do no harm; its result is bounded by its arguments."""
-    for kind, names in METHODS.items():
-        if isinstance(value, kind) and name in names:
-            call = getattr(kind, name)
-            if kind is dict and name in ("items", "keys", "values"):
-                return Function(name, lambda: list(call(value)))
-            if name == "replace" or name == "join":
-                return Function(name, lambda *given: _grown(call, value, given))
-            return Function(name, lambda *given, **more: call(value, *given, **more))
-    return None
+    kind = next((kind for kind, names in METHODS.items() if isinstance(value, kind) and name in names), None)
+    if kind is None:
+        return None
+    call = getattr(kind, name)
+    if kind is dict and name in ("items", "keys", "values"):
+        return Function(name, lambda: list(call(value)))
+    if name in ("replace", "join"):
+        return Function(name, lambda *given: _grown(call, value, given))
+    return Function(name, lambda *given, **more: call(value, *given, **more))
 
 
 def _grown(call: Callable[..., Any], value: Any, given: tuple[Any, ...]) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, MutableMapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 from haros_ci.link.launch_facts import includes, ros2
 from haros_ci.link.launch_facts.includes import statics_of
@@ -149,7 +150,7 @@ class _Run:
             self.context.path = path
             done += 1
             if assumed:
-                assume(self, assumed, presence, lambda: self.actions(action.children, conditions))
+                assume(self, assumed, presence, partial(self.actions, action.children, conditions))
                 continue
             self.context.presence = presence
             self.actions(action.children, conditions)
