@@ -24,7 +24,7 @@ Environment:
   HAROS_CI_DEBUG       show the trace of a fault of haros-ci
   NO_COLOR             no colours
   COLUMNS              width of the text format
-  TMPDIR               where temporary files lie
+  TMPDIR               where temporary files lie (otherwise /dev/shm for a small workspace, or /tmp)
   GITHUB_STEP_SUMMARY  where the format github writes the job summary
 
 \b

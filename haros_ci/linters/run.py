@@ -17,7 +17,7 @@ from haros_ci.linters.view import views
 from haros_ci.linters.work import Digests, Installed, Work, works
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Notification, Run, Tool
-from haros_ci.scratch import scratch_directory
+from haros_ci.scratch import place_in_memory, scratch_directory
 
 Progress = Callable[[str], None]
 
@@ -112,7 +112,8 @@ def _analyse(
     jobs.sort(key=lambda job: -schedule.estimate(job[1], job[0].linter.COST))  # stable: equal ones stay in order
     total, done = sum(len(units) for _, units in jobs), 0
     processes = Processes()
-    with scratch_directory("haros-ci-") as directory:
+    size = sum(file.size for file in workspace.files)
+    with scratch_directory("haros-ci-", place_in_memory(size)) as directory:
         # Whoever trusts the workspace lets tools use what lies in it: plug-ins, settings that name files.
         seen = {} if options.trust_config else views(workspace, works, directory)
 
