@@ -50,7 +50,6 @@ NOT_FUZZED = {
     "linters.metrics_worker": "reads what haros-ci writes to it, in a process of its own",
     "linters.mypy_worker": "parses files for mypy, in a process of its own",
     "linters.process": "opens the files that a tool's output goes to",
-    "linters.radon_worker": "parses files for radon, in a process of its own that answers for each file",
     "linters.text_worker": "reads what haros-ci writes to it, in a process of its own",
     "merge_command": "opens the files that shards.shard_file reads",
     "model_command": "reads the file of --expect with PyYAML's safe loader; link.expectation is reached by project-file",

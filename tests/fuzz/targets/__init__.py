@@ -25,7 +25,7 @@ GROUPS = {
     ),
     "sources": (
         *("comments", "cpp", "followed-cpp", "followed-python", "followed-ros1", "includes", "inclusions", "line-maps"),
-        *("measured-cpp", "measured-python", "parameter-library", "python"),
+        *("lizard", "measured-cpp", "measured-python", "parameter-library", "python", "radon"),
     ),
     "stored": (
         *("baseline", "cached-values", "caches", "compile-database", "declared-output", "exact-answers", "history"),

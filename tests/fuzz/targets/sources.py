@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
+from typing import Any
 
 from fuzz.targets.kit import ROOT, Entry, parts, ros_package, sound, text_of, workspace
 
@@ -13,8 +15,9 @@ from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.extract.program_json import from_json, to_json
 from haros_ci.extract.python.read import read_python
-from haros_ci.linters import includes, inclusions
+from haros_ci.linters import includes, inclusions, lizard_worker, radon_worker
 from haros_ci.linters.diffs import first_changes
+from haros_ci.linters.metrics_worker import Unmeasurable
 from haros_ci.linters.python2 import why_unreadable
 from haros_ci.measuring import cpp as measuring_cpp
 from haros_ci.measuring import facts
@@ -65,6 +68,24 @@ def measured_cpp(data: bytes) -> object:
 def measured_python(data: bytes) -> object:
     text = text_of(data, "python")
     return None if text is None else _measured(measuring_python.read_python(text))
+
+
+def _by_worker(measure: Callable[[bytes], dict[str, Any]], data: bytes) -> object:
+    """What a worker of metrics answers, which is JSON; a fault of the library that it asks costs the file alone."""
+    try:
+        return json.dumps(measure(data), sort_keys=True)
+    except (Unmeasurable, RecursionError) as problem:
+        return str(problem)
+    except Exception as error:
+        return type(error).__name__
+
+
+def radon(data: bytes) -> object:
+    return _by_worker(radon_worker.measure, data)
+
+
+def lizard(data: bytes) -> object:
+    return _by_worker(lizard_worker.measure, data)
 
 
 def comments(data: bytes) -> object:
@@ -162,6 +183,8 @@ TARGETS = {
     "python": Entry(python, "Python sources", ("extract.python", "linters.python2")),
     "measured-cpp": Entry(measured_cpp, "C++ as metrics see it", ("measuring.cpp", "measuring.facts")),
     "measured-python": Entry(measured_python, "Python as metrics see it", ("measuring.python",)),
+    "radon": Entry(radon, "Python as radon's worker measures it", ("linters.radon_worker", "linters.metrics_worker")),
+    "lizard": Entry(lizard, "C++ as lizard's worker measures it", ("linters.lizard_worker", "linters.metrics_worker")),
     "comments": Entry(
         comments,
         "comments that suppress findings; scopes; hashes of lines",
