@@ -3,21 +3,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Finding, Level, System
-from haros_ci.api.launch import ConstructUse, included_by
+from haros_ci.api import Check, Finding, Level, Location, System
+from haros_ci.api.launch import ConstructUse, included_by, owner
+from haros_ci.api.packages import Package
+
+
+#: How the names of launch files end.
+_LAUNCH_FILES = tuple(f"{sign}launch{end}" for sign in "._" for end in (".py", ".xml", ".yaml", ".yml")) + (".launch",)
 
 
 def check(system: System) -> Iterator[Finding]:
-    found: dict[str, list[ConstructUse]] = {}
-    for use in system.facts(ConstructUse):
-        if use.kind == "foreign":
-            found.setdefault(use.location.path, []).append(use)
-    for path, uses in found.items():
+    leftovers = {path: uses for path, uses in _by_file([system]).items() if _is_whole(uses, _other(uses))}
+    packages = {
+        package.path: package for path in leftovers if (package := owner(system, Location(path, 1))) is not None
+    }
+    unported: set[str] = set()
+    for package in packages.values():
+        found = _unported(package, system)
+        if found is not None:
+            unported |= {path for path in found if path in leftovers}
+            if min(found) in leftovers:
+                yield _of_package(package, found)
+    for path, uses in _by_file([system]).items():
+        if path in unported:
+            continue
         first = uses[0]
         texts = list(dict.fromkeys(use.text for use in uses))
-        other = 1 if _is_ros1(first) else 2
+        other = _other(uses)
         yield Finding(
             at=first.location,
             message=_leftover(texts, other) if _is_whole(uses, other) else _half_ported(first, texts, other),
@@ -26,6 +40,42 @@ def check(system: System) -> Iterator[Finding]:
             flow=included_by(first),
             level=Level.NOTE if other == 1 and first.is_installed is False else None,
         )
+
+
+def _by_file(systems: Iterable[System]) -> dict[str, list[ConstructUse]]:
+    found: dict[str, list[ConstructUse]] = {}
+    for use in (use for system in systems for use in system.facts(ConstructUse)):
+        if use.kind == "foreign":
+            found.setdefault(use.location.path, []).append(use)
+    return found
+
+
+def _unported(package: Package, system: System) -> dict[str, list[ConstructUse]] | None:
+    """The launch files of *package* if it has several and all are of the other ROS: then one finding stands for them."""
+    names = system.workspace.names if system.workspace is not None else ()
+    files = {path for path in names if path.endswith(_LAUNCH_FILES) and _is_in(path, package)}
+    every = _by_file(system.whole.systems)
+    found = {path: uses for path, uses in every.items() if _is_in(path, package) and _is_whole(uses, _other(uses))}
+    others = {_other(uses) for uses in found.values()}
+    return found if len(found) > 1 and len(others) == 1 and files <= found.keys() else None
+
+
+def _of_package(package: Package, found: dict[str, list[ConstructUse]]) -> Finding:
+    first, *rest = sorted(found)
+    other = _other(found[first])
+    is_aside = other == 1 and all(uses[0].is_installed is False for uses in found.values())
+    return Finding(
+        at=found[first][0].location,
+        message=f"all {len(found)} launch files of {package.name}, a ROS {3 - other} package, are written for ROS {other}: "
+        f"`{_LAUNCH[3 - other]}` rejects them; port them or delete them",
+        about=(package.name, f"ROS {other}"),
+        related=tuple((found[path][0].location, f"{found[path][0].text} of ROS {other}") for path in rest[:20]),
+        level=Level.NOTE if is_aside else None,
+    )
+
+
+def _is_in(path: str, package: Package) -> bool:
+    return package.path == "." or path.startswith(package.path + "/")
 
 
 #: What starts the launch files of each ROS version.
@@ -49,6 +99,11 @@ def _half_ported(first: ConstructUse, texts: list[str], other: int) -> str:
     more = f" and {len(texts) - 1} more construct{'s' if len(texts) > 2 else ''}" if len(texts) > 1 else ""
     instead = f"; write {first.instead}" if first.instead else ""
     return f"{first.text}{more} of ROS {other}: `{_LAUNCH[3 - other]}` rejects the whole file{instead}"
+
+
+def _other(uses: list[ConstructUse]) -> int:
+    """The ROS that the constructs of a file are of."""
+    return 1 if _is_ros1(uses[0]) else 2
 
 
 def _is_ros1(use: ConstructUse) -> bool:
