@@ -91,9 +91,7 @@ def _is_aside(use: PackageUse, system: System) -> bool:
     file = use.location.path.rpartition("/")[2]
     if any(each.fullmatch(file) for each, _ in system.whole.chosen_files):
         return True
-    name = "/" + file
-    names = system.workspace.names if system.workspace is not None else ()
-    alike = [path for path in sorted(names) if path.endswith(name)]
+    alike = system.whole.files_by_name.get(file, ())
     owners = {each.name: each for path in alike if (each := owner(system, Location(path, 1))) is not None}
     declared = {dependency.name for each in owners.values() for dependency in each.dependencies}
     return len(owners) >= _MANY and use.package not in declared

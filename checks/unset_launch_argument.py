@@ -3,14 +3,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, System
-from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant
-
-#: Where commands stand that people and scripts start launch files with.
-_SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
+from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant, shown
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -46,9 +42,7 @@ def _is_given(system: System, read: ArgumentRead) -> bool:
     """Whether a page or a script of the workspace, or the launch file, shows a command that gives the argument."""
     if system.workspace is None:
         return False
-    given = re.compile(rf"(?<![\w-]){re.escape(read.name)}:=")
-    paths = (path for path in system.workspace.names if path.lower().endswith(_SHOWING) or path == read.location.path)
-    return any(given.search(system.workspace.text(path)) for path in sorted(paths))
+    return read.name in system.whole.shown_arguments or read.name in shown(system.workspace.text(read.location.path))
 
 
 def _undeclared(read: ArgumentRead, how: str, is_here: bool) -> Finding:

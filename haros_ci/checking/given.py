@@ -37,6 +37,9 @@ OF_TRANSPORTS = frozenset("format jpeg_quality png_level tiff".split())
 #: Lines that an include's tag with its file takes.
 _OF_INCLUDE = 4
 _FILE = re.compile(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
+#: Where commands stand that people and scripts start launch files with.
+_SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
+_SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
 _SUBSTITUTION = re.compile(r"\$\((?:arg|var|env|optenv|eval)\s[^()]*\)")
 
 
@@ -222,11 +225,33 @@ class Whole:
     def chosen_files(self) -> tuple[tuple[re.Pattern[str], frozenset[str]], ...]:
         """Names of launch files that an include chooses by an argument (``slam_$(arg method).launch``), with what it passes."""
         found: dict[str, set[str]] = {}
+        names: dict[Location, str] = {}
         for system in self.systems:
             for use in system.facts(IncludeUse):
-                if written := _chosen(system, use):
+                if use.location not in names:
+                    names[use.location] = _chosen(system, use)
+                if written := names[use.location]:
                     found.setdefault(written, set()).update(passed.name for passed in use.passed)
         return tuple((re.compile(written), frozenset(passed)) for written, passed in sorted(found.items()))
+
+    @cached_property
+    def files_by_name(self) -> Mapping[str, tuple[str, ...]]:
+        """The files of the workspace by the last part of their paths."""
+        workspace = next((system.workspace for system in self.systems if system.workspace is not None), None)
+        found: dict[str, list[str]] = {}
+        for path in sorted(workspace.names if workspace is not None else ()):
+            found.setdefault(path.rpartition("/")[2], []).append(path)
+        return {name: tuple(paths) for name, paths in found.items()}
+
+    @cached_property
+    def shown_arguments(self) -> frozenset[str]:
+        """The launch arguments that a page or a script of the workspace shows in a command: ``rate`` of ``rate:=10``."""
+        workspace = next((system.workspace for system in self.systems if system.workspace is not None), None)
+        paths = sorted(workspace.names) if workspace is not None else ()
+        texts = (
+            (workspace.text(path) for path in paths if path.lower().endswith(_SHOWING)) if workspace is not None else ()
+        )
+        return frozenset(name for text in texts if ":=" in text for name in shown(text))
 
     @cached_property
     def names(self) -> Mapping[str, frozenset[str]]:
@@ -246,9 +271,14 @@ class Whole:
         return self._sources.get(folder, ())
 
 
+def shown(text: str) -> frozenset[str]:
+    """The launch arguments that commands in *text* give: ``rate`` of ``rate:=10``."""
+    return frozenset(_SHOWN.findall(text))
+
+
 def _chosen(system: System, use: IncludeUse) -> str:
     """A pattern of the names that the file of an include in XML can have; "" if it has but one."""
-    if system.workspace is None or not use.location.line:
+    if system.workspace is None or not use.location.line or use.location.path.endswith((".py", ".yaml", ".yml")):
         return ""
     lines = system.workspace.text(use.location.path).split("\n")[use.location.line - 1 :][:_OF_INCLUDE]
     written = _FILE.search("\n".join(lines))

@@ -27,7 +27,7 @@ _REQUIREMENTS = re.compile(r"requirements?(?:[-_.][\w.-]+)?\.(?:txt|in)")
 _FILES = ("setup.py", "setup.cfg", "pyproject.toml")
 _MAX = 200_000
 
-#: What pip calls the distribution of a module that has another name (their pages on pypi.org).
+#: What pip calls the distribution of a module that has another name (its own page in the package index).
 _CALLED = {
     "attr": "attrs",
     "bs4": "beautifulsoup4",

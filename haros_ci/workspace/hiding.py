@@ -127,9 +127,10 @@ class Change:
         """One for each package that the change makes around packages of the base: they are none any more, as nobody looks below one."""
         packages = {package.path for package in workspace.packages}
         swallowed: dict[str, list[str]] = {}
-        for path in sorted(candidate.path for candidate in chosen):
+        manifests = (candidate.path for candidate in chosen if candidate.path.rpartition("/")[2] == _MANIFEST)
+        for path in sorted(manifests):
             directory = path.rpartition("/")[0] or "."
-            if path.rpartition("/")[2] != _MANIFEST or path not in self.base or directory in packages:
+            if path not in self.base or directory in packages:
                 continue
             above = [*_parents(directory), "."]
             if any(_manifest(parent) in self.base for parent in above):
