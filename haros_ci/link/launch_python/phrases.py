@@ -10,7 +10,7 @@ from haros_ci.link.launch_python.paths import MARKER
 from haros_ci.link.launch_python.run import Run
 from haros_ci.link.launch_python.sequences import items_of
 from haros_ci.link.launch_python.values import Call, Maybe, Unknown, Value, merged, mystery, phrase, why
-from haros_ci.model.launch_actions import Phrase
+from haros_ci.model.launch_actions import Phrase, Substitution
 
 
 def phrases_of(
@@ -47,6 +47,8 @@ def words(run: Run, value: Value, call: Call) -> Phrase:
         if not text or (len(text) == 1 and isinstance(text[0], str)):
             word = str(text[0]) if text else ""
             parts.append(shlex.quote(word) if not word or needs_quotes(word) else word)
+        elif all(isinstance(part, Substitution) for part in text):
+            parts.extend(("'", *text, "'"))  # the value is one word, also where it is empty or has blanks
         else:
             parts.extend(text)
     return merged(parts)

@@ -45,7 +45,7 @@ def test_node() -> None:
         "namespace": "ns",
         "exec_name": "x",
         "launch-prefix": "gdb",
-        "args": ("-d ", var("a"), " 'two words'"),
+        "args": ("-d '", var("a"), "' 'two words'"),
         "ros_args": "--log-level info",
         "respawn": "true",
     }
