@@ -28,14 +28,17 @@ def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bo
 
 
 def is_ignored(workspace: Workspace, path: str) -> bool:
-    """Whether a .gitignore at or above the root-relative *path* has git ignore it, or a directory above it: then something makes it (gitignore(5))."""
+    """Whether a .gitignore at or above the root-relative *path* has git ignore it, or a directory above it: then something makes it (gitignore(5)).
+
+    With a base revision the .gitignore of the base counts (``Workspace.setting``): a change cannot lower its own findings.
+    """
     parts = path.split("/")
     ignored = False
     for depth in range(len(parts)):
         place = "/".join((*parts[:depth], ".gitignore"))
         if place in workspace.names:
             below = "/".join(parts[depth:])
-            for glob in _patterns(workspace.text(place)):
+            for glob in _patterns(workspace.setting(place)):
                 if matches(glob.removeprefix("!"), below):
                     ignored = not glob.startswith("!")  # the last one that matches decides
     return ignored

@@ -38,6 +38,7 @@ from haros_ci.model.workspace import Workspace
 OWN = "haros-ci"
 _HERE = "tests/hostile/test_hostile_silencing.py"
 _ROWS = f"{_HERE}::test_settings_silence_nothing"
+_PAGES = "tests/test_checks.py::test_a_page_is_true"
 _GIT = "tests/hostile/test_hostile_git.py::test_a_pull_request_cannot_judge_itself"
 
 
@@ -222,6 +223,34 @@ OTHERS: tuple[Row, ...] = (
         "files that git does not track; a file of a commit is analysed whatever stands there",
         Origin.HEAD,
         f"{_HERE}::test_a_tracked_file_is_analysed_whatever_gitignore_says",
+    ),
+    Row(
+        OWN,
+        (".gitignore",),
+        "missing launch, parameter and share files that git ignores are notes",
+        Origin.BASE,
+        f"{_HERE}::test_gitignore_of_the_change_lowers_no_finding",
+    ),
+    Row(
+        OWN,
+        ("requirements*.txt", "setup.py", "setup.cfg", "pyproject.toml"),
+        "undeclared-import of a module that pip installs is a note",
+        Origin.HEAD,
+        _PAGES,
+    ),
+    Row(
+        OWN,
+        ("pages and scripts that show `name:=…`",),
+        "unset-launch-argument of that argument is a note",
+        Origin.HEAD,
+        "tests/test_check_levels.py::test_a_launch_configuration_that_the_command_line_can_give",
+    ),
+    Row(
+        OWN,
+        ("comments of package.xml, and launch files with placeholders (`$NAME$`)",),
+        "undeclared-launch-dependency of the packages in them",
+        Origin.HEAD,
+        _PAGES,
     ),
     Row(
         "all tools",

@@ -179,6 +179,38 @@ def test_a_tracked_file_is_analysed_whatever_gitignore_says(trap: Trap) -> None:
     assert ("a.cpp", 1, "uninitvar") in outcome.findings()
 
 
+MANIFEST = """<package format="3">
+  <name>p</name><version>0.1.0</version><description>d</description>
+  <maintainer email="a@example.org">m</maintainer><license>MIT</license>
+  <buildtool_depend>ament_cmake</buildtool_depend>
+  <export><build_type>ament_cmake</build_type></export>
+</package>
+"""
+
+
+@pytest.mark.parametrize("is_of_base", [True, False])
+def test_gitignore_of_the_change_lowers_no_finding(is_of_base: bool, trap: Trap) -> None:
+    """A launch file that git ignores is made elsewhere, so its absence is a note; only the base revision can say so."""
+    trap.use_cheap_control()
+    trap.write("p/package.xml", MANIFEST)
+    trap.write(
+        "p/CMakeLists.txt", "project(p)\nfind_package(ament_cmake)\ninstall(DIRECTORY launch DESTINATION share/p)\n"
+    )
+    trap.write("p/launch/a.launch.xml", "<launch/>\n")
+    trap.write(".gitignore", "made.launch.xml\n" if is_of_base else "other\n")
+    trap.commit()
+    trap.git("checkout", "-q", "-b", "head")
+    trap.write(
+        "p/launch/a.launch.xml", '<launch>\n  <include file="$(find-pkg-share p)/launch/made.launch.xml"/>\n</launch>\n'
+    )
+    trap.write(".gitignore", "made.launch.xml\n")
+    trap.commit()
+    outcome = trap.run("--baseline-rev=main")
+    assert_harmless(trap, outcome)
+    levels = {r["level"] for r in outcome.report["results"] if r["rule"] == "missing-launch-file"}
+    assert ("error" in levels) is not is_of_base  # notes are not shown by default
+
+
 def test_without_the_base_revision_no_settings_count(trap: Trap) -> None:
     trap.write("pylintrc", "[MAIN]\ndisable=all\n")
     trap.commit()
