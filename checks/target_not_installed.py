@@ -125,12 +125,17 @@ def _fixes(package: ProjectPackage, group: list[Uninstalled]) -> tuple[Fix, ...]
 
 
 def _elsewhere(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
-    """Executables that are installed to where nothing looks for them."""
+    """Executables that are installed to where nothing looks for them: one finding for all that one install() puts there."""
+    groups: dict[tuple[Location, str], list[tuple[Target, Location | None]]] = {}
     for target in package.cmake.targets.values():
         if is_program(package, target) and may_be_installed(package, target):
             use = programs.started.get((package.name, target.output))
-            related = ((use, "is started here"),) if use is not None else ()
-            yield from _misplaced(package, target, list(package.cmake.destinations(target.name)), related)
+            place = _wrong_place(package, list(package.cmake.destinations(target.name)), use is not None)
+            if place is not None:
+                installs = (each.command.location for each in package.cmake.installs if target.name in each.things)
+                groups.setdefault((next(installs, target.location), place), []).append((target, use))
+    for (at, place), group in groups.items():
+        yield _misplaced(package, at, place, group)
 
 
 def _libraries(package: ProjectPackage) -> Iterator[Finding]:
@@ -195,26 +200,35 @@ def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[
                 yield cmake.targets[word], why, ((command.location, "exports it"),)
 
 
-def _misplaced(
-    package: ProjectPackage, target: Target, places: list[str], related: tuple[tuple[Location, str], ...]
-) -> Iterator[Finding]:
-    """An executable that ``ros2 run`` or ``rosrun`` does not find where it is put."""
+def _wrong_place(package: ProjectPackage, places: list[str], is_started: bool) -> str | None:
+    """The first of *places* if ``ros2 run`` or ``rosrun`` does not find an executable there; None if it does, or nobody can tell."""
     wanted = f"lib/{package.name}"
     if not places or any("$" in place or place.startswith("/") for place in places):
-        return
+        return None
     found = {wanted} if package.ros == 2 else {wanted, f"share/{package.name}"}
     if any(place in found or (package.ros == 1 and place.startswith(f"share/{package.name}/")) for place in places):
-        return
-    if not related and any(place.split("/")[0] in ("bin", "sbin", "libexec", "opt") for place in places):
-        return
+        return None
+    if not is_started and any(place.split("/")[0] in ("bin", "sbin", "libexec", "opt") for place in places):
+        return None
+    return places[0]
+
+
+def _misplaced(
+    package: ProjectPackage, at: Location, place: str, group: list[tuple[Target, Location | None]]
+) -> Finding:
+    """The executables that the install() *at* puts to *place*, each with where it is started."""
+    names = [target.output for target, _ in group]
+    what = f"executable {names[0]} is" if len(names) == 1 else f"executables {_listed(names)} are"
     runner = "ros2 run and launch look" if package.ros == 2 else "rosrun and roslaunch look"
-    yield _finding(
-        package,
-        target.name,
-        f"the executable {target.output} is installed to {places[0] or 'the prefix'}, but {runner} in {wanted}",
-        level=Level.ERROR if related and package.ros == 2 else Level.WARNING,
-        at=next((i.command.location for i in package.cmake.installs if target.name in i.things), target.location),
-        related=related,
+    things = tuple(target.name for target, _ in group)
+    starts = [use for _, use in group if use is not None]
+    return Finding(
+        at=at,
+        message=f"the {what} installed to {place or 'the prefix'}, but {runner} in lib/{package.name}",
+        about=(package.name, *things),
+        related=_related((), (((use, "is started here"),) for use in starts)),
+        apart=things,
+        level=Level.ERROR if starts and package.ros == 2 else Level.WARNING,
     )
 
 
