@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, System
@@ -12,6 +13,9 @@ from haros_ci.api.packages import Package
 
 #: How the names of launch files end.
 _LAUNCH_FILES = tuple(f"{sign}launch{end}" for sign in "._" for end in (".py", ".xml", ".yaml", ".yml")) + (".launch",)
+
+_NO_XML = (".py", ".yaml", ".yml")
+_STARTS = re.compile(r"<(?:node|include|let|group|executable)\b")
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -51,9 +55,15 @@ def _by_file(systems: Iterable[System]) -> dict[str, list[ConstructUse]]:
 
 
 def _unported(package: Package, system: System) -> dict[str, list[ConstructUse]] | None:
-    """The launch files of *package* if it has several and all are of the other ROS: then one finding stands for them."""
-    names = system.workspace.names if system.workspace is not None else ()
-    files = {path for path in names if path.endswith(_LAUNCH_FILES) and _is_in(path, package)}
+    """The launch files of *package* if it has several and all are of the other ROS: then one finding stands for them.
+
+    A file in XML that starts and includes nothing is of no ROS.
+    """
+    workspace = system.workspace
+    if workspace is None:
+        return None
+    files = {path for path in workspace.names if path.endswith(_LAUNCH_FILES) and _is_in(path, package)}
+    files = {path for path in files if path.endswith(_NO_XML) or _STARTS.search(workspace.text(path))}
     every = _by_file(system.whole.systems)
     found = {path: uses for path, uses in every.items() if _is_in(path, package) and _is_whole(uses, _other(uses))}
     others = {_other(uses) for uses in found.values()}
