@@ -10,40 +10,38 @@ from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import ConstructUse, included_by, owner
 from haros_ci.api.packages import Package
 
-
 #: How the names of launch files end.
 _LAUNCH_FILES = tuple(f"{sign}launch{end}" for sign in "._" for end in (".py", ".xml", ".yaml", ".yml")) + (".launch",)
-
+#: How the names of those in other languages end, and the tags that a file in XML starts something with.
 _NO_XML = (".py", ".yaml", ".yml")
 _STARTS = re.compile(r"<(?:node|include|let|group|executable)\b")
 
 
 def check(system: System) -> Iterator[Finding]:
-    leftovers = {path: uses for path, uses in _by_file([system]).items() if _is_whole(uses, _other(uses))}
-    packages = {
-        package.path: package for path in leftovers if (package := owner(system, Location(path, 1))) is not None
-    }
+    files = _by_file([system])
+    leftovers = [path for path, uses in files.items() if _is_whole(uses, _other(uses))]
+    owners = [package for path in leftovers if (package := owner(system, Location(path, 1))) is not None]
     unported: set[str] = set()
-    for package in packages.values():
+    for package in {each.path: each for each in owners}.values():
         found = _unported(package, system)
-        if found is not None:
-            unported |= {path for path in found if path in leftovers}
-            if min(found) in leftovers:
-                yield _of_package(package, found)
-    for path, uses in _by_file([system]).items():
-        if path in unported:
-            continue
-        first = uses[0]
-        texts = list(dict.fromkeys(use.text for use in uses))
-        other = _other(uses)
-        yield Finding(
-            at=first.location,
-            message=_leftover(texts, other) if _is_whole(uses, other) else _half_ported(first, texts, other),
-            about=(path,),
-            related=tuple((use.location, f"{use.text}, too") for use in uses[1:20]),
-            flow=included_by(first),
-            level=Level.NOTE if other == 1 and first.is_installed is False else None,
-        )
+        unported |= found.keys() & set(leftovers)
+        if found and min(found) in leftovers:
+            yield _of_package(package, found)
+    yield from (_of_file(path, uses) for path, uses in files.items() if path not in unported)
+
+
+def _of_file(path: str, uses: list[ConstructUse]) -> Finding:
+    first = uses[0]
+    texts = list(dict.fromkeys(use.text for use in uses))
+    other = _other(uses)
+    return Finding(
+        at=first.location,
+        message=_leftover(texts, other) if _is_whole(uses, other) else _half_ported(first, texts, other),
+        about=(path,),
+        related=tuple((use.location, f"{use.text}, too") for use in uses[1:20]),
+        flow=included_by(first),
+        level=Level.NOTE if other == 1 and first.is_installed is False else None,
+    )
 
 
 def _by_file(systems: Iterable[System]) -> dict[str, list[ConstructUse]]:
@@ -54,20 +52,20 @@ def _by_file(systems: Iterable[System]) -> dict[str, list[ConstructUse]]:
     return found
 
 
-def _unported(package: Package, system: System) -> dict[str, list[ConstructUse]] | None:
-    """The launch files of *package* if it has several and all are of the other ROS: then one finding stands for them.
+def _unported(package: Package, system: System) -> dict[str, list[ConstructUse]]:
+    """The launch files of *package* if it has several and all are of the other ROS, else none: then one finding stands for them.
 
     A file in XML that starts and includes nothing is of no ROS.
     """
     workspace = system.workspace
     if workspace is None:
-        return None
+        return {}
     files = {path for path in workspace.names if path.endswith(_LAUNCH_FILES) and _is_in(path, package)}
     files = {path for path in files if path.endswith(_NO_XML) or _STARTS.search(workspace.text(path))}
     every = _by_file(system.whole.systems)
     found = {path: uses for path, uses in every.items() if _is_in(path, package) and _is_whole(uses, _other(uses))}
     others = {_other(uses) for uses in found.values()}
-    return found if len(found) > 1 and len(others) == 1 and files <= found.keys() else None
+    return found if len(found) > 1 and len(others) == 1 and files <= found.keys() else {}
 
 
 def _of_package(package: Package, found: dict[str, list[ConstructUse]]) -> Finding:
