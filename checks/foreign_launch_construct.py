@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import ConstructUse, included_by, owner
@@ -18,7 +18,10 @@ _STARTS = re.compile(r"<(?:node|include|let|group|executable)\b")
 
 
 def check(system: System) -> Iterator[Finding]:
-    files = _by_file([system])
+    files: dict[str, list[ConstructUse]] = {}
+    for use in system.facts(ConstructUse):
+        if use.kind == "foreign":
+            files.setdefault(use.location.path, []).append(use)
     leftovers = [path for path, uses in files.items() if _is_whole(uses, _other(uses))]
     owners = [package for path in leftovers if (package := owner(system, Location(path, 1))) is not None]
     unported: set[str] = set()
@@ -30,7 +33,7 @@ def check(system: System) -> Iterator[Finding]:
     yield from (_of_file(path, uses) for path, uses in files.items() if path not in unported)
 
 
-def _of_file(path: str, uses: list[ConstructUse]) -> Finding:
+def _of_file(path: str, uses: Sequence[ConstructUse]) -> Finding:
     first = uses[0]
     texts = list(dict.fromkeys(use.text for use in uses))
     other = _other(uses)
@@ -44,15 +47,7 @@ def _of_file(path: str, uses: list[ConstructUse]) -> Finding:
     )
 
 
-def _by_file(systems: Iterable[System]) -> dict[str, list[ConstructUse]]:
-    found: dict[str, list[ConstructUse]] = {}
-    for use in (use for system in systems for use in system.facts(ConstructUse)):
-        if use.kind == "foreign":
-            found.setdefault(use.location.path, []).append(use)
-    return found
-
-
-def _unported(package: Package, system: System) -> dict[str, list[ConstructUse]]:
+def _unported(package: Package, system: System) -> Mapping[str, Sequence[ConstructUse]]:
     """The launch files of *package* if it has several and all are of the other ROS, else none: then one finding stands for them.
 
     A file in XML that starts and includes nothing is of no ROS.
@@ -62,13 +57,13 @@ def _unported(package: Package, system: System) -> dict[str, list[ConstructUse]]
         return {}
     files = {path for path in workspace.names if path.endswith(_LAUNCH_FILES) and _is_in(path, package)}
     files = {path for path in files if path.endswith(_NO_XML) or _STARTS.search(workspace.text(path))}
-    every = _by_file(system.whole.systems)
+    every = system.whole.foreign_constructs
     found = {path: uses for path, uses in every.items() if _is_in(path, package) and _is_whole(uses, _other(uses))}
     others = {_other(uses) for uses in found.values()}
     return found if len(found) > 1 and len(others) == 1 and files <= found.keys() else {}
 
 
-def _of_package(package: Package, found: dict[str, list[ConstructUse]]) -> Finding:
+def _of_package(package: Package, found: Mapping[str, Sequence[ConstructUse]]) -> Finding:
     first, *rest = sorted(found)
     other = _other(found[first])
     is_aside = other == 1 and all(uses[0].is_installed is False for uses in found.values())
@@ -90,7 +85,7 @@ def _is_in(path: str, package: Package) -> bool:
 _LAUNCH = {1: "roslaunch", 2: "ros2 launch"}
 
 
-def _is_whole(uses: list[ConstructUse], other: int) -> bool:
+def _is_whole(uses: Sequence[ConstructUse], other: int) -> bool:
     """Whether the whole file is of the *other* ROS: it is read as such, or starts nodes as that does."""
     return uses[0].ros == other or any(use.text == "exec= of <node>" for use in uses)
 
@@ -109,7 +104,7 @@ def _half_ported(first: ConstructUse, texts: list[str], other: int) -> str:
     return f"{first.text}{more} of ROS {other}: `{_LAUNCH[3 - other]}` rejects the whole file{instead}"
 
 
-def _other(uses: list[ConstructUse]) -> int:
+def _other(uses: Sequence[ConstructUse]) -> int:
     """The ROS that the constructs of a file are of."""
     return 1 if _is_ros1(uses[0]) else 2
 

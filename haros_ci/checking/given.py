@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.model.architecture import Condition, Parameter, Unknown
-from haros_ci.model.launch_facts import ArgumentDeclaration, IncludeUse, ParameterFileUse
+from haros_ci.model.launch_facts import ArgumentDeclaration, ConstructUse, IncludeUse, ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence, together
 
@@ -233,6 +233,16 @@ class Whole:
                 if written := names[use.location]:
                     found.setdefault(written, set()).update(passed.name for passed in use.passed)
         return tuple((re.compile(written), frozenset(passed)) for written, passed in sorted(found.items()))
+
+    @cached_property
+    def foreign_constructs(self) -> Mapping[str, tuple[ConstructUse, ...]]:
+        """The constructs of another ROS version that launch files have, by the file."""
+        found: dict[str, dict[ConstructUse, None]] = {}
+        for system in self.systems:
+            for use in system.facts(ConstructUse):
+                if use.kind == "foreign":
+                    found.setdefault(use.location.path, {})[use] = None
+        return {path: tuple(uses) for path, uses in found.items()}
 
     @cached_property
     def files_by_name(self) -> Mapping[str, tuple[str, ...]]:
