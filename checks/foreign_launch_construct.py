@@ -3,18 +3,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import ConstructUse, included_by, owner
 from haros_ci.api.packages import Package
-
-#: How the names of launch files end.
-_LAUNCH_FILES = tuple(f"{sign}launch{end}" for sign in "._" for end in (".py", ".xml", ".yaml", ".yml")) + (".launch",)
-#: How the names of those in other languages end, and the tags that a file in XML starts something with.
-_NO_XML = (".py", ".yaml", ".yml")
-_STARTS = re.compile(r"<(?:node|include|let|group|executable)\b")
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -52,11 +45,7 @@ def _unported(package: Package, system: System) -> Mapping[str, Sequence[Constru
 
     A file in XML that starts and includes nothing is of no ROS.
     """
-    workspace = system.workspace
-    if workspace is None:
-        return {}
-    files = {path for path in workspace.names if path.endswith(_LAUNCH_FILES) and _is_in(path, package)}
-    files = {path for path in files if path.endswith(_NO_XML) or _STARTS.search(workspace.text(path))}
+    files = {path for path in system.whole.launch_files if _is_in(path, package)}
     every = system.whole.foreign_constructs
     found = {path: uses for path, uses in every.items() if _is_in(path, package) and _is_whole(uses, _other(uses))}
     others = {_other(uses) for uses in found.values()}

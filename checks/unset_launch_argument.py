@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, System
-from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant, shown
+from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -26,7 +26,7 @@ def check(system: System) -> Iterator[Finding]:
         # Both launchers set what the command line gives, declared or not; ROS 1 for the launched file alone.
         is_settable = not read.similar and (read.ros == 2 or not read.included)
         unless = f", unless '{read.name}:=…' is given; declare it" if is_settable else ""
-        is_given = is_settable and _is_given(system, read)
+        is_given = is_settable and system.whole.is_shown(read.name, read.location.path)
         yield Finding(
             at=read.location,
             message=f"{how} is read, but never declared or set: launch stops here{unless}{meant(read.similar)}",
@@ -36,13 +36,6 @@ def check(system: System) -> Iterator[Finding]:
             flow=included_by(read),
             presence=read.presence,
         )
-
-
-def _is_given(system: System, read: ArgumentRead) -> bool:
-    """Whether a page or a script of the workspace, or the launch file, shows a command that gives the argument."""
-    if system.workspace is None:
-        return False
-    return read.name in system.whole.shown_arguments or read.name in shown(system.workspace.text(read.location.path))
 
 
 def _undeclared(read: ArgumentRead, how: str, is_here: bool) -> Finding:

@@ -10,7 +10,6 @@ from haros_ci.checking.compatibility import refused_pairs, refuses
 from haros_ci.checking.given import (
     Given,
     Names,
-    Whole,
     is_mentioned,
     misplaced,
     near,
@@ -29,6 +28,7 @@ from haros_ci.checking.system import (
     SystemNode,
     can_meet,
 )
+from haros_ci.checking.whole import Whole
 from haros_ci.checking.whole_graph import WholeGraph, is_opaque
 from haros_ci.checking.wording import line_of
 from haros_ci.model.architecture import (

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from haros_ci.checking.distributions import depends_on_distribution
-from haros_ci.checking.given import shown
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.model.launch_facts import (
@@ -46,5 +45,4 @@ __all__ = [
     "meant",
     "owner",
     "renamed_keyword",
-    "shown",
 ]

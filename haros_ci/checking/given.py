@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from haros_ci.checking.whole import is_in
 from haros_ci.model.architecture import Condition, Parameter, Unknown
-from haros_ci.model.launch_facts import ArgumentDeclaration, ConstructUse, IncludeUse, ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence, together
 
@@ -27,20 +27,8 @@ TRANSPORTS = frozenset(
     "compressed compressedDepth theora zstd ffmpeg draco zlib raw enable_pub_plugins disable_pub_plugins image_transport "
     "point_cloud_transport".split()
 )
-#: How the names of source files end.
-_OTHER = re.compile(r"launch[^/]*$|(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_test)\.\w+$")
-CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
 #: Last words of parameters that older transports declare below a topic: ``image.jpeg_quality``.
 OF_TRANSPORTS = frozenset("format jpeg_quality png_level tiff".split())
-
-
-#: Lines that an include's tag with its file takes.
-_OF_INCLUDE = 4
-_FILE = re.compile(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
-#: Where commands stand that people and scripts start launch files with.
-_SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
-_SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
-_SUBSTITUTION = re.compile(r"\$\((?:arg|var|env|optenv|eval)\s[^()]*\)")
 
 
 class Given:
@@ -177,128 +165,6 @@ def is_of_library(key: str) -> bool:
     )
 
 
-class Whole:
-    """All *systems* of an architecture: what is said of a file that several use has to hold in all of them."""
-
-    def __init__(self, systems: Sequence[System]) -> None:
-        self.systems = systems
-        self._sources: dict[str, tuple[str, ...]] = {}
-
-    @cached_property
-    def taken(self) -> frozenset[tuple[Location, str]]:
-        """The places and keys that give something which some node has, or may have."""
-        return frozenset(place for system in self.systems for place in system.taken)
-
-    @cached_property
-    def declared(self) -> frozenset[str]:
-        """The names of parameters that any node is seen to declare."""
-        return frozenset(key for system in self.systems for node in system.nodes for key in node.names.declared)
-
-    @cached_property
-    def parameter_files(self) -> Mapping[str, tuple[ParameterFileUse, ...]]:
-        """All uses of the parameter files that are known, by path."""
-        found: dict[str, list[ParameterFileUse]] = {}
-        for system in self.systems:
-            for use in system.facts(ParameterFileUse):
-                if use.path is not None:
-                    found.setdefault(use.path, []).append(use)
-        return {path: tuple(uses) for path, uses in found.items()}
-
-    @cached_property
-    def used_arguments(self) -> frozenset[tuple[str, str]]:
-        """The launch arguments that some file declares and uses, each with the directory of the file."""
-        every = (fact for system in self.systems for fact in system.facts(ArgumentDeclaration) if fact.is_used)
-        return frozenset((fact.location.path.rpartition("/")[0], fact.name) for fact in every)
-
-    @cached_property
-    def passed_arguments(self) -> frozenset[tuple[str, str]]:
-        """The launch arguments that includes pass, each with the file's path, or its name alone where the path is not known.
-
-        Of an include of which not even the name is known it is "": it may be any file.
-        """
-        every = (
-            (use, passed.name) for system in self.systems for use in system.facts(IncludeUse) for passed in use.passed
-        )
-        return frozenset((use.path or _file_name(use.text), name) for use, name in every)
-
-    @cached_property
-    def chosen_files(self) -> tuple[tuple[re.Pattern[str], frozenset[str]], ...]:
-        """Names of launch files that an include chooses by an argument (``slam_$(arg method).launch``), with what it passes."""
-        found: dict[str, set[str]] = {}
-        names: dict[Location, str] = {}
-        for system in self.systems:
-            for use in system.facts(IncludeUse):
-                if use.location not in names:
-                    names[use.location] = _chosen(system, use)
-                if written := names[use.location]:
-                    found.setdefault(written, set()).update(passed.name for passed in use.passed)
-        return tuple((re.compile(written), frozenset(passed)) for written, passed in sorted(found.items()))
-
-    @cached_property
-    def foreign_constructs(self) -> Mapping[str, tuple[ConstructUse, ...]]:
-        """The constructs of another ROS version that launch files have, by the file."""
-        found: dict[str, dict[ConstructUse, None]] = {}
-        for system in self.systems:
-            for use in system.facts(ConstructUse):
-                if use.kind == "foreign":
-                    found.setdefault(use.location.path, {})[use] = None
-        return {path: tuple(uses) for path, uses in found.items()}
-
-    @cached_property
-    def files_by_name(self) -> Mapping[str, tuple[str, ...]]:
-        """The files of the workspace by the last part of their paths."""
-        workspace = next((system.workspace for system in self.systems if system.workspace is not None), None)
-        found: dict[str, list[str]] = {}
-        for path in sorted(workspace.names if workspace is not None else ()):
-            found.setdefault(path.rpartition("/")[2], []).append(path)
-        return {name: tuple(paths) for name, paths in found.items()}
-
-    @cached_property
-    def shown_arguments(self) -> frozenset[str]:
-        """The launch arguments that a page or a script of the workspace shows in a command: ``rate`` of ``rate:=10``."""
-        workspace = next((system.workspace for system in self.systems if system.workspace is not None), None)
-        paths = sorted(workspace.names) if workspace is not None else ()
-        texts = (
-            (workspace.text(path) for path in paths if path.lower().endswith(_SHOWING)) if workspace is not None else ()
-        )
-        return frozenset(name for text in texts if ":=" in text for name in shown(text))
-
-    @cached_property
-    def names(self) -> Mapping[str, frozenset[str]]:
-        """The last parts of the names that the nodes of a program have, by ``package/executable``."""
-        found: dict[str, set[str]] = {}
-        for system in self.systems:
-            for node in system.nodes:
-                found.setdefault(node.type, set()).add(node.name.rpartition("/")[2])
-        return {program: frozenset(names) for program, names in found.items()}
-
-    def sources(self, folder: str, system: System) -> tuple[str, ...]:
-        """The texts of the C++ and Python files below *folder* that are no launch files."""
-        if folder not in self._sources and system.workspace is not None:
-            files = [file.path for file in system.workspace.files if _is_in(file.path, folder)]
-            names = [path for path in files if path.endswith(CODE) and not _OTHER.search(path)]
-            self._sources[folder] = tuple(map(system.workspace.text, names))
-        return self._sources.get(folder, ())
-
-
-def shown(text: str) -> frozenset[str]:
-    """The launch arguments that commands in *text* give: ``rate`` of ``rate:=10``."""
-    return frozenset(_SHOWN.findall(text))
-
-
-def _chosen(system: System, use: IncludeUse) -> str:
-    """A pattern of the names that the file of an include in XML can have; "" if it has but one."""
-    if system.workspace is None or not use.location.line or use.location.path.endswith((".py", ".yaml", ".yml")):
-        return ""
-    lines = system.workspace.text(use.location.path).split("\n")[use.location.line - 1 :][:_OF_INCLUDE]
-    written = _FILE.search("\n".join(lines))
-    name = written[1].rpartition("/")[2] if written is not None else ""
-    parts = _SUBSTITUTION.split(name)
-    if len(parts) < 2 or not any(len(part) > len(".xml") for part in parts):
-        return ""
-    return r"[\w.-]+".join(map(re.escape, parts))
-
-
 def taken_in(system: System) -> frozenset[tuple[Location, str]]:
     """The places and keys that give something which some node of *system* has, or may have."""
     return frozenset(each.place for each in system.given if each.node.names.has(each.key) is not False)
@@ -319,12 +185,6 @@ def near(key: str, known: Iterable[str], *, dot: str = ".") -> str | None:
         found = get_close_matches(key[:200], names[:1000], n=1, cutoff=0.84)
         return found[0] if found else None
     return None
-
-
-def _file_name(text: str) -> str:
-    """The name of the file that an include names; "" if a part of it is not known."""
-    last = text.rpartition("/")[2]
-    return "" if any(sign in last for sign in "?$(*") else last
 
 
 def _plain(name: str) -> str:
@@ -363,11 +223,7 @@ def is_mentioned(system: System, node: SystemNode, name: str) -> bool:
     folders = {package.path for package in system.packages.values() if package.name == node.package}
     places = {end.location.path for ends in node.names.declared.values() for end in ends if end.in_source}
     folders |= {
-        package.path for package in system.packages.values() if any(_is_in(path, package.path) for path in places)
+        package.path for package in system.packages.values() if any(is_in(path, package.path) for path in places)
     }
     texts = (text for folder in sorted(folders) for text in system.whole.sources(folder, system))
     return any(f'"{name}{end}' in text or f"'{name}{end}" in text for text in texts for end in ('"', "'", "."))
-
-
-def _is_in(path: str, folder: str) -> bool:
-    return folder in ("", ".") or path.startswith(f"{folder}/")

@@ -8,8 +8,9 @@ from functools import cached_property
 from itertools import product
 from typing import TypeVar
 
-from haros_ci.checking.given import Given, Names, Whole, give, taken_in
+from haros_ci.checking.given import Given, Names, give, taken_in
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC, WORDS
+from haros_ci.checking.whole import Whole
 from haros_ci.model.architecture import (
     Architecture,
     Condition,

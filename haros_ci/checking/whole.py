@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What all systems of an architecture, and the workspace that they are of, say together: gathered once, for every check."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from haros_ci.model.launch_facts import ArgumentDeclaration, ConstructUse, IncludeUse, ParameterFileUse
+from haros_ci.model.location import Location
+
+if TYPE_CHECKING:
+    from haros_ci.checking.system import System
+    from haros_ci.model.workspace import Workspace
+
+#: How the names of source files end, and the files of these that run no node.
+CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
+_OTHER = re.compile(r"launch[^/]*$|(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_test)\.\w+$")
+#: How the names of launch files end, and of those that are not in XML.
+LAUNCH_FILES = (".launch", *(f"{sign}launch{end}" for sign in "._" for end in (".xml", ".py", ".yaml", ".yml")))
+NOT_XML = (".py", ".yaml", ".yml")
+_STARTS = re.compile(r"<(?:node|include|let|group|executable)\b")
+#: Lines that an include's tag with its file takes.
+_OF_INCLUDE = 4
+_FILE = re.compile(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
+_SUBSTITUTION = re.compile(r"\$\((?:arg|var|env|optenv|eval)\s[^()]*\)")
+#: Where commands stand that people and scripts start launch files with, and an argument that one gives.
+_SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
+_SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
+
+
+class Whole:
+    """All *systems* of an architecture: what is said of a file that several use has to hold in all of them."""
+
+    def __init__(self, systems: Sequence[System]) -> None:
+        self.systems = systems
+        self._sources: dict[str, tuple[str, ...]] = {}
+
+    @cached_property
+    def taken(self) -> frozenset[tuple[Location, str]]:
+        """The places and keys that give something which some node has, or may have."""
+        return frozenset(place for system in self.systems for place in system.taken)
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        """The names of parameters that any node is seen to declare."""
+        return frozenset(key for system in self.systems for node in system.nodes for key in node.names.declared)
+
+    @cached_property
+    def parameter_files(self) -> Mapping[str, tuple[ParameterFileUse, ...]]:
+        """All uses of the parameter files that are known, by path."""
+        found: dict[str, list[ParameterFileUse]] = {}
+        for system in self.systems:
+            for use in system.facts(ParameterFileUse):
+                if use.path is not None:
+                    found.setdefault(use.path, []).append(use)
+        return {path: tuple(uses) for path, uses in found.items()}
+
+    @cached_property
+    def used_arguments(self) -> frozenset[tuple[str, str]]:
+        """The launch arguments that some file declares and uses, each with the directory of the file."""
+        every = (fact for system in self.systems for fact in system.facts(ArgumentDeclaration) if fact.is_used)
+        return frozenset((fact.location.path.rpartition("/")[0], fact.name) for fact in every)
+
+    @cached_property
+    def passed_arguments(self) -> frozenset[tuple[str, str]]:
+        """The launch arguments that includes pass, each with the file's path, or its name alone where the path is not known.
+
+        Of an include of which not even the name is known it is "": it may be any file.
+        """
+        every = (
+            (use, passed.name) for system in self.systems for use in system.facts(IncludeUse) for passed in use.passed
+        )
+        return frozenset((use.path or _file_name(use.text), name) for use, name in every)
+
+    @cached_property
+    def chosen_files(self) -> tuple[tuple[re.Pattern[str], frozenset[str]], ...]:
+        """Names of launch files that an include chooses by an argument (``slam_$(arg method).launch``), with what it passes."""
+        found: dict[str, set[str]] = {}
+        names: dict[Location, str] = {}
+        for system in self.systems:
+            for use in system.facts(IncludeUse):
+                if use.location not in names:
+                    names[use.location] = _chosen(system, use)
+                if written := names[use.location]:
+                    found.setdefault(written, set()).update(passed.name for passed in use.passed)
+        return tuple((re.compile(written), frozenset(passed)) for written, passed in sorted(found.items()))
+
+    @cached_property
+    def foreign_constructs(self) -> Mapping[str, tuple[ConstructUse, ...]]:
+        """The constructs of another ROS version that launch files have, by the file."""
+        found: dict[str, dict[ConstructUse, None]] = {}
+        for system in self.systems:
+            for use in system.facts(ConstructUse):
+                if use.kind == "foreign":
+                    found.setdefault(use.location.path, {})[use] = None
+        return {path: tuple(uses) for path, uses in found.items()}
+
+    @cached_property
+    def files_by_name(self) -> Mapping[str, tuple[str, ...]]:
+        """The files of the workspace by the last part of their paths."""
+        found: dict[str, list[str]] = {}
+        for path in self._paths:
+            found.setdefault(path.rpartition("/")[2], []).append(path)
+        return {name: tuple(paths) for name, paths in found.items()}
+
+    @cached_property
+    def launch_files(self) -> tuple[str, ...]:
+        """The launch files of the workspace, by their names; of those in XML only such that start, include or set something."""
+        paths = (path for path in self._paths if path.endswith(LAUNCH_FILES))
+        return tuple(path for path in paths if path.endswith(NOT_XML) or _STARTS.search(self._text(path)))
+
+    def is_shown(self, argument: str, path: str) -> bool:
+        """Whether a page or a script of the workspace, or the launch file at *path*, shows a command that gives the launch *argument*."""
+        return argument in self._shown or argument in _SHOWN.findall(self._text(path))
+
+    @cached_property
+    def _shown(self) -> frozenset[str]:
+        """The launch arguments that pages and scripts of the workspace give: ``rate`` of ``rate:=10``."""
+        texts = (self._text(path) for path in self._paths if path.lower().endswith(_SHOWING))
+        return frozenset(name for text in texts if ":=" in text for name in _SHOWN.findall(text))
+
+    @cached_property
+    def _workspace(self) -> Workspace | None:
+        return next((system.workspace for system in self.systems if system.workspace is not None), None)
+
+    @cached_property
+    def _paths(self) -> tuple[str, ...]:
+        return tuple(sorted(self._workspace.names)) if self._workspace is not None else ()
+
+    def _text(self, path: str) -> str:
+        return self._workspace.text(path) if self._workspace is not None else ""
+
+    @cached_property
+    def names(self) -> Mapping[str, frozenset[str]]:
+        """The last parts of the names that the nodes of a program have, by ``package/executable``."""
+        found: dict[str, set[str]] = {}
+        for system in self.systems:
+            for node in system.nodes:
+                found.setdefault(node.type, set()).add(node.name.rpartition("/")[2])
+        return {program: frozenset(names) for program, names in found.items()}
+
+    def sources(self, folder: str, system: System) -> tuple[str, ...]:
+        """The texts of the C++ and Python files below *folder* that are no launch files."""
+        if folder not in self._sources and system.workspace is not None:
+            files = [file.path for file in system.workspace.files if is_in(file.path, folder)]
+            names = [path for path in files if path.endswith(CODE) and not _OTHER.search(path)]
+            self._sources[folder] = tuple(map(system.workspace.text, names))
+        return self._sources.get(folder, ())
+
+
+def _chosen(system: System, use: IncludeUse) -> str:
+    """A pattern of the names that the file of an include in XML can have; "" if it has but one."""
+    if system.workspace is None or not use.location.line or use.location.path.endswith(NOT_XML):
+        return ""
+    lines = system.workspace.text(use.location.path).split("\n")[use.location.line - 1 :][:_OF_INCLUDE]
+    written = _FILE.search("\n".join(lines))
+    name = written[1].rpartition("/")[2] if written is not None else ""
+    parts = _SUBSTITUTION.split(name)
+    if len(parts) < 2 or not any(len(part) > len(".xml") for part in parts):
+        return ""
+    return r"[\w.-]+".join(map(re.escape, parts))
+
+
+def _file_name(text: str) -> str:
+    """The name of the file that an include names; "" if a part of it is not known."""
+    last = text.rpartition("/")[2]
+    return "" if any(sign in last for sign in "?$(*") else last
+
+
+def is_in(path: str, folder: str) -> bool:
+    """Whether the file at *path* lies in the directory *folder* or below; "" and "." are the root."""
+    return folder in ("", ".") or path.startswith(f"{folder}/")
