@@ -194,6 +194,22 @@ def test_all_errors_and_samples_of_the_rest_are_drawn() -> None:
     assert Counter(row["group"] for row in more) == {"own error": 5, "own warning": 20, "linter": 21}
 
 
+def test_of_each_rule_as_many_are_drawn_and_few_of_one_repository() -> None:
+    many = {
+        "a/one": {"results": [result("often") for _ in range(30)] + [result("seldom") for _ in range(3)]},
+        "b/two": {"results": [result("often") for _ in range(3)] + [result("often", "note")]},
+        "c/three": {"results": [result("often", "error"), result("alone", tool="pylint")]},
+        "d/four": {"results": [result("alone", tool="pylint") for _ in range(12)]},
+    }
+    rows = draw.of_rules(many, 20, least=10, each=8, most=2)
+    counts = Counter((row["rule"], row["repository"]) for row in rows)
+    assert counts["often", "a/one"] + counts["often", "b/two"] == 7 and counts["often", "b/two"] >= 2
+    assert counts["often", "c/three"] == counts["alone", "c/three"] == 1
+    assert counts["alone", "d/four"] == 7 and len(rows) == 16
+    assert rows == draw.of_rules(dict(reversed(many.items())), 20, least=10, each=8, most=2)
+    assert "seldom" not in {row["rule"] for row in rows}
+
+
 @pytest.mark.parametrize(
     ("path", "line", "shown"),
     [

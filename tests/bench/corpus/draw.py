@@ -3,11 +3,13 @@
 
     python tests/bench/corpus/draw.py repositories --seed 17 --count 20 --write tests/bench/corpus/rounds/17.yaml
     python tests/bench/corpus/draw.py findings tests/bench/corpus/rounds/17.yaml OUT CHECKOUTS > sheet.jsonl
+    python tests/bench/corpus/draw.py rules OUT CHECKOUTS --seed 20 > rules.jsonl
 
 Repositories come from repositories.yaml, without those that a document of the project names and those of earlier rounds: whatever the
 project has been written by is not drawn. Findings come from the reports that run.py left in OUT: all errors of our own checks, and of
 our own warnings and of what the linters say a sample. A line of the sheet has place, rule, message, the code around it, and an empty
-verdict and reason; score.py reads it when they are filled in. The same seed, list and reports give the same bytes.
+verdict and reason; score.py reads it when they are filled in. ``rules`` draws the same number of findings of each rule instead, of all
+repositories that no document names and no round before that of the seed has used. The same seed, list and reports give the same bytes.
 """
 
 from __future__ import annotations
@@ -70,6 +72,14 @@ def earlier(rounds: Path = ROUNDS) -> set[str]:
     return {name for file in files for name in yaml.safe_load(file.read_text("utf-8"))["repositories"]}
 
 
+def unread(seed: int) -> set[str]:
+    """The listed repositories that no document names, without those of rounds with another seed than *seed*."""
+    names = {entry["name"] for entry in yaml.safe_load((HERE / "repositories.yaml").read_text("utf-8"))}
+    this = ROUNDS / f"{seed}.yaml"
+    own = set(yaml.safe_load(this.read_text("utf-8"))["repositories"]) if this.exists() else set()
+    return names - named(names, documents()) - (earlier() - own)
+
+
 def repositories(names: Iterable[str], left: set[str], seed: int, count: int) -> list[str]:
     """*count* of *names* without those *left* out, sorted; ``ValueError`` if there are not as many."""
     rest = sorted(set(names) - left)
@@ -106,6 +116,33 @@ def findings(
     return rows
 
 
+def of_rules(
+    reports: Mapping[str, Mapping[str, Any]], seed: int, *, least: int, each: int, most: int
+) -> list[dict[str, Any]]:
+    """The rows of a sheet: of every rule with *least* findings or more in *reports*, *each* findings or all that it has.
+
+    At most *most* are of one repository, as long as other repositories have some left; a group is that of ``findings``.
+    """
+    pools: dict[str, list[tuple[str, Mapping[str, Any]]]] = {}
+    for repository in sorted(reports):
+        for result in reports[repository]["results"]:
+            if group(result):
+                pools.setdefault(f"{result['tool']} {result['rule']}", []).append((repository, result))
+    rows = []
+    for rule, pool in sorted(pools.items()):
+        if len(pool) < least:
+            continue
+        shuffled = random.Random(f"{seed}/{rule}").sample(pool, len(pool))
+        seen: dict[str, int] = {}
+        ranked = []
+        for place, (repository, result) in enumerate(shuffled):
+            seen[repository] = seen.get(repository, 0) + 1
+            ranked.append((seen[repository] > most, place, repository, result))
+        ranked.sort(key=lambda entry: entry[:2])
+        rows += [_row(str(group(result)), repository, result) for _, _, repository, result in ranked[:each]]
+    return rows
+
+
 def _row(name: str, repository: str, result: Mapping[str, Any]) -> dict[str, Any]:
     kept = {key: result[key] for key in ("path", "line", "level", "tool", "rule", "message")}
     places = [f"{place['path']}:{place['line']}: {place['message']}" for place in result.get("related", ())]
@@ -132,13 +169,21 @@ def frame(root: Path, path: str | None, line: int | None) -> list[str]:
 
 def sheet(round_: Mapping[str, Any], out: Path, checkouts: Path, most: Mapping[str, int | None]) -> str:
     """JSON lines: the sheet of a round, of the reports in *out* and the sources in *checkouts*."""
-    reports = {}
-    for name in round_["repositories"]:
-        reports[name] = json.loads((out / (name.replace("/", "+") + ".json")).read_bytes())
-    rows = findings(reports, round_["seed"], most)
+    return lines(findings(reports(round_["repositories"], out), round_["seed"], most), checkouts)
+
+
+def reports(names: Iterable[str], out: Path) -> dict[str, Any]:
+    """The reports that run.py left in *out*, by repository; ``FileNotFoundError`` if one of *names* has none."""
+    return {name: json.loads((out / (name.replace("/", "+") + ".json")).read_bytes()) for name in names}
+
+
+def lines(rows: Iterable[dict[str, Any]], checkouts: Path) -> str:
+    """JSON lines: *rows*, each with the code around it."""
+    text = []
     for row in rows:
         row["frame"] = frame(checkouts / row["repository"].replace("/", "+"), row["path"], row["line"])
-    return "".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows)
+        text.append(json.dumps(row, ensure_ascii=False) + "\n")
+    return "".join(text)
 
 
 def main() -> int:
@@ -154,11 +199,25 @@ def main() -> int:
     second.add_argument("checkouts", type=Path)
     second.add_argument("--warnings", type=int, default=100)
     second.add_argument("--linters", type=int, default=60)
+    third = commands.add_parser("rules")
+    third.add_argument("out", type=Path)
+    third.add_argument("checkouts", type=Path)
+    third.add_argument("--seed", type=int, required=True)
+    third.add_argument("--each", type=int, default=20, help="findings of a rule")
+    third.add_argument("--least", type=int, default=10, help="findings that a rule must have")
+    third.add_argument("--most", type=int, default=4, help="findings of a rule in one repository, if others have some")
     given = parser.parse_args()
     if given.command == "findings":
         round_ = yaml.safe_load(given.round.read_text("utf-8"))
         most = {"own error": None, "own warning": given.warnings, "linter": given.linters}
         sys.stdout.write(sheet(round_, given.out, given.checkouts, most))
+        return 0
+    if given.command == "rules":
+        fresh = sorted(unread(given.seed))
+        had = [name for name in fresh if (given.out / (name.replace("/", "+") + ".json")).exists()]
+        print(f"{len(had)} of {len(fresh)} repositories have a report", file=sys.stderr)
+        rows = of_rules(reports(had, given.out), given.seed, least=given.least, each=given.each, most=given.most)
+        sys.stdout.write(lines(rows, given.checkouts))
         return 0
     names = [entry["name"] for entry in yaml.safe_load((HERE / "repositories.yaml").read_text("utf-8"))]
     spoken, before = named(names, documents()), earlier()
