@@ -29,6 +29,11 @@ ROS = frozenset(("ros/ros.h", "nodelet/nodelet.h"))
 #: The functions that tell whether ROS goes on.
 _ASKED = ("ros::ok", "rclcpp::ok")
 
+#: A request that the machine goes off, which the loop repeats until it does.
+_POWER = re.compile(
+    r"\bsystem\s*\([^;]*\b(?:shutdown|poweroff|reboot|halt)\b|\b\w*(?:power_?off|reboot)\w*\s*\(", re.IGNORECASE
+)
+
 
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
@@ -67,7 +72,7 @@ def _is_uncalled(condition: Any) -> bool:
 def _may_end(code: Codebase, routine: Routine, statement: Any) -> bool:
     """Whether there is a way out of the loop, or may be one in what is not seen."""
     text = _text(code, routine, statement)
-    if text is None or ENDS.search(text):
+    if text is None or ENDS.search(text) or _POWER.search(code.lines(routine, statement[2])):
         return True
     if not routine.is_python:
         return bool(re.search(r"\bdetach\s*\(", code.text(routine.path)))  # such a thread ends with the process

@@ -8,52 +8,28 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import Target
+from haros_ci.api.packages import SUFFIXES, Target, loose
 
-SUFFIXES = (".cpp", ".cc", ".cxx", ".c++")
 _ASIDE = re.compile(
     r"(?:^|[/_-])(?:tests?|gtest|testing|examples?|demos?|samples?|benchmarks?|old|deprecated|unused|backup|windows|win32)(?:$|[/_.-])"
 )
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
-#: Commands that may compile files that they do not name.
-_FETCHING = (
-    "aux_source_directory",
-    "externalproject_add",
-    "fetchcontent_declare",
-    "ament_vendor",
-    "include_external_msproject",
-)
 #: The classes of one package that are looked for, and the largest file.
 MAX_CLASSES, MAX_TEXT = 200, 500_000
 
 
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
-        if package.cmake.is_whole and not package.commands(*_FETCHING):
-            yield from _of(package)
+        yield from _of(package)
 
 
 def _of(package: ProjectPackage) -> Iterator[Finding]:
-    compiled = {path for target in package.build.targets for path in (*target.sources, *target.conditional_sources)}
-    loose = [file.path for file in package.files if file.path.endswith(SUFFIXES) and file.path not in compiled]
-    loose = [path for path in loose if not _ASIDE.search(path.removeprefix(package.path).lower())]
-    if not loose or len(loose) > MAX_CLASSES:
+    aside = loose(package)
+    aside = [path for path in aside if not _ASIDE.search(path.removeprefix(package.path).lower())]
+    if not aside or len(aside) > MAX_CLASSES:
         return
-    script = "\n".join(
-        package.project.text(p)
-        for p in package.project.workspace.names
-        if p.endswith(("CMakeLists.txt", ".cmake")) and (package.path == "." or p.startswith(f"{package.path}/"))
-    )
     every = frozenset(file.path for file in package.files if file.language == "cpp")
-    for path in loose:
-        base = posixpath.basename(path)
-        if posixpath.splitext(base)[0] in script and base in script:
-            continue
-        if any(
-            f'/{base}"' in text or f'"{base}"' in text or f"/{base}>" in text
-            for text in map(package.project.text, every)
-        ):
-            continue  # it is included
+    for path in aside:
         yield from _needed(package, path, every)
 
 

@@ -91,6 +91,8 @@ def _in_code(project: Project, defining: Mapping[str, Defining]) -> Iterator[Fin
         if of is None or reference in of.references:
             continue
         for path, written in places:
+            if path in project.code.unbuilt:
+                continue
             finding = _unless_handmade(project, of, reference, path, written, built, ends)
             if finding is not None:
                 yield finding

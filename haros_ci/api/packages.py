@@ -56,6 +56,7 @@ from haros_ci.checking.provision import (
     others_of,
 )
 from haros_ci.checking.requirements import distributions_of, normal, pinned
+from haros_ci.checking.unbuilt import SUFFIXES, loose
 from haros_ci.checking.uninstalled import (
     Programs,
     Uninstalled,
@@ -104,6 +105,7 @@ __all__ = [
     "Provision",
     "Provisions",
     "Registration",
+    "SUFFIXES",
     "SourceFile",
     "Sources",
     "Target",
@@ -140,6 +142,7 @@ __all__ = [
     "landings",
     "last_dependency",
     "loaders",
+    "loose",
     "may_appear",
     "may_be_installed",
     "needs",

@@ -251,9 +251,14 @@ class Project:
     @cached_property
     def code(self) -> Codebase:
         """The call graph over the programs; without any where none was given."""
+        from haros_ci.checking.unbuilt import unbuilt
         from haros_ci.code.codebase import codebase
 
-        return self._code() if self._code is not None else codebase((), self.text)
+        if self._code is None:
+            return codebase((), self.text)
+        code = self._code()
+        code.unbuilt = unbuilt(self)
+        return code
 
     def text(self, path: str) -> str:
         """The text of a file of the workspace; "" if it is not there or not text."""

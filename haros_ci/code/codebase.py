@@ -79,6 +79,8 @@ class Codebase:
     _by_function: dict[int, Routine] = field(default_factory=dict)
     _bodies: dict[int, Body] = field(default_factory=dict)
     _mentions: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict)
+    #: Sources that no target compiles: checks of the code pass them over, since they never run.
+    unbuilt: frozenset[str] = frozenset()
     #: What other modules of this room remember about this code, by their own keys.
     kept: dict[object, object] = field(default_factory=dict)
 
@@ -135,10 +137,11 @@ class Codebase:
         return self.routine(routine.source, functions[index]) if 0 <= index < len(functions) else None
 
     def mentioning(self, *words: str) -> frozenset[str]:
-        """The files of programs whose text contains one of *words*."""
+        """The files of programs whose text contains one of *words*, without those that no target compiles."""
         if words not in self._mentions:
             texts = ((source.path, self.text(source.path)) for source in self.sources)
             self._mentions[words] = frozenset(path for path, text in texts if any(word in text for word in words))
+            self._mentions[words] -= self.unbuilt
         return self._mentions[words]
 
     def ros_of(self, source: Source) -> int | None:
