@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import PackageUse, included_by, owner
@@ -45,6 +45,7 @@ _BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w
 
 def check(system: System) -> Iterator[Finding]:
     provided: dict[str, tuple[frozenset[str], bool]] = {}
+    uses = _uses(system)
     for use in system.facts(PackageUse):
         package = owner(system, use.location)
         if package is None or package.name == use.package:
@@ -54,7 +55,7 @@ def check(system: System) -> Iterator[Finding]:
         found, is_whole = provided[package.name]
         if use.package in found or not _exists(use.package, package.ros, system):
             continue
-        if _is_left_out(package, use, system):
+        if _is_left_out(package, use, system) or _closes_a_cycle(package.name, use.package, system, uses):
             continue
         tag = "exec_depend" if package.format > 1 else "run_depend"
         yield Finding(
@@ -67,6 +68,34 @@ def check(system: System) -> Iterator[Finding]:
             apart=(use.package,),
             level=None if is_whole and not _is_aside(use, system) else Level.NOTE,
         )
+
+
+def _uses(system: System) -> Mapping[str, frozenset[str]]:
+    """By package of the workspace what its launch files use of other packages."""
+    found: dict[str, set[str]] = {}
+    for use in system.facts(PackageUse):
+        package = owner(system, use.location)
+        if package is not None:
+            found.setdefault(package.name, set()).add(use.package)
+    return {name: frozenset(names) for name, names in found.items()}
+
+
+def _closes_a_cycle(name: str, used: str, system: System, uses: Mapping[str, frozenset[str]]) -> bool:
+    """Whether the package *used* needs the package *name* itself, or its launch files do.
+
+    With the dependency declared in both packages colcon and catkin stop, because they can order neither first.
+    """
+    todo, seen = [used], {used}
+    while todo:
+        inner = system.packages.get(todo.pop())
+        if inner is None:
+            continue
+        further = {dependency.name for dependency in inner.dependencies} | uses.get(inner.name, frozenset())
+        if name in further:
+            return True
+        todo += further - seen
+        seen |= further
+    return False
 
 
 def _is_left_out(package: Package, use: PackageUse, system: System) -> bool:
@@ -122,12 +151,22 @@ def _provided(package: Package, system: System) -> tuple[frozenset[str], bool]:
             outside = knowledge().depends(name, package.ros) if knowledge().is_whole(name) else None
             is_known = outside is not None or name.startswith(_PLAIN) or name.endswith("_msgs")
             is_whole = is_whole and is_known
-            found.update(outside or ())
+            found.update(_closure(outside or (), package.ros))
         for dependency in inner.dependencies if inner is not None else ():
             if dependency.kind in _RUN and dependency.name not in found:
                 found.add(dependency.name)
                 todo.append(dependency.name)
     return frozenset(found), is_whole
+
+
+def _closure(names: Iterable[str], ros: int | None) -> set[str]:
+    """*names* and all that comes with them, as far as it is known."""
+    found, todo = set(names), list(names)
+    while todo:
+        further = (knowledge().depends(todo.pop(), ros) or frozenset()) - found
+        found |= further
+        todo += further
+    return found
 
 
 CHECK = Check(
