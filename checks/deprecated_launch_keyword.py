@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Fix, Level, System
 from haros_ci.api.launch import ConstructUse, depends_on_distribution, included_by, renamed_keyword
+
+#: The distributions that still have the keywords; a file or directory that is called after one is not for a later one.
+_OLD = re.compile(r"(?:^|[/_.-])(?:ardent|bouncy|crystal|dashing|eloquent|foxy)(?=$|[/_.-])", re.IGNORECASE)
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -17,7 +21,7 @@ def check(system: System) -> Iterator[Finding]:
     for uses in calls.values():
         place = uses[0].location
         text = system.workspace.text(place.path) if system.workspace is not None else ""
-        if not depends_on_distribution(text, place):
+        if not depends_on_distribution(text, place) and not _OLD.search(place.path):
             yield _finding(system, uses)
 
 
