@@ -26,6 +26,8 @@ MADE = {
 STAYS = re.compile(
     r"\b(\w*(spin|sleep|wait|run|exec|join|call\w*Available|getNumPublishers|get)\w*)\s*\(|\b(while|for|do)\b|\bgoto\b"
 )
+#: ``get()`` of a smart pointer returns at once; that of a future waits for the callback.
+_POINTER = re.compile(r"(?<!future)(?<!Future)(?<!future_)(?<!result)\.get\(\)")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -88,7 +90,7 @@ def _dropped(code: Codebase, routine: Routine, call: Call) -> str | None:
             if routine.function.kind == "lambda" or any(place.kind == "loop" for place in each.around):
                 return None
             rest = code.lines(routine, each.line)
-            if len(re.findall(rf"\b{re.escape(name)}\b", rest)) != 1 or STAYS.search(rest.replace(".get()", "")):
+            if len(re.findall(rf"\b{re.escape(name)}\b", rest)) != 1 or STAYS.search(_POINTER.sub(" ", rest)):
                 return None
             return name
     return None
