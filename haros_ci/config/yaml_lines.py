@@ -85,6 +85,8 @@ def parse(data: bytes, name: str) -> Document:
         lines = _BREAK.split(text)
         at = min(mark.line, len(lines) - 1) if mark else 0  # libyaml counts one more at an end without a line feed
         where = f"{name}:{at + 1}" if mark else name
+        if "maximum nesting depth" in str(err.problem):  # libyaml's own limit; it looks ahead of what is built here
+            raise UserError(f"{where}: nested deeper than {MAX_DEPTH} levels", help="flatten the file") from err
         tab = mark is not None and "\t" in _indent(lines[at])
         signs = "quote text that holds YAML's own signs, such as * or :"
         help_ = "indent with spaces: YAML forbids tabs" if tab else signs
