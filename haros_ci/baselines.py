@@ -14,11 +14,13 @@ from typing import TYPE_CHECKING
 
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
+from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Baseline, Notification, Result, Run
 from haros_ci.results.rule import Level
 from haros_ci.workspace.files import TooLarge, read_regular
 from haros_ci.workspace.git import BaselineUnavailable
+from haros_ci.workspace.third_party import around
 
 if TYPE_CHECKING:
     from haros_ci.results.known import Known, Sides
@@ -84,7 +86,7 @@ def settled(workspace: Workspace, settings: Settings, base: Base | BaselineUnava
     """
     if base is None or settings.trust_config:
         return workspace
-    workspace = _with_known_generators(workspace, base)
+    workspace = _as_known_before(workspace, base)
     if isinstance(base, BaselineUnavailable):
         from haros_ci.workspace.base_settings import no_settings
 
@@ -92,16 +94,25 @@ def settled(workspace: Workspace, settings: Settings, base: Base | BaselineUnava
     return replace(workspace, settings=base.settings)
 
 
-def _with_known_generators(workspace: Workspace, base: Base | BaselineUnavailable) -> Workspace:
-    """*workspace*, in which files are generated if they were so in *base*: else a comment would keep linters out of a change."""
-    before: set[str] = set()
-    if not isinstance(base, BaselineUnavailable):
-        before = {base.renames.get(file.path, file.path) for file in base.workspace.files if file.is_generated}
-    files = tuple(
-        replace(file, is_generated=False) if file.is_generated and file.path not in before else file
-        for file in workspace.files
-    )
-    return replace(workspace, files=files)
+def _as_known_before(workspace: Workspace, base: Base | BaselineUnavailable) -> Workspace:
+    """*workspace*, in which files are generated, and directories third-party, if they were so in *base*.
+
+    Else a comment, a licence or a directory's name would keep linters out of a change.
+    """
+    if isinstance(base, BaselineUnavailable):
+        files = tuple(replace(file, is_generated=False, third_party="") for file in workspace.files)
+        return replace(workspace, files=files)
+    before = base.workspace.files
+    generated = {base.renames.get(file.path, file.path) for file in before if file.is_generated}
+    third_party = {file.third_party for file in before} - {""}
+
+    def known(file: SourceFile) -> SourceFile:
+        copy = around(file.path, third_party)
+        if copy == file.third_party and not file.is_generated:
+            return file
+        return replace(file, is_generated=file.is_generated and file.path in generated, third_party=copy)
+
+    return replace(workspace, files=tuple(map(known, workspace.files)))
 
 
 def compare(

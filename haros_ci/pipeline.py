@@ -268,11 +268,13 @@ def selected(results: Iterable[Result], selection: Selection, workspace: Workspa
     """Those results whose rule is on for their file, at the level that the settings give them.
 
     Where they give none, a check's finding keeps its own level: it may weigh less or more than the check as a rule. So
-    does what a tool says that weighs each finding, and a declared one, whose rules nobody has weighed.
+    does what a tool says that weighs each finding, and a declared one, whose rules nobody has weighed. Copies of other
+    projects have none: who has the copy does not mend it.
     """
+    third_party = {file.path for file in workspace.files if file.third_party}
     kept = []
     for result in results:
-        if not workspace.reports_on(result.location.path):
+        if not workspace.reports_on(result.location.path) or result.location.path in third_party:
             continue
         default = None if result.tool in catalogue.TOOLS and result.tool not in catalogue.WEIGHING else result.level
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)

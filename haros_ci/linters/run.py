@@ -40,10 +40,10 @@ def lint(
     options = replace(options, root=options.root or workspace.root)
     digests = Digests(workspace)
 
-    generated = {file.path for file in workspace.files if file.is_generated}
+    unlinted = {file.path for file in workspace.files if not file.is_linted}
 
     def keep(tool: str, rule: str, path: str) -> bool:
-        return workspace.reports_on(path) and path not in generated and wanted(tool, rule, path)
+        return workspace.reports_on(path) and path not in unlinted and wanted(tool, rule, path)
 
     planned = works(workspace, linters, options, store, digests, Installed() if recorded is None else recorded)
     complete(

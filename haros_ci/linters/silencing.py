@@ -194,6 +194,13 @@ OTHERS: tuple[Row, ...] = (
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_generated",
     ),
     Row(
+        "all tools",
+        ("directories called `third_party`, `vendor`, `external` …, and a licence in a directory inside a package",),
+        "all findings in that directory",
+        Origin.BASE,
+        "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_directory_third_party",
+    ),
+    Row(
         "cppcheck, clang-tidy",
         ("compile_commands.json",),
         "definitions (`-D`) and include directories; it is made by a build and seldom part of a change",

@@ -175,7 +175,7 @@ def _concerns(linter: Linter, workspace: Workspace) -> bool:
 
 
 def _is_asked_for(unit: Unit, workspace: Workspace) -> bool:
-    if unit.file.is_generated and not unit.covers:
+    if not unit.file.is_linted and not unit.covers:
         return False
     return workspace.targets is None or not workspace.targets.isdisjoint((unit.file.path, *unit.covers))
 

@@ -60,7 +60,8 @@ class SourceFile:
     *path* is POSIX-style and relative to the workspace root; *digest* is the SHA-256 of its bytes in hex; *size* is
     in bytes; *package* is the name of the package that contains it, or None; *lines* counts line feeds;
     *has_directive* is False where no suppression comment of ours can be in it; *is_generated* is True for a file whose first
-    comment says that a program has written it: linters leave it alone.
+    comment says that a program has written it: linters leave it alone; *third_party* is the directory around the file that holds a
+    copy of another project, "" if none does: nothing is reported there.
     """
 
     path: str
@@ -71,3 +72,9 @@ class SourceFile:
     lines: int = 0
     has_directive: bool = True
     is_generated: bool = False
+    third_party: str = ""
+
+    @property
+    def is_linted(self) -> bool:
+        """Whether somebody would mend what a linter finds in it."""
+        return not self.is_generated and not self.third_party

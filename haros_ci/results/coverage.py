@@ -23,8 +23,11 @@ def coverage(workspace: Workspace, ways: Collection[str] = ()) -> Coverage:
         unseen.append("1 input could not be read as it stands.")
     elif count:
         unseen.append(f"{count} inputs could not be read as they stand.")
-    if generated := [file.path for file in workspace.files if file.is_generated and workspace.reports_on(file.path)]:
+    reported = [file for file in workspace.files if workspace.reports_on(file.path)]
+    if generated := [file.path for file in reported if file.is_generated and not file.third_party]:
         unseen.append(_generated(generated))
+    if copies := [file.third_party for file in reported if file.third_party]:
+        unseen.append(_third_party(copies))
     return Coverage(
         packages=len(workspace.packages),
         files=len(workspace.files),
@@ -35,8 +38,20 @@ def coverage(workspace: Workspace, ways: Collection[str] = ()) -> Coverage:
     )
 
 
+def _third_party(directories: Sequence[str]) -> str:
+    """The sentence on files in *directories*, one item for each file."""
+    named = _named(sorted(set(directories)))
+    if len(directories) == 1:
+        return f"1 file has no findings, because it is in a copy of another project: {named}."
+    return f"{len(directories)} files have no findings, because they are in copies of other projects: {named}."
+
+
+def _named(paths: Sequence[str]) -> str:
+    return ", ".join(paths[:_NAMED]) + (f" and {len(paths) - _NAMED} more" if len(paths) > _NAMED else "")
+
+
 def _generated(paths: Sequence[str]) -> str:
-    named = ", ".join(paths[:_NAMED]) + (f" and {len(paths) - _NAMED} more" if len(paths) > _NAMED else "")
+    named = _named(paths)
     if len(paths) == 1:
         return f"1 file was not linted, because its first comment says that it is generated: {named}."
     return f"{len(paths)} files were not linted, because their first comments say that they are generated: {named}."

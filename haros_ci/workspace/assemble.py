@@ -13,6 +13,7 @@ from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
 from haros_ci.workspace.generated import says_generated
 from haros_ci.workspace.package_xml import parse_package, settled, supports_both
+from haros_ci.workspace.third_party import ThirdParty
 
 #: A package, and what is wrong with its manifest.
 _Found = tuple[Package, Problem | None]
@@ -58,6 +59,7 @@ def assemble(
     executables: Iterable[str] | None = None,
     elsewhere: Path | None = None,
     differs: Callable[[str], bool] | None = None,
+    asked: Iterable[str] = (),
 ) -> Workspace:
     """Hash and examine *contents* one by one (they may be a generator), parse manifests, sort everything.
 
@@ -66,12 +68,13 @@ def assemble(
     package at the root takes *name*, by default the root's own. *names* are the paths of all files, by default *listed*,
     *executables* those whose execute bit is set, None if nobody knows.
     Files that are not *listed* lie below *elsewhere*, by default the root. *differs* tells whether a change has made the file at a path what
-    it is: one that cannot be analysed is no mere problem then.
+    it is: one that cannot be analysed is no mere problem then. *asked* are the directories that the run is about.
     """
     from hashlib import sha256
 
     name = name or root.name
     listed = tuple(listed)
+    names = frozenset(listed if names is None else names)
     found = list(problems)
     unread: list[Problem] = []
     files: list[SourceFile] = []
@@ -124,7 +127,7 @@ def assemble(
     return Workspace(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
-        files=_owned(sorted(files, key=lambda file: file.path), owners),
+        files=_owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, packages, asked)),
         reader=TextReader(root, listed, max_file_size, elsewhere),
         targets=None
         if targets is None
@@ -132,7 +135,7 @@ def assemble(
         problems=_sorted(found),
         faults=_sorted(fault for _, fault in packages.values() if fault is not None),
         links=tuple(sorted(links.items())),
-        names=frozenset(listed if names is None else names),
+        names=names,
         executables=None if executables is None else frozenset(executables),
         hiding=Hiding(unread=_sorted(unread)),
     )
@@ -163,8 +166,10 @@ def _package(content: Content, root_name: str) -> _Found:
     return Package(name=root_name if directory == "." else directory.rpartition("/")[2], path=directory), package
 
 
-def _owned(files: Iterable[SourceFile], owners: dict[str, str]) -> tuple[SourceFile, ...]:
-    """The files with the name of the package around them."""
+def _owned(
+    files: Iterable[SourceFile], owners: dict[str, str], third_party: ThirdParty
+) -> tuple[SourceFile, ...]:
+    """The files with the name of the package around them, and the copy of another project."""
     known: dict[str, str | None] = {".": None, **owners}
     made = []
     for file in files:
@@ -172,7 +177,7 @@ def _owned(files: Iterable[SourceFile], owners: dict[str, str]) -> tuple[SourceF
         while directory not in known:
             directory = _directory(directory)
         known[start] = known[directory]
-        made.append(replace(file, package=known[directory]))
+        made.append(replace(file, package=known[directory], third_party=third_party.directory(file.path)))
     return tuple(made)
 
 

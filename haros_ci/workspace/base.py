@@ -93,6 +93,7 @@ def base_workspace(
                 names=tree,
                 executables=(path for path, blob in tree.items() if blob.executable),
                 elsewhere=root,
+                asked=scope.directories,
             )
             yield Base(replace(base, settings=settings), commit, renames, settings)
     except GitError as err:

@@ -126,3 +126,38 @@ def test_without_the_base_revision_no_file_is_generated(trap: Trap) -> None:
     trap.write("more.cpp", "int more;\n")
     trap.commit()
     assert "gen.cpp" in found(trap, "--baseline-rev=main", "--no-require-baseline")[0]
+
+
+MANIFEST = "<package format='3'><name>demo</name></package>\n"
+
+
+def test_third_party_code_has_no_findings(trap: Trap) -> None:
+    copies = {"vendor/a.cpp": DEFECT, "demo/lib/b.cpp": DEFECT, "demo/lib/LICENSE": "MIT\n"}
+    own = {"demo/package.xml": MANIFEST, "demo/LICENSE": "MIT\n", "demo/c.cpp": DEFECT, "vendors/d.cpp": DEFECT}
+    pull_request(trap, {}, {**copies, **own})
+    paths, unseen = found(trap)
+    assert {"demo/c.cpp", "vendors/d.cpp"} <= paths and not copies.keys() & paths
+    said = "2 files have no findings, because they are in copies of other projects: demo/lib, vendor."
+    assert said in unseen
+
+
+def test_a_change_that_calls_a_directory_third_party(trap: Trap) -> None:
+    """A name or a licence counts if the base revision has it, and for files that come to be there; its removal counts as little."""
+    base = {"demo/package.xml": MANIFEST, "demo/lib/a.cpp": "int a;\n", "vendor/b.cpp": "int b;\n"}
+    base |= {"demo/old/c.cpp": "int c;\n", "demo/old/LICENSE": "MIT\n"}
+    head = {**base, "demo/lib/a.cpp": DEFECT, "demo/lib/LICENSE": "MIT\n", "third_party/d.cpp": DEFECT}
+    head |= {"vendor/new.cpp": DEFECT, "demo/old/c.cpp": DEFECT}
+    del head["demo/old/LICENSE"]
+    pull_request(trap, base, head)
+    paths, unseen = found(trap, "--baseline-rev=main")
+    assert {"demo/lib/a.cpp", "third_party/d.cpp"} <= paths
+    assert not {"vendor/new.cpp", "demo/old/c.cpp"} & paths
+    assert any("copies of other projects: demo/old, vendor." in each for each in unseen), unseen
+
+
+def test_without_the_base_revision_nothing_is_third_party(trap: Trap) -> None:
+    pull_request(trap, {"vendor/a.cpp": DEFECT}, {"vendor/a.cpp": DEFECT, "a.cpp": "int a;\n"})
+    trap.git("checkout", "-q", "--orphan", "alone")
+    trap.write("more.cpp", "int more;\n")
+    trap.commit()
+    assert "vendor/a.cpp" in found(trap, "--baseline-rev=main", "--no-require-baseline")[0]

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Directories that hold a copy of another project: who has the copy does not mend its code."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable
+
+#: Names that a copy's directory has in C++ and Python projects.
+NAMES = frozenset(
+    "third_party thirdparty third-party 3rdparty 3rd_party 3rd-party vendor vendored external externals extern deps".split()
+)
+_LICENCE = re.compile(r"(?:licen[cs]e|copying|unlicense)(?:[-._](?!(?:py|js|c|cc|cpp|cxx|h|hh|hpp|hxx)$)[\w-]+)*", re.IGNORECASE)
+
+
+class ThirdParty:
+    """Which directories of a workspace hold copies, by the *names* of all its files and the directories of its *packages*.
+
+    A directory does if it is called so (``third_party``), or if it lies inside a package and has a licence of its own: a
+    package has its licence at its root. A directory that a run is *asked* about, and those around it, are none for that run.
+    """
+
+    def __init__(self, names: Iterable[str], packages: Collection[str], asked: Iterable[str] = ()) -> None:
+        self._licensed = {_directory(name) for name in names if _LICENCE.fullmatch(name.rpartition("/")[2])}
+        self._packages = frozenset(packages)
+        self._known: dict[str, str] = {".": ""}
+        for directory in asked:
+            while directory not in self._known:
+                self._known[directory] = ""
+                directory = _directory(directory)
+
+    def directory(self, path: str) -> str:
+        """The outermost directory of the file at *path* that holds a copy; "" if none does."""
+        return self._of(_directory(path))
+
+    def _of(self, directory: str) -> str:
+        if directory not in self._known:
+            above = _directory(directory)
+            self._known[directory] = self._of(above) or (directory if self._is_one(directory) else "")
+        return self._known[directory]
+
+    def _is_one(self, directory: str) -> bool:
+        if directory.rpartition("/")[2].lower() in NAMES:
+            return True
+        return directory in self._licensed and directory not in self._packages and self._is_inside(directory)
+
+    def _is_inside(self, directory: str) -> bool:
+        while directory != "." and directory not in self._packages:
+            directory = _directory(directory)
+        return directory in self._packages
+
+
+def around(path: str, directories: Collection[str]) -> str:
+    """The one of *directories* that the file at *path* lies in; "" if none of them."""
+    while "/" in path:
+        path = path.rpartition("/")[0]
+        if path in directories:
+            return path
+    return ""
+
+
+def _directory(path: str) -> str:
+    return path.rpartition("/")[0] or "."
