@@ -110,7 +110,7 @@ def test_tool_configuration_is_honoured(tmp_path: Path) -> None:
 
 
 def test_the_project_file_is_honoured(tmp_path: Path) -> None:
-    """haros.yaml leaves the vendor's directory and one rule out; without it both findings are back."""
+    """haros.yaml leaves the directory with the vendor's sample and one rule out; without it both findings are back."""
     copy = tmp_path / "legacy_ws"
     shutil.copytree(EXAMPLES / "legacy_ws", copy)
     known = rows(check(copy)[1], open=True)
@@ -119,5 +119,5 @@ def test_the_project_file_is_honoured(tmp_path: Path) -> None:
     )
     assert {(row[0], row[2]) for row in set(isolated) - set(known)} == {
         ("src/agv_base/include/agv_base/can_bus.h", "cpplint:build/namespaces_headers"),
-        ("src/agv_base/src/vendor/can_bus.cpp", "cpplint:runtime/printf"),
+        ("src/agv_base/src/sample/can_bus.cpp", "cpplint:runtime/printf"),
     }

@@ -31,7 +31,7 @@ def coverage(workspace: Workspace, ways: Collection[str] = ()) -> Coverage:
     return Coverage(
         packages=len(workspace.packages),
         files=len(workspace.files),
-        lines=sum(file.lines for file in workspace.files if file.language in ("cpp", "python")),
+        lines=sum(f.lines for f in workspace.files if f.language in ("cpp", "python") and not f.third_party),
         targets=None if workspace.targets is None else len(workspace.targets),
         unseen=tuple(unseen),
         sandbox=sentence(ways),

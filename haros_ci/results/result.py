@@ -202,7 +202,7 @@ class Baseline:
 
 @dataclass(frozen=True, slots=True)
 class Coverage:
-    """What was looked at and what was not, for the summary."""
+    """What was looked at and what was not, for the summary; *lines* are of C++ and Python, without copies of other projects."""
 
     packages: int = 0
     files: int = 0
