@@ -24,7 +24,11 @@ def check(system: System) -> Iterator[Finding]:
     for use in system.facts(PackageUse):
         if use.is_here or use.package in known or not _NAME.match(use.package):
             continue
-        meant = _meant(use.package, system) or _misspelt(use.package)
+        if system.whole.is_fetched(use.package):
+            continue
+        meant = _meant(use.package, system)
+        sure = meant is not None
+        meant = meant or _misspelt(use.package)
         if meant is None and alone is None:
             alone = _stands_alone(known, system)
         if meant is None and not (alone and knowledge().is_package(use.package) is False):
@@ -36,9 +40,16 @@ def check(system: System) -> Iterator[Finding]:
             about=(use.package,),
             flow=included_by(use),
             apart=(use.package,),
-            level=None if meant else Level.NOTE,  # many are built from a source that only a page names
+            level=_level(meant, sure),
             presence=use.presence,
         )
+
+
+def _level(meant: str | None, sure: bool) -> Level | None:
+    """Many packages are built from a source that nobody names: an error where the workspace has the one that is meant."""
+    if meant is None:
+        return Level.NOTE
+    return None if sure else Level.WARNING
 
 
 def _misspelt(name: str) -> str | None:

@@ -217,8 +217,10 @@ def _type_of(applied: Applied, selector: str) -> TypeValue | None:
     argument = given(applied.args, selector)
     if argument is None:
         return None
-    for kind in (argument.type, conversions.value_type(argument.value)):
-        if parameter_type(kind) is not None:
+    shown = conversions.value_type(argument.value)
+    for kind in (argument.type, shown):
+        is_array = kind is not None and kind[0] == "char" and parameter_type(shown) == "str"  # its brackets are not in its type
+        if parameter_type(kind) is not None and not is_array:
             return TypeValue(kind)
     return None
 

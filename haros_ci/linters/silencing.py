@@ -254,6 +254,13 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         OWN,
+        ("addresses of repositories in pages, scripts, `.repos`, `.rosinstall`",),
+        "unknown-package of the packages that they end with",
+        Origin.HEAD,
+        _PAGES,
+    ),
+    Row(
+        OWN,
         ("comments of package.xml, and launch files with placeholders (`$NAME$`)",),
         "undeclared-launch-dependency of the packages in them",
         Origin.HEAD,

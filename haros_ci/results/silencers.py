@@ -42,7 +42,7 @@ FORMS = (
     _form("cppcheck-suppress", "cppcheck", "c", r"\A/[/*]\s*cppcheck-suppress(?:-begin|-file|-macro)?\b[^\n]*"),
     _form("clang-format off", "clang-format", "c", r"\A/[/*]\s*clang-format off\b"),
     _form("Flawfinder: ignore", "flawfinder", "c", r"(?i)\b(?:Flawfinder|RATS|ITS4):\s*ignore\b"),
-    _form("noqa", "flake8 ruff vulture", "python", r"(?i)#\s*noqa(?:\s*:\s*[A-Z][\w,\s]*)?", beside=True),
+    _form("noqa", "flake8 pylint ruff vulture", "python", r"(?i)#\s*noqa(?:\s*:\s*[A-Z][\w,\s]*)?", beside=True),
     _form("flake8: noqa", "flake8", "python", r"(?i)\A#\s*flake8[:=]\s*noqa\b[^\n]*"),
     _form("ruff: noqa", "ruff", "python", r"(?i)\A#\s*ruff\s*:\s*(?:noqa|ignore|disable)\b[^\n]*"),
     _form("pylint: disable", "pylint", "python", r"#.*?\bpylint:\s*(?:disable(?:-next|-msg)?|skip-file)\b[^\n]*"),

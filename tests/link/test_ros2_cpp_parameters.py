@@ -17,6 +17,21 @@ def parameter(body: str) -> tuple[Any, ...]:
 
 
 @pytest.mark.parametrize(
+    ("constant", "expected"),
+    (
+        ('char FRAME[]{"map"}', ("str", "map")),
+        ('char FRAME[] = "map"', ("str", "map")),
+        ('char FRAME[4] = "map"', ("str", "map")),
+        ('char * FRAME = "map"', ("str", "map")),
+        ("char FRAME = 'm'", ("int", 109)),
+        ("float FRAME{5.0}", ("double", 5.0)),
+    ),
+)
+def test_constants_as_defaults(constant: str, expected: tuple[Any, ...]) -> None:
+    assert parameter(f'static constexpr const {constant}; declare_parameter("a", FRAME);')[1:] == expected
+
+
+@pytest.mark.parametrize(
     ("call", "expected"),
     (
         ('declare_parameter("a", 1)', ("/n:a", "int", 1)),
