@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci.checking.distributions import depends_on_distribution
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
+from haros_ci.checking.optional import depends_on_package
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -41,6 +42,7 @@ __all__ = [
     "PathUse",
     "ProgramUse",
     "depends_on_distribution",
+    "depends_on_package",
     "included_by",
     "meant",
     "owner",
