@@ -72,7 +72,8 @@ def check(system: System) -> Iterator[Finding]:
                 continue
             if _closes_a_cycle(package.name, name, system, names):
                 continue
-            is_sure = is_whole and not _is_generated(package, system) and not _is_aside(needing, system)
+            is_sure = is_whole and len(needing) == len(uses)  # another launch file asks: it is meant to be optional
+            is_sure = is_sure and not _is_generated(package, system) and not _is_aside(needing, system)
             groups.setdefault(None if is_sure else Level.NOTE, []).append(_Missing(name, needing))
         yield from (_finding(package, group, level) for level, group in groups.items())
 

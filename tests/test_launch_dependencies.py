@@ -75,6 +75,18 @@ def test_a_package_that_the_setup_assistant_wrote(tmp_path: Path) -> None:
     assert result.level is Level.NOTE
 
 
+def test_a_package_that_another_launch_file_asks_for(tmp_path: Path) -> None:
+    asking = (
+        "from ament_index_python.packages import get_packages_with_prefixes\nfrom launch import LaunchDescription\n"
+        "from launch_ros.actions import Node\n\n\ndef generate_launch_description():\n    nodes = []\n"
+        "    if 'joy' in get_packages_with_prefixes():\n        nodes.append(Node(package='joy', executable='joy_node'))\n"
+        "    return LaunchDescription(nodes)\n"
+    )
+    assert results({"launch/a.launch.py": asking}, tmp_path) == []
+    (result,) = results({"launch/a.launch.py": asking, "launch/b.launch.xml": nodes("joy")}, tmp_path)
+    assert result.level is Level.NOTE
+
+
 HEAD = "from ament_index_python.packages import *\n"
 NAVIGATION = "get_package_share_directory('navigation')"
 
