@@ -82,7 +82,7 @@ def test_a_package_that_another_launch_file_asks_for(tmp_path: Path) -> None:
         "    if 'joy' in get_packages_with_prefixes():\n        nodes.append(Node(package='joy', executable='joy_node'))\n"
         "    return LaunchDescription(nodes)\n"
     )
-    assert results({"launch/a.launch.py": asking}, tmp_path) == []
+    assert results({"launch/a.launch.py": asking}, tmp_path) == ()
     (result,) = results({"launch/a.launch.py": asking, "launch/b.launch.xml": nodes("joy")}, tmp_path)
     assert result.level is Level.NOTE
 

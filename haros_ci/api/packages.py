@@ -66,6 +66,7 @@ from haros_ci.checking.uninstalled import (
     uninstalled,
 )
 from haros_ci.checking.using import Using
+from haros_ci.checking.worlds import serves_both
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
     Build,
@@ -155,6 +156,7 @@ __all__ = [
     "registers_otherwise",
     "registrations",
     "rename_element",
+    "serves_both",
     "set_attribute",
     "set_text",
     "uninstalled",
