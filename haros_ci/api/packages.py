@@ -34,6 +34,7 @@ from haros_ci.checking.manifests import (
     word,
 )
 from haros_ci.checking.needs import Need, needs_of
+from haros_ci.checking.outside_targets import may_have_more
 from haros_ci.checking.plugins import (
     MACROS,
     Registration,
@@ -145,6 +146,7 @@ __all__ = [
     "loaders",
     "loose",
     "may_appear",
+    "may_have_more",
     "may_be_installed",
     "needs",
     "needs_of",
