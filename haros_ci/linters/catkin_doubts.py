@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from posixpath import join, normpath
 
+from haros_ci.model.location import Location
+from haros_ci.model.submodules import is_below
 from haros_ci.model.workspace import Workspace
 
 _FILE = re.compile(r"'([^']*)'")
@@ -20,15 +22,19 @@ _COMPUTED = (
 #: Variables that catkin_lint evaluates.
 _KNOWN = re.compile(r"(?:CMAKE_|PROJECT_|CATKIN_|catkin_)\w*|\w+_(?:SOURCE|BINARY)_DIR")
 _SIMPLE = re.compile(r"^\s*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
+#: Rules about files and directories that are not there.
+_OF_FILES = frozenset(("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR", "MISSING_INCLUDE_PATH", "MISSING_PLUGIN"))
 #: Characters of a statement that are looked at.
 _LONGEST = 2000
 
 
-def is_refuted(rule: str, message: str, directory: str, path: str, line: int | None, workspace: Workspace) -> bool:
-    """Whether what catkin_lint says by *rule* of *line* in *path*, in the package in *directory*, is known to be wrong.
+def is_refuted(
+    rule: str, message: str, directory: str, at: Location, workspace: Workspace, lacking: frozenset[str] = frozenset()
+) -> bool:
+    """Whether what catkin_lint says by *rule* at *at*, in the package in *directory*, is known to be wrong.
 
-    A missing file is not known to be missing if its name has a variable that catkin_lint does not evaluate; a file of
-    another place of the same repository is there wherever the repository is.
+    A missing file is not known to be missing if its name has a variable that catkin_lint does not evaluate, or if it is of one of the
+    submodules *lacking* in this checkout; a file of another place of the same repository is there wherever the repository is.
     """
     if rule == "MISSING_CMD":  # the macros of catkin_simple call catkin_package() and what belongs to it
         return (
@@ -38,11 +44,13 @@ def is_refuted(rule: str, message: str, directory: str, path: str, line: int | N
     named = _FILE.search(message)
     if named is None:
         return False
+    here = normpath(join(directory, named[1]))
+    beside = normpath(join(at.path.rpartition("/")[0], named[1]))
+    if rule in _OF_FILES and (is_below(here, lacking) or is_below(beside, lacking)):
+        return True
     if rule in ("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR"):
-        return _is_unknown(named[1], path, line, workspace.text(path))
+        return _is_unknown(named[1], at.path, at.line, workspace.text(at.path))
     if rule == "EXTERNAL_FILE" and not named[1].startswith("/"):
-        here = normpath(join(directory, named[1]))
-        beside = normpath(join(path.rpartition("/")[0], named[1]))
         return any(file.path in (here, beside) for file in workspace.files)
     return False
 
