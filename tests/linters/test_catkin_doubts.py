@@ -93,3 +93,28 @@ def test_submodules_that_are_not_checked_out(tmp_path: Path, rule: str, message:
     lacking = absent(replace(here, names=frozenset(files)))
     assert lacking == {"robot/gears"}
     assert is_refuted(rule, message, "robot", Location("robot/CMakeLists.txt", None), here, lacking) is expected
+
+
+LISTED = "generate_messages(DEPENDENCIES actionlib_msgs\n  geometry_msgs std_msgs)\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "more", "expected"),
+    [
+        ("actionlib_msgs", {"robot/srv/Go.srv": "geometry_msgs/Pose to\n---\n"}, True),
+        ("geometry_msgs", {"robot/srv/Go.srv": "geometry_msgs/Pose to\n---\n"}, False),
+        ("actionlib_msgs", {"robot/action/Go.action": "geometry_msgs/Pose to\n---\n---\n"}, False),
+        (
+            "std_msgs",
+            {"robot/srv/Go.srv": "bool now\n---\n", "robot/include/robot/a.h": "#include <std_msgs/String.h>\n"},
+            False,
+        ),
+        ("sensor_msgs", {"robot/srv/Go.srv": "bool now\n---\n"}, False),
+        ("std_msgs", {}, False),
+    ],
+)
+def test_messages_that_are_only_listed(tmp_path: Path, name: str, more: dict[str, str], expected: bool) -> None:
+    files = {"robot/package.xml": "", "robot/CMakeLists.txt": LISTED, **more}
+    here = workspace(tmp_path, files, [Package("robot", "robot", ros=1)])
+    message = f"package '{name}' must be in CATKIN_DEPENDS in catkin_package()."
+    assert is_refuted("MISSING_CATKIN_DEPEND", message, "robot", Location("robot/CMakeLists.txt", 1), here) is expected
