@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, System, listed
-from haros_ci.api.launch import PackageUse, depends_on_package, included_by, owner
+from haros_ci.api.launch import PackageUse, included_by, is_optional, owner
 from haros_ci.api.packages import Package, knowledge
 
 #: Dependencies that are there when the package runs.
@@ -67,7 +67,7 @@ def check(system: System) -> Iterator[Finding]:
         for name, uses in packages.items():
             if name in found or not _exists(name, package.ros, system):
                 continue
-            needing = tuple(use for use in uses if not _is_optional(use, system))
+            needing = tuple(use for use in uses if not is_optional(use, system))
             if not needing or _is_left_out(package, name, needing, system):
                 continue
             if _closes_a_cycle(package.name, name, system, names):
@@ -113,16 +113,6 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
             if package is not None and package.name != use.package:
                 found.setdefault(package.name, (package, {}))[1].setdefault(use.package, []).append(use)
     return found
-
-
-def _is_optional(use: PackageUse, system: System) -> bool:
-    """Whether the launch file goes on without the package."""
-    path = use.location.path
-    return (
-        path.endswith(".py")
-        and system.workspace is not None
-        and depends_on_package(system.workspace.text(path), use.location)
-    )
 
 
 def _closes_a_cycle(name: str, used: str, system: System, uses: Mapping[str, frozenset[str]]) -> bool:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci.checking.distributions import depends_on_distribution
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
-from haros_ci.checking.optional import depends_on_package
+from haros_ci.checking.optional import is_optional
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -42,8 +42,8 @@ __all__ = [
     "PathUse",
     "ProgramUse",
     "depends_on_distribution",
-    "depends_on_package",
     "included_by",
+    "is_optional",
     "meant",
     "owner",
     "renamed_keyword",

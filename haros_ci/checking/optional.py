@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from haros_ci.checking.branches import Span, branches, is_in, parsed
+from haros_ci.checking.system import System
+from haros_ci.model.launch_facts import LaunchFact
 from haros_ci.model.location import Location
 
 #: What lists the packages that are installed (ament_index_python), and what is raised where one is not (with its bases).
@@ -25,6 +27,12 @@ def depends_on_package(text: str, location: Location) -> bool:
     that raises nothing itself, and a branch on what such a ``try`` sets or such a function returns.
     """
     return is_in(_spans(text), location)
+
+
+def is_optional(fact: LaunchFact, system: System) -> bool:
+    """As ``depends_on_package``, of what a launch file says."""
+    path, workspace = fact.location.path, system.workspace
+    return path.endswith(".py") and workspace is not None and depends_on_package(workspace.text(path), fact.location)
 
 
 @lru_cache(maxsize=64)

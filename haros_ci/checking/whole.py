@@ -28,6 +28,7 @@ _FILE = re.compile(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
 _SUBSTITUTION = re.compile(r"\$\((?:arg|var|env|optenv|eval)\s[^()]*\)")
 #: Where commands stand that people and scripts start launch files with, and an argument that one gives.
 _SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
+_URL = re.compile(r"(?:\b(?:https?|ssh|git)://|\bgit@)[^\s\"'`()\[\]<>,;#]{1,300}")
 _SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
 
 
@@ -121,6 +122,15 @@ class Whole:
         """The launch arguments that pages and scripts of the workspace give: ``rate`` of ``rate:=10``."""
         texts = (self._text(path) for path in self._paths if path.lower().endswith(_SHOWING))
         return frozenset(name for text in texts if ":=" in text for name in _SHOWN.findall(text))
+
+    @cached_property
+    def repositories(self) -> frozenset[str]:
+        """The names of repositories that pages and scripts of the workspace tell to clone."""
+        texts = (
+            self._text(path) for path in self._paths if path.lower().endswith((*_SHOWING, ".repos", ".rosinstall"))
+        )
+        parts = (url.rstrip("/.").split("/") for text in texts for url in _URL.findall(text))
+        return frozenset(name.removesuffix(".git") for each in parts for name in (*each[4:5], each[-1]))
 
     @cached_property
     def _workspace(self) -> Workspace | None:

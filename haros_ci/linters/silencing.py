@@ -257,6 +257,13 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         OWN,
+        ("pages and scripts with the address of a repository",),
+        "unknown-package of its name, unless it is nearly one of the workspace",
+        Origin.HEAD,
+        _PAGES,
+    ),
+    Row(
+        OWN,
         (".setup_assistant",),
         "undeclared-launch-dependency in its package is a note",
         Origin.HEAD,
