@@ -21,7 +21,6 @@ from haros_ci.api.packages import (
     is_written,
     loaders,
     own_classes,
-    reader,
     registers_otherwise,
     registrations,
 )
@@ -157,8 +156,7 @@ def _left_over(each: PluginClass, found: _Package, finding: Finding) -> Finding:
         return finding
     if is_asked_for((each.name, each.type), found.package.project):
         return finding
-    lister = reader(posixpath.basename(each.location.path), found.package.project)
-    remedy = f"{lister} lists what is described: build it, or remove it there" if lister else "remove the description"
+    remedy = "build it, or remove the description and what offers it"
     message = f"{finding.message.rpartition(';')[0]}; no class of the package has this name: {remedy}"
     return replace(finding, message=message, level=Level.WARNING)
 

@@ -60,7 +60,7 @@ def check(system: System) -> Iterator[Finding]:
     if not every or system is not every[0]:
         return
     used = _used(every)
-    names = {name: frozenset(packages) for name, (_, packages) in used.items()}
+    names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
     for package, packages in used.values():
         found, is_whole = _provided(package, system)
         groups: dict[Level | None, list[_Missing]] = {}
@@ -115,8 +115,13 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
     return found
 
 
+def _declarable(name: str, packages: Iterable[str], system: System) -> frozenset[str]:
+    """Those of the *packages* that the launch files of the package *name* use which do not need *name* by their manifests."""
+    return frozenset(each for each in packages if not _closes_a_cycle(name, each, system, {}))
+
+
 def _closes_a_cycle(name: str, used: str, system: System, uses: Mapping[str, frozenset[str]]) -> bool:
-    """Whether the package *used* needs the package *name* itself, or its launch files do.
+    """Whether the package *used* needs the package *name* itself, or its launch files do; *uses* are those that can be declared.
 
     With the dependency declared in both packages colcon and catkin stop, because they can order neither first.
     """

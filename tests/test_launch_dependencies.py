@@ -87,6 +87,28 @@ def test_a_package_that_another_launch_file_asks_for(tmp_path: Path) -> None:
     assert result.level is Level.NOTE
 
 
+def test_what_cannot_be_declared_closes_no_cycle(tmp_path: Path) -> None:
+    """control cannot declare world, which needs it; so base can declare control, though a launch file of world uses base."""
+
+    def package(name: str, needs: str, *used: str) -> dict[str, str]:
+        install = CMAKE.replace("demo", name).format(f"install(DIRECTORY launch DESTINATION share/{name})")
+        manifest = PACKAGE.replace("demo", name).replace("<export>", f"{needs}<export>")
+        return {
+            f"{name}/package.xml": manifest,
+            f"{name}/CMakeLists.txt": install,
+            f"{name}/launch/a.launch.xml": nodes(*used),
+        }
+
+    files = {
+        **package("base", "", "control"),
+        **package("control", "", "world"),
+        **package("world", "<depend>control</depend>", "base"),
+    }
+    check = next(check for check in checks() if check.id == "undeclared-launch-dependency")
+    found = said(check, Example("", True, files), tmp_path)
+    assert sorted(result.subject for result in found) == [("base", "control"), ("base", "world")]
+
+
 HEAD = "from ament_index_python.packages import *\n"
 NAVIGATION = "get_package_share_directory('navigation')"
 

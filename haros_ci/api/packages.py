@@ -45,7 +45,6 @@ from haros_ci.checking.plugins import (
     is_written,
     loaders,
     own_classes,
-    reader,
     registers_otherwise,
     registrations,
 )
@@ -158,7 +157,6 @@ __all__ = [
     "pinned",
     "place",
     "reaches",
-    "reader",
     "registers_otherwise",
     "registrations",
     "rename_element",

@@ -151,13 +151,6 @@ def file_name(target: Target) -> str:
     return f"{target.prefix}{target.output}"
 
 
-def reader(name: str, project: Project) -> str:
-    """A Python file that reads descriptions of this file name by itself, to offer what they have; "" if there is none."""
-    quoted = re.compile(rf"""["'/]{re.escape(name)}["']""")
-    paths = (file.path for file in project.workspace.files if file.path.endswith(".py") and "setup.py" not in file.path)
-    return next((path for path in paths if quoted.search(project.text(path))), "")
-
-
 def own_classes(package: ProjectPackage) -> set[str]:
     """The full names of the package's classes; none where macros may make more, or a file was not read whole."""
     names: set[str] = set()
