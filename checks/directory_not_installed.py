@@ -245,8 +245,8 @@ def _finding(package: ProjectPackage, thing: str, need: _Need) -> Finding:
             "correct the destination"
         )
     elif need.places:
-        message = f"{what} of {package.name} is not installed, but {len(need.places)} places need it"
-        message = message.replace("1 places need it", "one place needs it")
+        many = f"{len(need.places)} places need" if len(need.places) > 1 else "one place needs"
+        message = f"{what} of {package.name} is not installed, but {many} it"
     else:
         message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files"
     if not need.wrong and is_folder and package.build.commands:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import ConstructUse, included_by, owner
-from haros_ci.api.packages import Package
+from haros_ci.api.packages import Package, serves_both
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -15,6 +15,7 @@ def check(system: System) -> Iterator[Finding]:
     for use in system.facts(ConstructUse):
         if use.kind == "foreign":
             files.setdefault(use.location.path, []).append(use)
+    files = {path: uses for path, uses in files.items() if not _serves_both(path, system)}
     leftovers = [path for path, uses in files.items() if _is_whole(uses, _other(uses))]
     owners = [package for path in leftovers if (package := owner(system, Location(path, 1))) is not None]
     unported: set[str] = set()
@@ -24,6 +25,12 @@ def check(system: System) -> Iterator[Finding]:
         if found and min(found) in leftovers:
             yield _of_package(package, found)
     yield from (_of_file(path, uses) for path, uses in files.items() if path not in unported)
+
+
+def _serves_both(path: str, system: System) -> bool:
+    """Whether the launch file is of a package for both, where the other ROS starts it."""
+    package = owner(system, Location(path, 1))
+    return package is not None and system.workspace is not None and serves_both(package, system.workspace.text)
 
 
 def _of_file(path: str, uses: Sequence[ConstructUse]) -> Finding:

@@ -20,6 +20,7 @@ from haros_ci.api.packages import (
     is_asked_for,
     is_written,
     loaders,
+    own_classes,
     registers_otherwise,
     registrations,
 )
@@ -151,14 +152,24 @@ def _left_over(each: PluginClass, found: _Package, finding: Finding) -> Finding:
     found.left_over += 1
     if found.left_over > MAX_LEFT_OVER:
         return finding
-    programs = found.package.project.programs
-    is_there = each.type.rpartition("::")[2] in class_names(programs.get(file.path) for file in found.package.files)
-    if is_there or found.awaits_description:
+    if _has_class(each, found) or found.awaits_description:
         return finding
     if is_asked_for((each.name, each.type), found.package.project):
         return finding
-    message = f"{finding.message.rpartition(';')[0]}; no class of the package has this name: remove the description"
+    remedy = "build it, or remove the description and what offers it"
+    message = f"{finding.message.rpartition(';')[0]}; no class of the package has this name: {remedy}"
     return replace(finding, message=message, level=Level.WARNING)
+
+
+def _has_class(each: PluginClass, found: _Package) -> bool:
+    """Whether a class of the package may be the one described: it is called so, and is not another one that is described or registered."""
+    programs = found.package.project.programs
+    last = each.type.rpartition("::")[2]
+    if last not in class_names(programs.get(file.path) for file in found.package.files):
+        return False
+    others = {plugin.type for plugin in found.described} | {macro.type for macro in found.registered}
+    alike = {name for name in own_classes(found.package) if name.rpartition("::")[2] == last}
+    return not alike or not alike <= others - {each.type}
 
 
 def _not_registered(each: PluginClass, library: Target, found: _Package, macros: list[Registration]) -> Finding:
@@ -300,26 +311,13 @@ def _unknown_classes(found: _Package, classes: Container[str]) -> Iterator[Findi
         space, _, last = each.type.removeprefix("::").rpartition("::")
         if each.location.path not in built or last in classes or not re.fullmatch(r"[\w:]+::\w+", each.type):
             continue
-        own = _own_classes(found.package)
+        own = own_classes(found.package)
         if any(name.startswith(f"{space}::") for name in own):
             yield Finding(
                 at=each.location,
                 message=f"{each.macro} names the class {each.type}, which does not exist: this does not compile; correct the name",
                 about=(found.package.name, each.type),
             )
-
-
-def _own_classes(package: ProjectPackage) -> set[str]:
-    """The full names of the package's classes; none where macros may make more, or a file was not read whole."""
-    names: set[str] = set()
-    for file in package.files:
-        program = package.project.programs.get(file.path)
-        if program is None or file.language != "cpp":
-            continue
-        if program.problems or any("class" in body or "struct" in body for _, _, body in program.macros):
-            return set()
-        names.update(each.name for each in program.classes)
-    return names
 
 
 def _is_source(path: str) -> bool:

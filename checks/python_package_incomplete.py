@@ -41,10 +41,18 @@ def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
             yield _missing_module(each, package)
 
 
+def _is_there(path: str, package: ProjectPackage) -> bool:
+    """Whether the root-relative *path* exists, or is in a submodule that is not checked out."""
+    return package.project.exists(path) or package.project.is_absent(path)
+
+
 def _is_own(module: str, package: ProjectPackage) -> bool:
     """Whether the module is to be one of the package: the package that it is in has other modules here."""
     top = module.partition(".")[0]
     roots = [directory for name, directory in package.build.python_roots if name in ("", top)]
+    inner = module.replace(".", "/")
+    if any(package.project.is_absent(inner if root == "." else f"{root}/{inner}") for root in roots):
+        return False
     if any(path == top or path.startswith(f"{top}/") for path in _below(roots, package)):
         return not any(module.startswith(name) for name in _generated(package))
     return top == package.name and package.project.package(top) is not None and bool(roots)
@@ -238,7 +246,7 @@ def _packages(package: ProjectPackage) -> Iterator[Finding]:
         directory = "/".join(part for part in (roots[root].removeprefix("./").removesuffix("."), rest) if part).replace(
             "//", "/"
         )
-        if package.project.workspace.names and not package.project.exists(directory):
+        if package.project.workspace.names and not _is_there(directory, package):
             yield Finding(
                 at=where,
                 message=f"setup.py of package {package.name} names the Python package {name}, but the directory {directory} does "

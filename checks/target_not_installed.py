@@ -20,6 +20,7 @@ from haros_ci.api.packages import (
 
 #: So many programs of one finding are named, and have a related place.
 _SHOWN = 5
+_HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl")
 _ORDER = (Level.ERROR, Level.WARNING, Level.NOTE)
 
 
@@ -147,11 +148,15 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
         if cmake.is_shared(target) is not True:
             continue
         said.add(target.name)
+        is_empty = _has_no_code(target)
+        hint = (
+            "; it has only headers, and the linker may leave it out: make it an INTERFACE library" if is_empty else ""
+        )
         yield _finding(
             package,
             target.name,
-            f"the library {target.name} is not installed, but {why}",
-            level=Level.ERROR if package.ros == 2 else Level.WARNING,
+            f"the library {target.name} is not installed, but {why}{hint}",
+            level=Level.ERROR if package.ros == 2 and not is_empty else Level.WARNING,
             at=target.location,
             related=where,
             fix=_fix(package, target),
@@ -173,6 +178,11 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
                 at=next((i.command.location for i in cmake.installs if each.library in i.things), target.location),
                 related=((each.location, "is registered here"),),
             )
+
+
+def _has_no_code(target: Target) -> bool:
+    """Whether all sources of a library are headers: it exports nothing, and linkers with --as-needed drop it."""
+    return bool(target.sources) and all(path.endswith(_HEADERS) for path in target.sources)
 
 
 def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[Location, str], ...]]]:

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of, listed
 from haros_ci.api.packages import (
     Need,
     Provisions,
@@ -24,9 +24,8 @@ from haros_ci.api.packages import (
     pinned,
 )
 
-#: So many places of one module are related, and so many modules of one finding are named.
+#: So many places of one module are related.
 _SHOWN = 3
-_NAMED = 5
 _PIP = re.compile(r"\bpip3?\s+install\s+([^;&|]*)")
 _KEY = re.compile(r"^python3?-|-pip$")
 
@@ -124,8 +123,8 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
         them, fails = "them", "the imports fail on a machine without these packages"
     return Finding(
         at=last_dependency(package),
-        message=f"{package.name} imports {_listed(modules)}, but package.xml declares no package that provides {them}: "
-        f"{fails}; add {_listed(lines)}",
+        message=f"{package.name} imports {listed(modules)}, but package.xml declares no package that provides {them}: "
+        f"{fails}; add {listed(lines)}",
         about=(package.name, *modules),
         related=tuple(place for each in group for place in _places(each)),
         apart=modules,
@@ -152,15 +151,8 @@ def _fixes(package: ProjectPackage, group: list[_Missing]) -> tuple[Fix, ...]:
     if len(fixes) < len(group):
         return ()
     return (
-        Fix(f"declare {_listed([each.name for each in group])}", tuple(edit for fix in fixes for edit in fix.edits)),
+        Fix(f"declare {listed([each.name for each in group])}", tuple(edit for fix in fixes for edit in fix.edits)),
     )
-
-
-def _listed(names: Sequence[str]) -> str:
-    """*names* in words, of many the first ones and how many more there are."""
-    if len(names) > _NAMED:
-        return f"{', '.join(names[:_NAMED])} and {len(names) - _NAMED} more"
-    return " and ".join(part for part in (", ".join(names[:-1]), names[-1]) if part)
 
 
 def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, System
-from haros_ci.api.launch import PackageUse, included_by, owner
+from haros_ci.api import Check, Finding, Level, Location, System, listed
+from haros_ci.api.launch import PackageUse, included_by, is_optional, owner
 from haros_ci.api.packages import Package, knowledge
 
 #: Dependencies that are there when the package runs.
@@ -38,50 +39,89 @@ _TOOLS = frozenset(
 )
 #: So many packages with a launch file of one name have it from a generator.
 _MANY = 3
+#: So many places of one package are related.
+_SHOWN = 3
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 #: Places that a script fills in when it copies the file: ``$NAME$``, ``@NAME@``, ``{{ name }}``.
 _BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w+ ?\}\})")
 
 
+@dataclass(frozen=True, slots=True)
+class _Missing:
+    """A package that a manifest does not declare, and where its launch files use it."""
+
+    name: str
+    uses: tuple[PackageUse, ...]
+
+
 def check(system: System) -> Iterator[Finding]:
-    provided: dict[str, tuple[frozenset[str], bool]] = {}
-    uses = _uses(system)
-    for use in system.facts(PackageUse):
-        package = owner(system, use.location)
-        if package is None or package.name == use.package:
-            continue
-        if package.name not in provided:
-            provided[package.name] = _provided(package, system)
-        found, is_whole = provided[package.name]
-        if use.package in found or not _exists(use.package, package.ros, system):
-            continue
-        if _is_left_out(package, use, system) or _closes_a_cycle(package.name, use.package, system, uses):
-            continue
-        tag = "exec_depend" if package.format > 1 else "run_depend"
-        yield Finding(
-            at=_manifest(package),
-            message=f"a launch file of {package.name} uses {use.package}, but package.xml does not declare it: the launch "
-            f"fails on a machine without {use.package}; add <{tag}>{use.package}</{tag}>",
-            about=(package.name, use.package),
-            related=((use.location, f"needs {use.package}"),),
-            flow=included_by(use),
-            apart=(use.package,),
-            level=None if is_whole and not _is_aside(use, system) else Level.NOTE,
-        )
+    """One finding stands for a manifest and level, whatever configurations show it: the first system tells of all."""
+    every = [each for each in system.whole.systems if not each.is_refused]
+    if not every or system is not every[0]:
+        return
+    used = _used(every)
+    names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
+    for package, packages in used.values():
+        found, is_whole = _provided(package, system)
+        groups: dict[Level | None, list[_Missing]] = {}
+        for name, uses in packages.items():
+            if name in found or not _exists(name, package.ros, system):
+                continue
+            needing = tuple(use for use in uses if not is_optional(use, system))
+            if not needing or _is_left_out(package, name, needing, system):
+                continue
+            if _closes_a_cycle(package.name, name, system, names):
+                continue
+            is_sure = is_whole and len(needing) == len(uses)  # another launch file asks: it is meant to be optional
+            is_sure = is_sure and not _is_generated(package, system) and not _is_aside(needing, system)
+            groups.setdefault(None if is_sure else Level.NOTE, []).append(_Missing(name, needing))
+        yield from (_finding(package, group, level) for level, group in groups.items())
 
 
-def _uses(system: System) -> Mapping[str, frozenset[str]]:
-    """By package of the workspace what its launch files use of other packages."""
-    found: dict[str, set[str]] = {}
-    for use in system.facts(PackageUse):
-        package = owner(system, use.location)
-        if package is not None:
-            found.setdefault(package.name, set()).add(use.package)
-    return {name: frozenset(names) for name, names in found.items()}
+def _finding(package: Package, group: list[_Missing], level: Level | None) -> Finding:
+    tag = "exec_depend" if package.format > 1 else "run_depend"
+    names = tuple(each.name for each in group)
+    is_one = len({use.location.path for each in group for use in each.uses}) == 1
+    if len(group) == 1:
+        them, lacking = "it", names[0]
+    else:
+        them, lacking = "them", "these packages"
+    files, fails = ("a launch file", "the launch fails") if is_one else ("launch files", "they fail")
+    return Finding(
+        at=_manifest(package),
+        message=f"{files} of {package.name} {'uses' if is_one else 'use'} {listed(names)}, but package.xml does not declare {them}: "
+        f"{fails} on a machine without {lacking}; add {listed([f'<{tag}>{name}</{tag}>' for name in names])}",
+        about=(package.name, *names),
+        related=tuple((use.location, f"needs {each.name}") for each in group for use in each.uses[:_SHOWN]),
+        flow=included_by(group[0].uses[0]) if len(group) == 1 else (),
+        apart=names,
+        level=level,
+    )
+
+
+def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, list[PackageUse]]]]:
+    """By package of the workspace, with it, what its launch files use of other packages, at each place once."""
+    found: dict[str, tuple[Package, dict[str, list[PackageUse]]]] = {}
+    seen: set[tuple[Location, str]] = set()
+    for system in systems:
+        for use in system.facts(PackageUse):
+            place = (use.location, use.package)
+            if place in seen or use.location.path in system.refused:
+                continue
+            seen.add(place)
+            package = owner(system, use.location)
+            if package is not None and package.name != use.package:
+                found.setdefault(package.name, (package, {}))[1].setdefault(use.package, []).append(use)
+    return found
+
+
+def _declarable(name: str, packages: Iterable[str], system: System) -> frozenset[str]:
+    """Those of the *packages* that the launch files of the package *name* use which do not need *name* by their manifests."""
+    return frozenset(each for each in packages if not _closes_a_cycle(name, each, system, {}))
 
 
 def _closes_a_cycle(name: str, used: str, system: System, uses: Mapping[str, frozenset[str]]) -> bool:
-    """Whether the package *used* needs the package *name* itself, or its launch files do.
+    """Whether the package *used* needs the package *name* itself, or its launch files do; *uses* are those that can be declared.
 
     With the dependency declared in both packages colcon and catkin stop, because they can order neither first.
     """
@@ -98,25 +138,38 @@ def _closes_a_cycle(name: str, used: str, system: System, uses: Mapping[str, fro
     return False
 
 
-def _is_left_out(package: Package, use: PackageUse, system: System) -> bool:
-    """Whether the manifest has the dependency in a comment, or the launch file is a template that is yet to be filled in."""
+def _is_left_out(package: Package, name: str, uses: Iterable[PackageUse], system: System) -> bool:
+    """Whether the manifest has the dependency in a comment, or the launch files are templates that are yet to be filled in."""
     if system.workspace is None:
         return False
     comments = _COMMENT.findall(system.workspace.text(_manifest(package).path))
-    if any(re.search(rf">\s*{re.escape(use.package)}\s*<", comment) for comment in comments):
+    if any(re.search(rf">\s*{re.escape(name)}\s*<", comment) for comment in comments):
         return True
-    return _BLANK.search(system.workspace.text(use.location.path)) is not None
+    return all(_BLANK.search(system.workspace.text(use.location.path)) is not None for use in uses)
 
 
-def _is_aside(use: PackageUse, system: System) -> bool:
-    """Whether it is a tool for developers, or of a launch file that a user chooses by an argument or that several packages have.
+def _is_generated(package: Package, system: System) -> bool:
+    """Whether MoveIt's setup assistant has written the package: few of its launch files are ever started."""
+    folder = "" if package.path == "." else f"{package.path}/"
+    return system.workspace is not None and f"{folder}.setup_assistant" in system.workspace.names
+
+
+def _is_aside(uses: Iterable[PackageUse], system: System) -> bool:
+    """Whether all *uses* of a package are such that nobody need declare it."""
+    return all(_is_tool(use.package) or _is_of_some(use, system) for use in uses)
+
+
+def _is_tool(name: str) -> bool:
+    return name in _TOOLS or name.startswith("rqt")
+
+
+def _is_of_some(use: PackageUse, system: System) -> bool:
+    """Whether it is of a launch file that a user chooses by an argument or that several packages have.
 
     None of these may declare it. What is chosen is installed by who chooses it.
 
-    Files of one name in several packages come from a generator (MoveIt's setup assistant), and packages ship without what few of their users want.
+    Files of one name in several packages come from a generator, and packages ship without what few of their users want.
     """
-    if use.package in _TOOLS or use.package.startswith("rqt"):
-        return True
     file = use.location.path.rpartition("/")[2]
     if any(each.fullmatch(file) for each, _ in system.whole.chosen_files):
         return True

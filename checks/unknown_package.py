@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Decidability, Finding, Level, System, is_slip
-from haros_ci.api.launch import PackageUse, included_by
+from haros_ci.api.launch import PackageUse, included_by, is_optional
 from haros_ci.api.packages import knowledge
 
 #: What a package can be called (REP 127); anything else is to be replaced in a template.
@@ -24,9 +24,9 @@ def check(system: System) -> Iterator[Finding]:
     for use in system.facts(PackageUse):
         if use.is_here or use.package in known or not _NAME.match(use.package):
             continue
-        if system.whole.is_fetched(use.package):
-            continue
         meant = _meant(use.package, system)
+        if meant is None and (use.package in system.whole.repositories or is_optional(use, system)):
+            continue
         sure = meant is not None
         meant = meant or _misspelt(use.package)
         if meant is None and alone is None:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
-from haros_ci.api.packages import OF_TARGETS, CMakeCommand, add_dependency, may_appear
+from haros_ci.api.packages import OF_TARGETS, CMakeCommand, add_dependency, may_appear, may_have_more
 
 #: Targets that CMake, catkin and rosidl make by themselves.
 _GIVEN = re.compile(
@@ -26,6 +26,8 @@ _NO_TARGETS = frozenset(
         "rclcpp_components_register_nodes",
     )
 )
+#: Commands that name targets and sets of them of the whole build.
+_OF_BUILD = OF_TARGETS | {"install", "ament_export_targets", "ament_export_interfaces"}
 #: What only packages that use this one come to feel.
 _OF_USERS = ("ament_export_libraries", "ament_export_dependencies")
 #: Commands by which another build makes libraries that this one does not know.
@@ -50,10 +52,11 @@ def check(project: Project) -> Iterator[Finding]:
         if not package.cmake.is_whole:
             continue
         said: set[str] = set()
+        is_open = may_have_more(package)
         for command in package.build.commands:
             if command.is_conditional:
                 continue
-            for name, what in _unknown(package, command):
+            for name, what in _unknown(package, command, is_open):
                 if name not in said:
                     said.add(name)
                     yield _finding(package, command, name, what)
@@ -61,9 +64,11 @@ def check(project: Project) -> Iterator[Finding]:
                 yield from _dependencies(package, command)
 
 
-def _unknown(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[str, str]]:
-    """The names in *command* that stand for nothing, each with what comes of it."""
+def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> Iterator[tuple[str, str]]:
+    """The names in *command* that stand for nothing, each with what comes of it; *is_open* if others may make targets, too."""
     cmake, words = package.cmake, command.arguments
+    if is_open and command.name in _OF_BUILD:
+        return
     if command.name in OF_TARGETS and words and not command.is_test:
         end = words.index("PROPERTIES") if "PROPERTIES" in words else 1
         names = words[:end] if command.name == "set_target_properties" else words[:1]

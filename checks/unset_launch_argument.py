@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant
+
+#: So many further places that read a name are shown.
+_SHOWN = 10
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -15,13 +18,13 @@ def check(system: System) -> Iterator[Finding]:
     places: dict[str, set[str]] = {}
     for each in system.facts(ArgumentDeclaration):
         places.setdefault(each.name, set()).add(each.location.path)
-    for read in system.facts(ArgumentRead):
+    for read, others in _first(system.facts(ArgumentRead)):
         # A launch file of ROS 2 that cannot be launched by itself is there to be included, and inherits what is set around it.
         if read.ros == 2 and needs:
             continue
         how = f"$(arg {read.name})" if read.ros == 1 else f"launch configuration {read.name!r}"
         if read.ros == 2 and read.name in places:
-            yield _undeclared(read, how, read.location.path in places[read.name])
+            yield _undeclared(read, others, how, read.location.path in places[read.name])
             continue
         # Both launchers set what the command line gives, declared or not; ROS 1 for the launched file alone.
         is_settable = not read.similar and (read.ros == 2 or not read.included)
@@ -32,13 +35,29 @@ def check(system: System) -> Iterator[Finding]:
             message=f"{how} is read, but never declared or set: launch stops here{unless}{meant(read.similar)}",
             level=Level.NOTE if is_given else Level.WARNING if is_settable else None,
             about=(read.name,),
+            related=tuple((place, "is read here, too") for place in others),
             apart=(read.name,),
             flow=included_by(read),
             presence=read.presence,
         )
 
 
-def _undeclared(read: ArgumentRead, how: str, is_here: bool) -> Finding:
+def _first(reads: Iterable[ArgumentRead]) -> Iterator[tuple[ArgumentRead, tuple[Location, ...]]]:
+    """Of the reads of a name in a file the first that needs no other launch arguments, and where the others are.
+
+    One declaration mends all of them.
+    """
+    groups: dict[tuple[str, str, bool, bool], list[ArgumentRead]] = {}
+    for read in reads:
+        key = (read.location.path, read.name, bool(read.similar), bool(read.included))
+        groups.setdefault(key, []).append(read)
+    for group in groups.values():
+        first = min(group, key=lambda read: (bool(read.presence), read.location.sort_key))
+        others = {read.location for read in group} - {first.location}
+        yield first, tuple(sorted(others, key=lambda place: place.sort_key))[:_SHOWN]
+
+
+def _undeclared(read: ArgumentRead, others: tuple[Location, ...], how: str, is_here: bool) -> Finding:
     """A name that is declared, but not yet: further down in the file, or only in a file that this one includes (launch/actions/declare_launch_argument.py).
 
     Who starts the latter by hand gives the argument, as launch sets what the command line gives, declared or not.
@@ -54,6 +73,7 @@ def _undeclared(read: ArgumentRead, how: str, is_here: bool) -> Finding:
         at=read.location,
         message=message,
         about=(read.name,),
+        related=tuple((place, "is read here, too") for place in others),
         apart=(read.name,),
         flow=included_by(read),
         presence=read.presence,

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
+from functools import cache
 from itertools import islice
 
 from haros_ci.config.selection import Selection
@@ -12,6 +13,7 @@ from haros_ci.config.selector import is_glob
 from haros_ci.config.settings import Settings
 from haros_ci.inspection import asks
 from haros_ci.linters.linter import LintOptions, When
+from haros_ci.linters.loaded_files import loaded_files
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.undefined_names import weighed_names
 from haros_ci.model.workspace import Workspace
@@ -47,11 +49,13 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
     """*results*, undefined names weighed; see :func:`haros_ci.linters.undefined_names.weighed_names`."""
     versions = {package.name: package.ros for package in workspace.packages}
     package_of = workspace.package_finder()
+    loaded = cache(lambda: loaded_files(workspace))
     return weighed_names(
         results,
         workspace.text,
         is_ros1=lambda path: versions.get(package_of(path) or "") == 1,
         is_given=lambda result: selection.given_level(result.tool, result.rule, result.location.path) is not None,
+        is_loaded=lambda path: path.rpartition("/")[2] in loaded(),
     )
 
 

@@ -19,7 +19,6 @@ from haros_ci.inspection import Architectures, inspected, is_inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.metrics import STRUCTURE_RULES, keep_worst_band
-from haros_ci.linters.noqa import without_noqa
 from haros_ci.linters.one_cause import one_cause
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
@@ -172,8 +171,7 @@ def examine(
     if has_structure(workspace, selection):
         raw = (*raw, structured(workspace, architectures, progress) if told is None else told.whole(STRUCTURE))
     runs = (own_one, *with_metrics(raw))
-    founded = without_noqa(drop_unfounded(results_of(runs), workspace.text), workspace.text)
-    results = selected(founded, selection, workspace)
+    results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
     results = with_names(results, workspace, selection)
     of_plugins = hosted(workspace, selection, architectures, results, progress)
     runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace))

@@ -102,6 +102,29 @@ def test_a_description_that_is_left_over(
     assert levels("plugin-not-loadable", files, tmp_path) == [expected]
 
 
+def test_a_description_beside_a_class_of_the_same_last_name(tmp_path: Path) -> None:
+    cmake = "add_library(gear SHARED gear.cpp)\ninstall(TARGETS gear DESTINATION lib)\n"
+    cmake += "pluginlib_export_plugin_description_file(nav2_core plugins.xml)"
+    text = (
+        '<class_libraries>\n<library path="gear"><class type="gear::Plugin" base_class_type="nav2_core::Controller"/></library>\n'
+        '<library path="brake"><class type="brake::Plugin" base_class_type="nav2_core::Controller"/></library>\n</class_libraries>\n'
+    )
+    code = GEAR.replace("demo", "gear").replace("Gear", "Plugin").format(CLASS.format("Plugin"), "")
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "nav2_core"),
+        "CMakeLists.txt": CMAKE.format(cmake),
+        "plugins.xml": text,
+        "gear.cpp": code,
+    }
+    check = next(check for check in checks() if check.id == "plugin-not-loadable")
+    (result,) = said(check, Example("", True, files), tmp_path / "a")
+    assert (result.level, result.location.line) == (Level.WARNING, 3)
+    assert "no class of the package has this name: build it, or remove the description" in result.message
+    files["gear.cpp"] = code + "namespace brake {{ class Plugin : public nav2_core::Controller {{}}; }}\n".format()
+    (result,) = said(check, Example("", True, files), tmp_path / "b")
+    assert result.level is Level.ERROR
+
+
 @pytest.mark.parametrize(
     ("target", "expected"),
     [
@@ -289,3 +312,21 @@ def test_dependencies_of_launch_files_from_a_generator(
         files[f"p{number}/CMakeLists.txt"] = CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)")
         files[f"p{number}/launch/a.launch.xml"] = f'<launch><node pkg="{uses}" exec="x"/></launch>\n'
     assert levels("undeclared-launch-dependency", files, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("sources", "expected"),
+    [
+        ("words.hpp", Level.WARNING),
+        ("words.hpp more.h", Level.WARNING),
+        ("words.hpp words.cpp", Level.ERROR),
+        ("words.cpp", Level.ERROR),
+    ],
+)
+def test_a_shared_library_that_has_only_headers(sources: str, expected: Level, tmp_path: Path) -> None:
+    cmake = f"add_library(words SHARED {sources})\nset_target_properties(words PROPERTIES LINKER_LANGUAGE CXX)\n"
+    cmake += "add_executable(talker talker.cpp)\ntarget_link_libraries(talker words)\n"
+    cmake += "install(TARGETS talker DESTINATION lib/demo)"
+    texts = dict.fromkeys(sources.split(), "int word();\n")
+    files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format(cmake), "talker.cpp": "int main() {}\n", **texts}
+    assert levels("target-not-installed", files, tmp_path) == [expected]

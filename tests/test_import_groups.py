@@ -112,3 +112,37 @@ def test_scripts_of_a_program_with_its_own_python(host: str, tmp_path: Path) -> 
     assert messages(files, tmp_path / "host") == []
     files["demo/n.py"] = files["demo/n.py"].replace(host, "os")
     assert len(messages(files, tmp_path / "plain")) == 1
+
+
+@pytest.mark.parametrize(
+    ("manifest", "module", "expected"),
+    [
+        (ROS2, "RPi.GPIO", "add <exec_depend>python-rpi.gpio-pip</exec_depend>"),
+        (ROS2, "serial", "add <exec_depend>python3-serial</exec_depend>"),
+        (ROS2, "cv2", "add <exec_depend>python3-opencv</exec_depend>"),
+        (PACKAGE.format("catkin", "rospy", ""), "RPi.GPIO", "add <exec_depend>python-rpi.gpio</exec_depend>"),
+    ],
+)
+def test_no_key_of_python_2_where_there_is_none(manifest: str, module: str, expected: str, tmp_path: Path) -> None:
+    if manifest is ROS2:
+        cmake = CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)")
+    else:
+        cmake = "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+        cmake += "catkin_install_python(PROGRAMS n.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+    files = {"package.xml": manifest, "CMakeLists.txt": cmake, "n.py": f"#!/usr/bin/env python3\nimport {module}\n"}
+    ((_, message, _),) = messages(files, tmp_path)
+    assert message.rstrip(".").endswith(expected)
+
+
+@pytest.mark.parametrize(
+    ("modules", "count"),
+    [("rospy, scipy", 0), ("roslib, scipy", 0), ("rclpy, rospy, scipy", 1), ("rospkg, scipy", 1), ("scipy", 1)],
+)
+def test_a_script_of_ros_1_in_a_package_of_ros_2(modules: str, count: int, tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS2,
+        "CMakeLists.txt": CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)"),
+        "n.py": f"#!/usr/bin/env python3\nimport {modules}\n",
+    }
+    found = [message for _, message, _ in messages(files, tmp_path)]
+    assert len([each for each in found if "scipy" in each]) == count

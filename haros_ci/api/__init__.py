@@ -30,7 +30,7 @@ from haros_ci.checking.system import (
 )
 from haros_ci.checking.whole import Whole
 from haros_ci.checking.whole_graph import WholeGraph, is_opaque
-from haros_ci.checking.wording import line_of
+from haros_ci.checking.wording import line_of, listed
 from haros_ci.model.architecture import (
     Condition,
     Endpoint,
@@ -83,6 +83,7 @@ __all__ = [
     "is_opaque",
     "is_slip",
     "line_of",
+    "listed",
     "may_be",
     "misplaced",
     "named_at",

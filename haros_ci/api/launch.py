@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci.checking.distributions import depends_on_distribution
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
+from haros_ci.checking.optional import is_optional
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -42,6 +43,7 @@ __all__ = [
     "ProgramUse",
     "depends_on_distribution",
     "included_by",
+    "is_optional",
     "meant",
     "owner",
     "renamed_keyword",

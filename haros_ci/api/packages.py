@@ -34,6 +34,7 @@ from haros_ci.checking.manifests import (
     word,
 )
 from haros_ci.checking.needs import Need, needs_of
+from haros_ci.checking.outside_targets import may_have_more
 from haros_ci.checking.plugins import (
     MACROS,
     Registration,
@@ -43,6 +44,7 @@ from haros_ci.checking.plugins import (
     is_asked_for,
     is_written,
     loaders,
+    own_classes,
     registers_otherwise,
     registrations,
 )
@@ -66,6 +68,7 @@ from haros_ci.checking.uninstalled import (
     uninstalled,
 )
 from haros_ci.checking.using import Using
+from haros_ci.checking.worlds import serves_both
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
     Build,
@@ -144,17 +147,20 @@ __all__ = [
     "loaders",
     "loose",
     "may_appear",
+    "may_have_more",
     "may_be_installed",
     "needs",
     "needs_of",
     "normal",
     "others_of",
+    "own_classes",
     "pinned",
     "place",
     "reaches",
     "registers_otherwise",
     "registrations",
     "rename_element",
+    "serves_both",
     "set_attribute",
     "set_text",
     "uninstalled",

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Set
 from haros_ci.checking.needs import Need
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources, exists
+from haros_ci.checking.worlds import serves_both
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
 from haros_ci.model.program import Program
@@ -47,6 +48,9 @@ _HOSTS = frozenset(
     """.split()
 )
 
+#: Modules of ROS 1 alone.
+_ROS_1 = frozenset(("rospy", "roslib", "rosnode", "rosparam", "rosservice", "rostopic"))
+
 
 def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Need]:
     """What installed files, or *tests*, import at the outermost level, outside of ``try`` and ``if``, with known providers."""
@@ -55,7 +59,8 @@ def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False
     for path, is_launch in _tested(package) if tests else _installed(package):
         program = project.programs.get(path)
         found = list(imported(path, project.text(path), program))
-        if any(module in _HOSTS for module, _ in found):
+        modules = frozenset(module for module, _ in found)
+        if modules & _HOSTS or (package.ros == 2 and _is_left(modules, package)):
             continue
         for module, location in found:
             if module in own or module in _PYTHON or module == package.name:
@@ -73,6 +78,11 @@ def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False
                 names |= {module}
             if exists(names, package):
                 yield Need(names, location, f"import {module}", False)
+
+
+def _is_left(modules: Set[str], package: ProjectPackage) -> bool:
+    """Whether a file with imports of *modules* was left over when *package* went to ROS 2: it is to be ported, whatever else it lacks."""
+    return bool(modules & _ROS_1) and "rclpy" not in modules and not serves_both(package.raw, package.project.text)
 
 
 def imported(path: str, text: str, program: Program | None) -> Iterator[tuple[str, Location]]:

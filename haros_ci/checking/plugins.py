@@ -149,3 +149,16 @@ def class_names(programs: Iterable[Program | None]) -> set[str]:
 def file_name(target: Target) -> str:
     """The name of the library's file, without its ending."""
     return f"{target.prefix}{target.output}"
+
+
+def own_classes(package: ProjectPackage) -> set[str]:
+    """The full names of the package's classes; none where macros may make more, or a file was not read whole."""
+    names: set[str] = set()
+    for file in package.files:
+        program = package.project.programs.get(file.path)
+        if program is None or file.language != "cpp":
+            continue
+        if program.problems or any("class" in body or "struct" in body for _, _, body in program.macros):
+            return set()
+        names.update(each.name for each in program.classes)
+    return names

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import posixpath
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from operator import itemgetter
@@ -23,6 +21,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.program import Program
 from haros_ci.model.robot import Description
+from haros_ci.model.submodules import absent, is_below, submodules
 from haros_ci.model.workspace import Problem, Workspace
 
 if TYPE_CHECKING:
@@ -210,12 +209,16 @@ class Project:
     @cached_property
     def submodules(self) -> tuple[str, ...]:
         """The directories that git fills from other repositories (gitmodules(5))."""
-        return tuple(
-            posixpath.normpath(posixpath.join(posixpath.dirname(name), found[1]))
-            for name in sorted(self.workspace.names)
-            if name.rpartition("/")[2] == ".gitmodules"
-            for found in re.finditer(r"(?m)^[ \t]*path[ \t]*=[ \t]*(\S+)[ \t\r]*$", self.text(name))
-        )
+        return submodules(self.workspace)
+
+    @cached_property
+    def absent(self) -> frozenset[str]:
+        """Those of the submodules that are not checked out."""
+        return absent(self.workspace)
+
+    def is_absent(self, path: str) -> bool:
+        """Whether the root-relative *path* is in a submodule that is not checked out: nobody here can tell what is there."""
+        return is_below(path, self.absent)
 
     def exists(self, path: str) -> bool:
         """Whether there is a file or a directory of this root-relative path."""

@@ -129,7 +129,16 @@ def is_of_ros(name: str, project: Project) -> bool:
 def exists(names: frozenset[str], package: ProjectPackage) -> bool:
     """Whether the ROS that *package* is of has any of *names*; one that only the other ROS has is a name's accident."""
     project = package.project
-    return any(project.package(name) is not None or project.knowledge.is_in(name, package.ros) for name in names)
+    return any(
+        project.package(name) is not None
+        or (project.knowledge.is_in(name, package.ros) and not _is_gone(name, package))
+        for name in names
+    )
+
+
+def _is_gone(key: str, package: ProjectPackage) -> bool:
+    """Whether rosdep's *key* is of Python 2, which no system has that ROS 2 runs on; of pip it is of any Python."""
+    return package.ros == 2 and key.startswith("python-") and not key.endswith("-pip")
 
 
 def first_provider(names: frozenset[str], package: ProjectPackage) -> str:

@@ -28,10 +28,8 @@ _FILE = re.compile(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
 _SUBSTITUTION = re.compile(r"\$\((?:arg|var|env|optenv|eval)\s[^()]*\)")
 #: Where commands stand that people and scripts start launch files with, and an argument that one gives.
 _SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
+_URL = re.compile(r"(?:\b(?:https?|ssh|git)://|\bgit@)[^\s\"'`()\[\]<>,;#]{1,300}")
 _SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
-#: Where the repositories stand that a workspace is built with, and the last part of an address of one.
-_FETCHING = (*_SHOWING, ".repos", ".rosinstall", ".gitmodules", ".docker", ".cmake")
-_ADDRESS = re.compile(r"(?:https?://|ssh://|git@)[\w.-]{1,100}[/:](?:[\w.-]{1,100}/){1,4}([A-Za-z][\w-]{0,100})")
 
 
 class Whole:
@@ -125,15 +123,14 @@ class Whole:
         texts = (self._text(path) for path in self._paths if path.lower().endswith(_SHOWING))
         return frozenset(name for text in texts if ":=" in text for name in _SHOWN.findall(text))
 
-    def is_fetched(self, package: str) -> bool:
-        """Whether a page, a script or a list of repositories of the workspace has an address that ends with *package*."""
-        return package in self._fetched
-
     @cached_property
-    def _fetched(self) -> frozenset[str]:
-        """The last parts of the addresses of repositories: ``planner`` of ``https://host/team/planner.git``."""
-        texts = (self._text(path) for path in self._paths if path.lower().endswith(_FETCHING))
-        return frozenset(name for text in texts if "://" in text or "git@" in text for name in _ADDRESS.findall(text))
+    def repositories(self) -> frozenset[str]:
+        """The names of repositories that pages and scripts of the workspace tell to clone."""
+        texts = (
+            self._text(path) for path in self._paths if path.lower().endswith((*_SHOWING, ".repos", ".rosinstall"))
+        )
+        parts = (url.rstrip("/.").split("/") for text in texts for url in _URL.findall(text))
+        return frozenset(name.removesuffix(".git") for each in parts for name in (*each[4:5], each[-1]))
 
     @cached_property
     def _workspace(self) -> Workspace | None:

@@ -1,11 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How messages name places."""
+"""How messages name places and lists."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from haros_ci.model.location import Location
+
+#: So many names of one finding are named.
+NAMED = 5
 
 
 def line_of(location: Location) -> str:
     """``path:line`` of *location*, for messages that name a place in another file (a column would be noise there)."""
     return location.path if location.line is None else f"{location.path}:{location.line}"
+
+
+def listed(names: Sequence[str]) -> str:
+    """*names* in words (``a, b and c``), of many the first ones and how many more there are."""
+    if len(names) > NAMED:
+        return f"{', '.join(names[:NAMED])} and {len(names) - NAMED} more"
+    return " and ".join(part for part in (", ".join(names[:-1]), *names[-1:]) if part)

@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from posixpath import join, normpath
 
+from haros_ci.model.location import Location
+from haros_ci.model.submodules import is_below
 from haros_ci.model.workspace import Workspace
 
 _FILE = re.compile(r"'([^']*)'")
@@ -20,15 +22,21 @@ _COMPUTED = (
 #: Variables that catkin_lint evaluates.
 _KNOWN = re.compile(r"(?:CMAKE_|PROJECT_|CATKIN_|catkin_)\w*|\w+_(?:SOURCE|BINARY)_DIR")
 _SIMPLE = re.compile(r"^\s*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
+#: Rules about files and directories that are not there.
+_OF_FILES = frozenset(("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR", "MISSING_INCLUDE_PATH", "MISSING_PLUGIN"))
+_GENERATED = re.compile(r"\bgenerate_messages\s*\(\s*DEPENDENCIES\s([^()]{0,5000})\)", re.IGNORECASE)
+_HEADERS = (".h", ".hh", ".hpp", ".hxx")
 #: Characters of a statement that are looked at.
 _LONGEST = 2000
 
 
-def is_refuted(rule: str, message: str, directory: str, path: str, line: int | None, workspace: Workspace) -> bool:
-    """Whether what catkin_lint says by *rule* of *line* in *path*, in the package in *directory*, is known to be wrong.
+def is_refuted(
+    rule: str, message: str, directory: str, at: Location, workspace: Workspace, lacking: frozenset[str] = frozenset()
+) -> bool:
+    """Whether what catkin_lint says by *rule* at *at*, in the package in *directory*, is known to be wrong.
 
-    A missing file is not known to be missing if its name has a variable that catkin_lint does not evaluate; a file of
-    another place of the same repository is there wherever the repository is.
+    A missing file is not known to be missing if its name has a variable that catkin_lint does not evaluate, or if it is of one of the
+    submodules *lacking* in this checkout; a file of another place of the same repository is there wherever the repository is.
     """
     if rule == "MISSING_CMD":  # the macros of catkin_simple call catkin_package() and what belongs to it
         return (
@@ -38,13 +46,35 @@ def is_refuted(rule: str, message: str, directory: str, path: str, line: int | N
     named = _FILE.search(message)
     if named is None:
         return False
+    if rule == "MISSING_CATKIN_DEPEND":
+        return _is_only_listed(named[1], directory, workspace)
+    here = normpath(join(directory, named[1]))
+    beside = normpath(join(at.path.rpartition("/")[0], named[1]))
+    if rule in _OF_FILES and (is_below(here, lacking) or is_below(beside, lacking)):
+        return True
     if rule in ("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR"):
-        return _is_unknown(named[1], path, line, workspace.text(path))
+        return _is_unknown(named[1], at.path, at.line, workspace.text(at.path))
     if rule == "EXTERNAL_FILE" and not named[1].startswith("/"):
-        here = normpath(join(directory, named[1]))
-        beside = normpath(join(path.rpartition("/")[0], named[1]))
         return any(file.path in (here, beside) for file in workspace.files)
     return False
+
+
+def _is_only_listed(name: str, directory: str, workspace: Workspace) -> bool:
+    """Whether the package of messages *name* is listed in generate_messages(), and no message, service, action or header of the package uses it.
+
+    Then it is to be taken from the list, not to be exported. actionlib_msgs is used by every action.
+    """
+    listed = _GENERATED.search(workspace.text(join(directory, "CMakeLists.txt")))
+    if listed is None or name not in listed[1].split():
+        return False
+    prefix = "" if directory == "." else f"{directory}/"
+    own = [file for file in workspace.files if file.path.startswith(prefix)]
+    if name == "actionlib_msgs" and any(file.path.endswith(".action") for file in own):
+        return False
+    exposed = (file.path for file in own if file.language == "interface" or file.path.endswith(_HEADERS))
+    return not any(f"{name}/" in workspace.text(path) for path in exposed) and any(
+        file.language == "interface" for file in own
+    )
 
 
 def _is_unknown(name: str, path: str, line: int | None, text: str) -> bool:

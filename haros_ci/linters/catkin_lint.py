@@ -18,6 +18,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.location import Location
 from haros_ci.model.package import LANGUAGES as EVERY_LANGUAGE
 from haros_ci.model.package import Package, SourceFile
+from haros_ci.model.submodules import absent
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
@@ -48,8 +49,9 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    """Which packages there are, for it looks dependencies up among them, and which of them are of ROS 1."""
-    return json.dumps(["3", sorted((package.name, package.ros or 0) for package in workspace.packages)])
+    """Which packages there are, for it looks dependencies up among them, which of them are of ROS 1, and what is not checked out."""
+    packages = sorted((package.name, package.ros or 0) for package in workspace.packages)
+    return json.dumps(["4", packages, sorted(absent(workspace))])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -86,6 +88,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     report, packages = json.loads(output.stdout), {package.name: package for package in _packages(batch)}
     manifests = {file.package: file.path for file in batch.files}
     warnings = output.stderr.decode("utf-8", "replace")
+    lacking = absent(batch.workspace)
     for name in re.findall(r"^catkin_lint: cannot lint ([\w-]+):", warnings, re.MULTILINE):
         yield GaveUp(manifests[name], "a fault of catkin_lint")
     places: dict[tuple[str, str, str], list[Finding]] = {}
@@ -99,7 +102,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             line = place.get("line")
             location = Location(path, line if isinstance(line, int) and line > 0 else None)
             rule, text = said["id"], said["text"]
-            if is_refuted(rule, text, package.path, path, location.line, batch.workspace):
+            if is_refuted(rule, text, package.path, location, batch.workspace, lacking):
                 continue
             weighed = max(level, rule_of(NAME, rule).level, key=lambda level: level.rank)
             finding = Finding(manifests[package.name], Result(NAME, rule, weighed, text, location))

@@ -1,60 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
-"""``# noqa`` for pylint: what flake8 is told to pass over, pylint need not report under another name."""
+"""Comments ``# noqa: CODE`` (flake8, ruff) on lines of which pylint says the same by another name."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from functools import cache
 
-from haros_ci.results.result import Result
+from haros_ci.linters.catalogue.same_defect import SAME_DEFECT
 
-#: The codes of flake8 (pycodestyle, pyflakes, bugbear) for the defects that pylint reports, too.
-CODES = {
-    "anomalous-backslash-in-string": "W605",
-    "bare-except": "E722 B001",
-    "cell-var-from-loop": "B023",
-    "comparison-with-itself": "B015",
-    "dangerous-default-value": "B006",
-    "expression-not-assigned": "B018 F633",
-    "format-needs-mapping": "F502",
-    "function-redefined": "F811",
-    "pointless-statement": "B018",
-    "redefined-builtin": "A001 A002",
-    "reimported": "F811",
-    "self-assigning-variable": "PLW0127",
-    "singleton-comparison": "E711 E712",
-    "undefined-all-variable": "F822",
-    "undefined-variable": "F821",
-    "unused-import": "F401",
-    "unused-variable": "F841",
-    "unused-wildcard-import": "F403",
-    "used-before-assignment": "F821 F823",
-    "wildcard-import": "F403",
-    "wrong-import-position": "E402",
-}
-#: As flake8's ``defaults.NOQA_INLINE_REGEX``.
-_NOQA = re.compile(r"#\s{0,9}noqa(?::[\s]?(?P<codes>[A-Z][0-9]+(?:[,\s]+(?=[A-Z][0-9])[A-Z][0-9]+)*))?", re.IGNORECASE)
+_NOQA = re.compile(r"#\s{0,9}noqa\s{0,9}:\s{0,9}((?:[A-Z]+[0-9]+[,\s]{0,9})+)", re.IGNORECASE)
+_OF_CODES = ("ruff:", "flake8:")
 
 
-def without_noqa(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Result, ...]:
-    """*results* without those of pylint on lines whose ``# noqa`` is for the same defect, or for all; *text* reads a path."""
-    lines: dict[str, list[str]] = {}
-    kept = []
-    for result in results:
-        path, line = result.location.path, result.location.line
-        if result.tool == "pylint" and result.rule in CODES and line:
-            if path not in lines:
-                whole = text(path)
-                lines[path] = whole.split("\n") if "noqa" in whole.lower() else []
-            if line <= len(lines[path]) and _is_silenced(lines[path][line - 1], CODES[result.rule].split()):
-                continue
-        kept.append(result)
-    return tuple(kept)
+def is_silenced(rule: str, line: str) -> bool:
+    """Whether the author has silenced on *line* what pylint says by *rule*, under a code of flake8 or ruff for the same defect.
 
-
-def _is_silenced(line: str, codes: list[str]) -> bool:
+    A comment without codes does not count: it is seldom meant for all tools.
+    """
     found = _NOQA.search(line)
-    if found is None:
-        return False
-    named = re.split(r"[,\s]+", found["codes"].upper()) if found["codes"] else []
-    return not named or any(code.startswith(name) for code in codes for name in named)
+    return found is not None and not _codes(rule).isdisjoint(re.findall(r"[A-Z]+[0-9]+", found[1].upper()))
+
+
+@cache
+def _codes(rule: str) -> frozenset[str]:
+    """The codes of flake8 and ruff that stand for the defect of pylint's *rule*."""
+    groups = (group for group in SAME_DEFECT if f"pylint:{rule}" in group)
+    return frozenset(name.partition(":")[2] for group in groups for name in group if name.startswith(_OF_CODES))

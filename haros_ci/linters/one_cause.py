@@ -26,15 +26,19 @@ RULES = frozenset(
     """.split()
 )
 
-#: Rules that speak once of each argument of a call, or each name of an import: those of one line have one cause.
+#: Rules that speak once of each argument of a call, each name of an import, or each backslash of a string: those of one line have one cause.
 OF_A_LINE = frozenset(
     """
     pylint:no-value-for-parameter pylint:unexpected-keyword-arg pylint:reimported ruff:F811 ruff:F507 flake8:F811
+    pylint:anomalous-backslash-in-string ruff:W605 flake8:W605
     """.split()
 )
 
 #: Rules that speak once of each use of a name that is not there: those of one name in one file have one cause.
 OF_A_NAME = frozenset("pylint:undefined-variable ruff:F821 flake8:F821 mypy:name-defined".split())
+
+#: Rules that speak once of each item of ``__all__``, which a file has once.
+OF_A_FILE = frozenset(("pylint:invalid-all-object",))
 
 #: A finding names no more other places than this; the rest of a cause follows in another finding.
 MOST = 40
@@ -62,6 +66,8 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             lines[result.full_id, result.location.path, result.location.line].append(i)
         elif result.full_id in OF_A_NAME:
             lines[result.full_id, result.location.path, result.message].append(i)
+        elif result.full_id in OF_A_FILE:
+            lines[result.full_id, result.location.path, None].append(i)
     for here in lines.values():
         first, *others = sorted(here, key=lambda i: given[i].sort_key)[: MOST + 1]
         if others:

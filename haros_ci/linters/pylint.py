@@ -11,6 +11,7 @@ from typing import Any
 from haros_ci.linters import columns, imports, installed, python2
 from haros_ci.linters.catalogue.pylint import NOT_FATAL
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.linters.noqa import is_silenced
 from haros_ci.linters.pylint_config import config_path, inert_options
 from haros_ci.linters.pylint_doubts import is_refuted
 from haros_ci.linters.settings_files import continued
@@ -48,7 +49,7 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
     own = options.arguments.get(NAME, ()) if options.trust_config else ()
     astroid = installed.distribution("astroid")
-    return json.dumps(["5", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
+    return json.dumps(["6", sys.version_info[:2], astroid and astroid.version, options.trust_config, own])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -108,8 +109,13 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             yield GaveUp(file.path, python2.why_unreadable(batch.workspace.text(file.path)), said["line"] or None)
         elif rule in TROUBLE:
             yield GaveUp(file.path, f"{rule}, a fault of pylint")  # the message holds paths of this machine
-        elif not is_refuted(rule, said["line"], said["column"], batch.workspace.text(file.path)):
+        elif not is_doubted(rule, said["line"], said["column"], batch.workspace.text(file.path)):
             yield Finding(file.path, _result(file.path, said))
+
+
+def is_doubted(rule: str, line: int, column: int, text: str) -> bool:
+    """Whether the *text* refutes what pylint says by *rule*, or its author has silenced the same of another tool."""
+    return is_refuted(rule, line, column, text) or is_silenced(rule, columns.line_of(text, line))
 
 
 def _is_of_another_python(text: str, said: dict[str, Any]) -> bool:

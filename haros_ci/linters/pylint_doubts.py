@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.linters.class_methods import is_class_method
+from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.results.scope import scopes
 
@@ -33,6 +35,7 @@ _LONGEST = 400
 _NAME = re.compile(r"[A-Za-z_][\w.]*")
 _OF_SHAPES = re.compile(r"\.(?:reshape|transpose|resize)[ \t]*\(")
 _BRANCH = re.compile(r"\s*(?:if|elif|else)\b")
+_PLATFORM = re.compile(r"\s*(?:if|elif)\b.*\b(?:sys\.platform|platform\.system|os\.name|platform)\b")
 _MAIN = re.compile(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
 
 
@@ -52,8 +55,23 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     if rule == "not-callable":
         return _is_tested(text, line, column)
     if rule == "possibly-used-before-assignment":
-        return _is_of_main(text, line, column) or _is_module(text, line, column)
+        return _is_of_main(text, line, column) or _is_module(text, line, column) or _is_of_platforms(text, line, column)
+    if rule == "no-self-argument":
+        return is_class_method(text, line)
+    if rule == "anomalous-backslash-in-string":  # Python 2 says nothing of it
+        return runs_only_on_python2(text)
     return False
+
+
+def _is_of_platforms(text: str, line: int, column: int) -> bool:
+    """Whether several branches on the platform set the name there, and none for all others: those are not supported."""
+    lines = text.split("\n")
+    name = _NAME.match(lines[line - 1][column : column + _LONGEST]) if 0 < line <= len(lines) else None
+    if name is None:
+        return False
+    assigned = re.compile(rf"[ \t]+{re.escape(name[0].partition('.')[0])}[ \t]*(?::[^=#]*)?=(?!=)")
+    above = [index for index, each in enumerate(lines[: line - 1]) if assigned.match(each[:_LONGEST])]
+    return len(above) > 1 and all(_PLATFORM.match(_head(lines, index)) for index in above[:_NEAR])
 
 
 def _is_module(text: str, line: int, column: int) -> bool:

@@ -19,6 +19,17 @@ _STATEMENTS = re.compile(
     re.MULTILINE | re.VERBOSE,
 )
 _OPERATORS = re.compile(r"^[^#'\"\n]*(?:<>|`\w+`|\b0[0-7]+[lL]?\b|\bur['\"])", re.MULTILINE)
+#: Methods and names that Python 3 has no more (What's New in Python 3.0), in what its parser takes.
+_GONE = re.compile(
+    r"\.(?:iteritems|iterkeys|itervalues|has_key)[ \t]*\(|(?<![\w.])(?:xrange|raw_input|unicode|basestring)[ \t]*[(,)]"
+    r"|^[ \t]*(?:import|from)[ \t]+(?:urllib2|ConfigParser|Queue|cPickle|StringIO|Tkinter|httplib|commands)\b",
+    re.MULTILINE,
+)
+#: What makes a file run on either.
+_EITHER = re.compile(
+    r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bimport[ \t]+six\b|\bfrom[ \t]+(?:six|past|future|builtins)\b"
+    r"|\bexcept[ \t(]+[^\n:]{0,80}\b(?:NameError|ImportError|ModuleNotFoundError|AttributeError)\b|#!.*\bpython3"
+)
 #: Type aliases, generic functions and classes (PEP 695).
 _NEWER = re.compile(r"\s*(?:type[ \t]+\w+.*=|(?:async[ \t]+)?def[ \t]+\w+\[|class[ \t]+\w+\[)")
 
@@ -26,6 +37,11 @@ _NEWER = re.compile(r"\s*(?:type[ \t]+\w+.*=|(?:async[ \t]+)?def[ \t]+\w+\[|clas
 def is_python2(text: str) -> bool:
     """Whether *text*, which is not valid Python 3, has the marks of Python 2."""
     return any(pattern.search(text) for pattern in (_SHEBANG, _STATEMENTS, _OPERATORS))
+
+
+def runs_only_on_python2(text: str) -> bool:
+    """Whether *text*, which a parser of Python 3 takes, fails on Python 3 all the same."""
+    return _SHEBANG.search(text) is not None or (_GONE.search(text) is not None and _EITHER.search(text) is None)
 
 
 def is_newer(line: str, message: str) -> bool:

@@ -181,7 +181,10 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         "all tools",
-        ("the tool's own comments (`# noqa`, `NOLINT`, `pylint: disable`)",),
+        (
+            "the tool's own comments (`# noqa`, `NOLINT`, `pylint: disable`; for pylint also `# noqa: CODE` of flake8 or ruff for the same "
+            "defect)",
+        ),
         "findings on that line or in that file",
         Origin.HEAD,
         "tests/hostile/test_hostile_hiding_comments.py::test_they_are_counted_everywhere",
@@ -254,17 +257,42 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         OWN,
-        ("addresses of repositories in pages, scripts, `.repos`, `.rosinstall`",),
-        "unknown-package of the packages that they end with",
+        ("comments of package.xml, and launch files with placeholders (`$NAME$`)",),
+        "undeclared-launch-dependency of the packages in them",
         Origin.HEAD,
         _PAGES,
     ),
     Row(
         OWN,
-        ("comments of package.xml, and launch files with placeholders (`$NAME$`)",),
-        "undeclared-launch-dependency of the packages in them",
+        ("pages and scripts with the address of a repository",),
+        "unknown-package of its name, unless it is nearly one of the workspace",
         Origin.HEAD,
         _PAGES,
+    ),
+    Row(
+        OWN,
+        (".setup_assistant",),
+        "undeclared-launch-dependency in its package is a note",
+        Origin.HEAD,
+        "tests/test_launch_dependencies.py::test_a_package_that_the_setup_assistant_wrote",
+    ),
+    Row(
+        OWN,
+        (".gitmodules",),
+        "missing files below a directory that it names and that has no file (python-package-incomplete, missing launch and parameter files, "
+        "meshes, catkin_lint's MISSING_*)",
+        Origin.HEAD,
+        "tests/linters/test_catkin_doubts.py::test_submodules_that_are_not_checked_out",
+    ),
+    Row(
+        "pylint, ruff, flake8, mypy",
+        (
+            "code that loads Python files by path (`imp.load_source`, `runpy.run_path`, `exec(open(…))`), and the YAML, launch and XML files "
+            "that name them",
+        ),
+        "undefined names in those files",
+        Origin.HEAD,
+        "tests/linters/test_undefined_names.py::test_files_that_are_loaded_by_path",
     ),
     Row(
         OWN,

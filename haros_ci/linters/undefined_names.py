@@ -38,17 +38,21 @@ def weighed_names(
     text: Callable[[str], str],
     is_ros1: Callable[[str], bool],
     is_given: Callable[[Result], bool] = lambda result: False,
+    is_loaded: Callable[[str], bool] = lambda path: False,
 ) -> tuple[Result, ...]:
     """*results* without names that something else defines, and with a warning for those that may well be defined.
 
     Or that nothing evaluates: in annotations, where the file imports them from __future__ (PEP 563). May be: a name of Python 2 in a package of ROS 1, all of whose distributions but the last have Python 2 (REP 3); a name
     in a string, where annotations stand that are not evaluated; any name where the file makes names of strings. *text* reads
     a path, *is_ros1* tells of one whether it is of a package of ROS 1; where the level *is_given* by the settings it stands.
+    In a file that another one loads by its path (*is_loaded*) any name may have been put there.
     """
     weighed = []
     for result in results:
         name = _QUOTED.search(result.message) if result.full_id in RULES else None
         if name is not None:
+            if is_loaded(result.location.path):
+                continue
             whole = text(result.location.path)
             if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _ASKS_FOR_VERSION.search(whole)):
                 continue

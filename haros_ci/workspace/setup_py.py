@@ -18,6 +18,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_install import tidy
 from haros_ci.workspace.python_values import MISSING, dotted, is_constant, item_places, parse_python, summands, value_of
 from haros_ci.workspace.setup_cfg import console_scripts, package_directories, project_scripts, scripts_of_text
+from haros_ci.workspace.setup_filled import filled
 from haros_ci.workspace.tree import Tree
 
 MAX_GLOBS = 100
@@ -68,6 +69,7 @@ class _Reader:
         self.globs = 0
         self.looked = 0
         self.nodes: dict[str, list[ast.expr]] = {}
+        self.filled = filled(module)
         self.parameter_modules: list[tuple[str, str, Location]] = []
         statements = deque(module.body)
         while statements:
@@ -254,6 +256,8 @@ class _Reader:
             if self.package.ros != 1:
                 self.problem(node, "data_files")
             return []
+        if dotted(node) in self.filled and self.package.ros != 1:
+            self.problem(node, "data_files")
         return [item for part in parts for item in self.elements(part, depth + 1)]
 
     def put(self, path: str, kind: str, destination: str, node: ast.expr, *, keeps_mode: bool = False) -> Installed:
@@ -285,6 +289,8 @@ class _Reader:
         value = self.value(node)
         if isinstance(value, str):
             return [value]
+        if dotted(node) in self.filled:
+            self.problem(node, what)
         if isinstance(value, list) and all(isinstance(item, str) for item in value):
             return value
         self.problem(node, what)
@@ -326,7 +332,7 @@ class _Reader:
                     name=name,
                     module=module,
                     function=function,
-                    path=self.module(module, roots),
+                    path=self.tree.module(module, roots),
                     package=self.package.name,
                     location=Location(path, line, column),
                 )
@@ -343,15 +349,3 @@ class _Reader:
             lines = read(self.tree.workspace.text(path))
             found += self.points(((text, (line, column)) for text, line, column in lines), path, roots)
         return found
-
-    def module(self, name: str, roots: tuple[tuple[str, str], ...]) -> str:
-        """The file of a module, by the longest root that fits; "" if it is not there."""
-        for root, directory in sorted(roots, key=lambda pair: -len(pair[0])):
-            if root and name != root and not name.startswith(f"{root}."):
-                continue
-            rest = (name[len(root) :].lstrip(".") if root else name).replace(".", "/")
-            stem = posixpath.normpath(posixpath.join(directory, rest))
-            for path in (f"{stem}.py", f"{stem}/__init__.py"):
-                if path in self.tree.files:
-                    return path
-        return ""

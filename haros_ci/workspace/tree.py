@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from bisect import bisect_left
 from fnmatch import translate
@@ -112,3 +113,15 @@ class Tree:
             if all(match(name) for match, name in zip(heads, names, strict=False)) and matchers[-1](names[-1]):
                 found[path] = None
         return sorted(found)
+
+    def module(self, name: str, roots: tuple[tuple[str, str], ...]) -> str:
+        """The file of a Python module, by the longest of *roots* that fits; "" if it is not there."""
+        for root, directory in sorted(roots, key=lambda pair: -len(pair[0])):
+            if root and name != root and not name.startswith(f"{root}."):
+                continue
+            rest = (name[len(root) :].lstrip(".") if root else name).replace(".", "/")
+            stem = posixpath.normpath(posixpath.join(directory, rest))
+            for path in (f"{stem}.py", f"{stem}/__init__.py"):
+                if path in self.files:
+                    return path
+        return ""

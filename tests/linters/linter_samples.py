@@ -20,7 +20,7 @@ from haros_ci.results.rule import Level
 LANGUAGES = {
     **{"py": "python", "cpp": "cpp", "hpp": "cpp", "h": "cpp", "c": "cpp", "xml": "package", "txt": "cmake"},
     **{"cmake": "cmake", "launch": "launch", "sh": "shell", "urdf": "xml", "yaml": "yaml", "Dockerfile": "dockerfile"},
-    **{"md": "markdown", "cfg": "setup"},
+    **{"md": "markdown", "cfg": "setup", "srv": "interface", "action": "interface"},
 }
 
 

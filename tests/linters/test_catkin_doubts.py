@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from haros_ci.linters.catkin_doubts import is_refuted
+from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.model.submodules import absent
 
 from linter_samples import workspace
 
@@ -51,7 +54,11 @@ STANDS = [
 def refuted(root: Path, rule: str, message: str, text: str, line: int | None) -> bool:
     files = {"robot/package.xml": "", "robot/CMakeLists.txt": text, "common.cmake": ""}
     return is_refuted(
-        rule, message, "robot", "robot/CMakeLists.txt", line, workspace(root, files, [Package("robot", "robot", ros=1)])
+        rule,
+        message,
+        "robot",
+        Location("robot/CMakeLists.txt", line),
+        workspace(root, files, [Package("robot", "robot", ros=1)]),
     )
 
 
@@ -63,3 +70,51 @@ def test_refuted(tmp_path: Path, rule: str, message: str, text: str, line: int |
 @pytest.mark.parametrize(("rule", "message", "text", "line"), STANDS)
 def test_stands(tmp_path: Path, rule: str, message: str, text: str, line: int | None) -> None:
     assert not refuted(tmp_path, rule, message, text, line)
+
+
+@pytest.mark.parametrize(
+    ("rule", "message", "expected"),
+    [
+        ("MISSING_FILE", MISSING.format("gears/src/gear.cpp"), True),
+        ("MISSING_FILE", MISSING.format("gears"), True),
+        ("MISSING_FILE", MISSING.format("gearbox/gear.cpp"), False),
+        ("MISSING_FILE", MISSING.format("../gears/gear.cpp"), False),
+        ("MISSING_FILE", MISSING.format("wheels/wheel.cpp"), False),
+        ("MISSING_INCLUDE_PATH", "exported include path 'gears/include' does not exist.", True),
+        ("MISSING_INCLUDE_PATH", "exported include path 'include' does not exist.", False),
+        ("MISSING_SUBDIR", "add_subdirectory() needs missing subdirectory 'gears'.", True),
+        ("UNINSTALLED_EXPORT_LIB", "exported library 'gears' is not installed.", False),
+    ],
+)
+def test_submodules_that_are_not_checked_out(tmp_path: Path, rule: str, message: str, expected: bool) -> None:
+    modules = '[submodule "gears"]\n\tpath = robot/gears\n[submodule "wheels"]\n\tpath = robot/wheels\n'
+    files = {"robot/package.xml": "", "robot/CMakeLists.txt": "", ".gitmodules": modules, "robot/wheels/README": ""}
+    here = workspace(tmp_path, files, [Package("robot", "robot", ros=1)])
+    lacking = absent(replace(here, names=frozenset(files)))
+    assert lacking == {"robot/gears"}
+    assert is_refuted(rule, message, "robot", Location("robot/CMakeLists.txt", None), here, lacking) is expected
+
+
+LISTED = "generate_messages(DEPENDENCIES actionlib_msgs\n  geometry_msgs std_msgs)\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "more", "expected"),
+    [
+        ("actionlib_msgs", {"robot/srv/Go.srv": "geometry_msgs/Pose to\n---\n"}, True),
+        ("geometry_msgs", {"robot/srv/Go.srv": "geometry_msgs/Pose to\n---\n"}, False),
+        ("actionlib_msgs", {"robot/action/Go.action": "geometry_msgs/Pose to\n---\n---\n"}, False),
+        (
+            "std_msgs",
+            {"robot/srv/Go.srv": "bool now\n---\n", "robot/include/robot/a.h": "#include <std_msgs/String.h>\n"},
+            False,
+        ),
+        ("sensor_msgs", {"robot/srv/Go.srv": "bool now\n---\n"}, False),
+        ("std_msgs", {}, False),
+    ],
+)
+def test_messages_that_are_only_listed(tmp_path: Path, name: str, more: dict[str, str], expected: bool) -> None:
+    files = {"robot/package.xml": "", "robot/CMakeLists.txt": LISTED, **more}
+    here = workspace(tmp_path, files, [Package("robot", "robot", ros=1)])
+    message = f"package '{name}' must be in CATKIN_DEPENDS in catkin_package()."
+    assert is_refuted("MISSING_CATKIN_DEPEND", message, "robot", Location("robot/CMakeLists.txt", 1), here) is expected

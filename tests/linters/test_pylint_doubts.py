@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pytest
 
+from haros_ci.linters.noqa import is_silenced
 from haros_ci.linters.pylint_doubts import is_refuted
 
 CLICK = "import click\n\n@click.command()\n@click.option('--name')\ndef main(name):\n    print(name)\n\nmain()\n"
@@ -50,7 +51,33 @@ REFUTED += [
     ("possibly-used-before-assignment", MODULE + GET.replace("termios.tc", "tty.tc"), "tty.tcsetattr"),
     ("possibly-used-before-assignment", "if a:\n  from b import c\nc()\n", "c()\n"),
 ]
+VALIDATED = "class A(BaseModel):\n    @root_validator\n    def check(cls, values):\n        return values\n"
+PLATFORMS = "if sys.platform == 'linux':\n    path = 1\nelif sys.platform == 'win32':\n    path = 2\nuse(path)\n"
+REFUTED += [
+    ("no-self-argument", VALIDATED, "def check"),
+    ("no-self-argument", VALIDATED.replace("@root_validator", "@house.of_class(\n        1)"), "def check"),
+    ("no-self-argument", VALIDATED.replace("@root_validator", "@pydantic.field_validator('a')"), "def check"),
+    ("no-self-argument", VALIDATED.replace("cls", "model"), "def check"),
+    ("possibly-used-before-assignment", PLATFORMS, "path)"),
+    ("possibly-used-before-assignment", PLATFORMS.replace("sys.platform", "platform.system()"), "path)"),
+    ("anomalous-backslash-in-string", "for k in d.iteritems():\n    re.sub('\\(', k)\n", "'\\("),
+    ("anomalous-backslash-in-string", "#!/usr/bin/env python2\nre.sub('\\(', k)\n", "'\\("),
+    ("anomalous-backslash-in-string", "import urllib2\nre.sub('\\(', k)\n", "'\\("),
+]
 STANDS = [
+    ("no-self-argument", VALIDATED.replace("    @root_validator\n", ""), "def check"),
+    ("no-self-argument", VALIDATED.replace("root_validator", "log").replace("cls", "values"), "def check"),
+    ("no-self-argument", "def (:\n" + VALIDATED, "def check"),
+    ("possibly-used-before-assignment", PLATFORMS.replace("sys.platform", "kind"), "path)"),
+    ("possibly-used-before-assignment", "if a:\n    path = 1\n" + PLATFORMS, "path)"),
+    ("possibly-used-before-assignment", "if sys.platform == 'linux':\n    path = 1\nuse(path)\n", "path)"),
+    ("anomalous-backslash-in-string", "for k in d.items():\n    re.sub('\\(', k)\n", "'\\("),
+    ("anomalous-backslash-in-string", "import six\nd.iteritems()\nre.sub('\\(', k)\n", "'\\("),
+    (
+        "anomalous-backslash-in-string",
+        "try:\n    import urllib2\nexcept ImportError:\n    urllib2 = 1\nre.sub('\\(', k)\n",
+        "'\\(",
+    ),
     ("too-many-function-args", "shape(1, 2, 3)\n", "shape"),
     ("too-many-function-args", "reshape(1, 2, 3)\n", "reshape"),
     ("too-many-function-args", "a.reshape(1).fill\nf(1, 2)\n", "f(1"),
@@ -118,3 +145,21 @@ def test_stands(rule: str, text: str, at: str) -> None:
 def test_a_line_that_is_not_there(line: int) -> None:
     assert not is_refuted("pointless-statement", line, 0, "a\n")
     assert not is_refuted("no-value-for-parameter", line, 0, "a\n")
+
+
+@pytest.mark.parametrize(
+    ("rule", "line", "expected"),
+    [
+        ("anomalous-backslash-in-string", "a = '\\d'  # noqa: E501, W605", True),
+        ("anomalous-backslash-in-string", "a = '\\d'  # NOQA:W605", True),
+        ("anomalous-backslash-in-string", "a = '\\d'  # type: ignore # noqa: W605 as meant", True),
+        ("bare-except", "except:  # noqa: E722", True),
+        ("wildcard-import", "from a import *  # noqa: F401,F403", True),
+        ("anomalous-backslash-in-string", "a = '\\d'  # noqa: E501", False),
+        ("anomalous-backslash-in-string", "a = '\\d'  # noqa", False),
+        ("anomalous-backslash-in-string", "a = '\\d'  # W605 is meant", False),
+        ("no-such-rule", "a = 1  # noqa: W605", False),
+    ],
+)
+def test_codes_of_other_tools_for_the_same(rule: str, line: str, expected: bool) -> None:
+    assert is_silenced(rule, line) is expected

@@ -3,12 +3,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from haros_ci.linters.loaded_files import loaded_files
 from haros_ci.linters.undefined_names import weighed_names
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
+
+from linter_samples import workspace
 
 
 def level(name: str, text: str, *, ros1: bool = True, rule: str = "pylint:undefined-variable") -> Level | None:
@@ -100,3 +105,31 @@ def test_annotations_that_nothing_evaluates(text: str) -> None:
 )
 def test_what_is_evaluated_all_the_same(text: str) -> None:
     assert level("Final", LATE + text) is Level.ERROR
+
+
+LOADER = "module = imp.load_source('script', path)\nmodule.corners = corners\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({"load.py": LOADER, "config/a.yaml": "path: $(find p)/scripts/a.py\n"}, {"a.py"}),
+        ({"load.py": "runpy.run_path('scripts/a.py')\n"}, {"a.py"}),
+        ({"load.py": "with open(name) as f:\n    exec(f.read(), names)\nrun('a.py')\n"}, {"a.py"}),
+        ({"load.py": "exec(compile(open('a.py').read(), 'a.py', 'exec'))\n"}, {"a.py"}),
+        ({"load.py": "spec = importlib.util.spec_from_file_location('a', base + '/a.py')\n"}, {"a.py"}),
+        ({"load.py": "import a\n", "config/a.yaml": "path: scripts/a.py\n"}, set()),
+        ({"load.py": LOADER, "launch/a.launch": '<launch><node pkg="p" type="a.py" name="a"/></launch>\n'}, set()),
+        ({"setup.py": "exec(open('a/version.py').read())\n"}, set()),
+        ({"load.py": "executor.exec(a)\nopen('a.py')\n"}, set()),
+    ],
+)
+def test_files_that_are_loaded_by_path(files: dict[str, str], expected: set[str], tmp_path: Path) -> None:
+    assert loaded_files(workspace(tmp_path, files, [])) == expected
+
+
+def test_names_of_a_file_that_is_loaded() -> None:
+    said = Result("pylint", "undefined-variable", Level.ERROR, "Undefined variable 'corners'", Location("s/a.py", 1, 1))
+    given = ([said], lambda path: "corners\n", lambda path: False, lambda result: False)
+    assert weighed_names(*given, lambda path: path == "s/a.py") == ()
+    assert weighed_names(*given, lambda path: False) == (said,)

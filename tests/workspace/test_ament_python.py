@@ -76,6 +76,43 @@ def test_data_files_that_are_computed(setup: str) -> None:
     }
 
 
+@pytest.mark.parametrize(
+    "setup",
+    [
+        "for d in os.listdir('.'):\n  files.append((d, [d + '/a']))\n",
+        "for d, _, names in os.walk('resource'):\n  for name in names:\n    files += [(d, [name])]\n",
+        "while more():\n  files.extend(next_ones())\n",
+        "[files.append((d, [d])) for d in os.listdir('.')]\n",
+        "def fill():\n  files.append(('share/arm/launch', glob('launch/*')))\nfill()\n",
+        "def fill(to):\n  to.append(('share/arm/launch', glob('launch/*')))\nfill(files)\n",
+        "more = []\nfor name in os.listdir('.'):\n  more.append(name)\nfiles.append(('share/arm/more', more))\n",
+    ],
+)
+def test_data_files_that_something_fills(setup: str) -> None:
+    """What is written out is known all the same."""
+    text = f"files = [('share/arm/launch', glob('launch/*.launch.py'))]\n{setup}setup(data_files=files)"
+    build = read(HEAD + text)
+    assert installed(build) == [A]
+    assert {p.message.partition(" is ")[2] for p in build.problems} == {
+        "computed when setup.py runs; what it names is missing here"
+    }
+
+
+@pytest.mark.parametrize(
+    "setup",
+    [
+        "for d in os.listdir('.'):\n  others.append(d)\n",
+        "def main():\n  files.append(('share/arm', []))\nmain()\n",
+        "print(files)\n",
+        "count = len(files)\n",
+    ],
+)
+def test_data_files_that_nothing_else_fills(setup: str) -> None:
+    text = f"files = [('share/arm/launch', glob('launch/*.launch.py'))]\n{setup}setup(data_files=files)"
+    build = read(HEAD + text)
+    assert (installed(build), build.problems) == ([A], ())
+
+
 def test_lists_that_refer_to_each_other_come_to_an_end() -> None:
     text = "a = []\nb = []\n" + "a += b\nb += a\n" * 400 + "setup(data_files=a)"
     assert [p.message.partition(" ")[0] for p in read(HEAD + text).problems[:1]] == ["data_files"]

@@ -13,6 +13,7 @@ from itertools import islice
 from haros_ci.link.roslaunch_files import Files, files_of
 from haros_ci.model.build import Build, Installed
 from haros_ci.model.launch_facts import FileUse
+from haros_ci.model.submodules import absent, is_below
 from haros_ci.model.workspace import Workspace
 
 _START = re.compile(r"\$\((find-pkg-share|find-pkg-prefix|find|workspace)(?: ([^\s()]+))?\)(.*)\Z", re.DOTALL)
@@ -40,6 +41,8 @@ class Finder:
     files: Files = field(init=False)
     names: frozenset[str] = field(init=False)
     directories: frozenset[str] = field(init=False)
+    #: Submodules that are not checked out.
+    absent: frozenset[str] = field(init=False)
     #: Steps that are left: when they are used up, nothing more is said to be missing.
     steps: int = MAX_STEPS
     _doubled: frozenset[str] = field(init=False)
@@ -55,6 +58,7 @@ class Finder:
             while (path := path.rpartition("/")[0]) and path not in directories:
                 directories.add(path)
         self.directories = frozenset(directories)
+        self.absent = absent(self.workspace)
         every = [package.name for package in self.workspace.packages]
         self._doubled = frozenset(name for name in every if every.count(name) > 1)
 
@@ -103,7 +107,7 @@ class Finder:
             return replace(made, path=installed, is_found=True)
         if self._there(path):
             return replace(made, path=self.files.real(path), is_found=True)
-        if self._may_be_made(name, start, inner):
+        if is_below(path, self.absent) or self._may_be_made(name, start, inner):
             return made
         return replace(made, is_found=False, similar=self._similar(start, inner))
 

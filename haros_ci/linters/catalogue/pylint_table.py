@@ -168,7 +168,7 @@ GROUPS: tuple[Group, ...] = (
         (
             ("bad-except-order", "BE", "General exception caught before a specific one."),
             ("bad-exception-cause", "BE", "Invalid cause of an exception."),
-            ("bare-except", "RW", "Bare except."),
+            ("bare-except", "SW", "Bare except."),
             ("binary-op-exception", "BW", "Exceptions joined by a binary operator in an except clause."),
             ("broad-exception-caught", "SW", "except clause for Exception."),
             ("broad-exception-raised", "SW", "Raised Exception instead of a specific class."),
