@@ -96,19 +96,24 @@ def _under_old_names(project: Project, defining: Mapping[str, Defining], users: 
     for reference, path, written in (*named, *_lower_case(project, defining)):
         name = reference.package
         of = defining.get(package_of(path) or "")
-        if of is None or name in folders or name in of.package.declared or project.knowledge.is_known(name):
+        if of is None or name in {of.package.name, *of.package.declared} or path in project.code.unbuilt:
             continue
-        if project.package(name) is not None or not get_close_matches(name, [of.package.name], 1, 0.6):
+        other, own = project.package(name), of.package.name
+        if other is None and (name in folders or project.knowledge.is_known(name)):
             continue
-        own = of.package.name
-        at = always_at(project, path, written) if replace(reference, package=own) in of.references else None
-        if at is None or path in project.code.unbuilt:
+        if other is not None and any(name in command.arguments for command in of.package.build.commands):
+            continue
+        if not get_close_matches(name, [own], 1, 0.6) or replace(reference, package=own) not in of.references:
+            continue
+        at = always_at(project, path, written)
+        if at is None:
             continue
         shown = written.strip('"<>')
         said = "included, so that this file does not build" if "/" in shown else "imported, so that the import fails"
+        why = f"there is no package {name}" if other is None else f"{own} neither declares nor finds {name}"
         yield Finding(
             at=at,
-            message=f"{shown} is {said}: there is no package {name}, and {own} itself defines this interface; write {own} for {name}",
+            message=f"{shown} is {said}: {why}, and {own} itself defines this interface; write {own} for {name}",
             about=(shown,),
             apart=(path, shown),
         )
