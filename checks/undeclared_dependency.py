@@ -47,7 +47,7 @@ def check(project: Project) -> Iterator[Finding]:
                 missing.setdefault(need.providers, []).append(need)
         for uses in missing.values():
             yield _finding(package, uses)
-        if provided is not None and provisions.lacks(provided, frozenset((_ENVIRONMENT,))):
+        if provided is not None and not provided.is_open and not _has_environment(package, provisions):
             yield from _environment(package)
 
 
@@ -71,6 +71,26 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
         apart=(name,),
         fixes=() if fix is None else (fix,),
     )
+
+
+def _has_environment(package: ProjectPackage, provisions: Provisions) -> bool:
+    """Whether a dependency brings ros_environment in ROS 2; what ROS 1 alone has brings nothing there (roslib of pluginlib)."""
+    project = package.project
+    waiting, seen = list(package.declared), set(package.declared)
+    while waiting:
+        name = waiting.pop()
+        if name == _ENVIRONMENT:
+            return True
+        if (
+            project.package(name) is None
+            and project.knowledge.is_package(name)
+            and not project.knowledge.is_in(name, 2)
+        ):
+            continue
+        new = (provisions.brought(name, 2) or frozenset()) - seen
+        seen |= new
+        waiting += new
+    return False
 
 
 def _environment(package: ProjectPackage) -> Iterator[Finding]:
