@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, System
-from haros_ci.api.launch import FileUse, included_by, yaml_fault
+from haros_ci.api.launch import FileUse, yaml_fault
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -27,8 +27,6 @@ def check(system: System) -> Iterator[Finding]:
             at=Location(path, line),
             message=f"{path} is not valid YAML: {why}; {effect}; correct the line, or the one before it",
             about=(path,),
-            related=((use.location, "the file is loaded here"),),
-            flow=included_by(use),
             presence=use.presence,
         )
 
