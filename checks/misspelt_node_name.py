@@ -25,7 +25,7 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _plain(name: str) -> str:
-    return name.replace("_", "").lower()
+    return "".join(filter(str.isalnum, name)).lower()
 
 
 CHECK = Check(
