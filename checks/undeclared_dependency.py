@@ -31,6 +31,8 @@ _TOOLS = (
 _SHOWN = 3
 #: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
 _ENVIRONMENT = "ros_environment"
+#: What brings it only in distributions after Jazzy, by rosidl_default_generators.
+_LATE = frozenset(("rosidl_generator_rs",))
 _VARIABLE = re.compile(
     r"^[ \t]*(?:else)?if[ \t]*\([^\n#]*\$ENV\{(ROS_DISTRO|ROS_VERSION)\}", re.IGNORECASE | re.MULTILINE
 )
@@ -76,7 +78,7 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
 def _has_environment(package: ProjectPackage, provisions: Provisions) -> bool:
     """Whether a dependency brings ros_environment in ROS 2; what ROS 1 alone has brings nothing there (roslib of pluginlib)."""
     project = package.project
-    waiting, seen = list(package.declared), set(package.declared)
+    waiting, seen = list(package.declared - _LATE), {*package.declared, *_LATE}
     while waiting:
         name = waiting.pop()
         if name == _ENVIRONMENT:
