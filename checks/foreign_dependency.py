@@ -46,7 +46,7 @@ CORE = {
 _TOOLS = ("buildtool_depend", "buildtool_export_depend", "doc_depend")
 _SHOWN = 5
 
-
+_VERSION = re.compile(r"\$ROS_VERSION\s*==\s*['\"]?([12])")
 #: Files that bring sources of other repositories into the workspace.
 _SOURCES = re.compile(
     r"\.(?:repos|rosinstall)$|(?:^|/)\.gitmodules$|(?:^|/)[^/]*(?:dependencies|upstream)[^/]*\.ya?ml$"
@@ -56,7 +56,10 @@ _SOURCES = re.compile(
 def check(project: Project) -> Iterator[Finding]:
     brings_sources = any(_SOURCES.search(name) for name in project.workspace.names)
     for package in project.packages:
-        if package.manifest is None or package.ros is None or is_nested(package) or _is_for_both(package):
+        if package.manifest is None or package.ros is None or is_nested(package):
+            continue
+        if _is_for_both(package):
+            yield from _without_condition(package)
             continue
         found: dict[str, Dependency] = {}
         for need in package.raw.dependencies:
@@ -75,6 +78,26 @@ def _is_for_both(package: ProjectPackage) -> bool:
     if package.ros == 2:
         return "catkin" in tools or bool(package.commands("catkin_package")) or "ros1" in package.name
     return bool(package.commands("ament_package")) or any(name.startswith("ament") for name in tools)
+
+
+def _without_condition(package: ProjectPackage) -> Iterator[Finding]:
+    """In a manifest with dependencies for either ROS: those on what one ROS alone has, for both."""
+    told = " ".join(need.condition or "" for need in package.raw.dependencies)
+    if {each[1] for each in _VERSION.finditer(told)} != {"1", "2"}:
+        return
+    for need in package.raw.dependencies:
+        ros = next((ros for ros in (1, 2) if need.name in CORE[ros]), None)
+        if ros is None or need.condition is not None or need.kind in _TOOLS:
+            continue
+        if package.project.package(need.name) is not None or package.project.knowledge.is_in(need.name, ros):
+            continue
+        yield Finding(
+            at=_at(package, need),
+            message=f"{package.name} is for ROS 1 and ROS 2 and depends on {need.name} in both, which no ROS {ros} distribution has: rosdep "
+            f'stops there; add condition="$ROS_VERSION == {3 - ros}"',
+            about=(package.name, need.name),
+            apart=(need.kind, need.name),
+        )
 
 
 def _is_foreign(package: ProjectPackage, need: Dependency) -> bool:

@@ -91,7 +91,7 @@ def _fit(giver: End, taker: End) -> bool:
     """Whether two ends may be meant for each other.
 
     A topic in another namespace is one for somebody else as a rule. It is meant for this one if somebody chose its name: by a remapping
-    rule, or as a global name where the other end has a relative one.
+    rule, or as a global name where the other end has a relative one, or if it is the one that robot_state_publisher waits for.
     """
     if giver.node is taker.node or not (giver.in_source or taker.in_source):
         return False
@@ -99,6 +99,8 @@ def _fit(giver: End, taker: End) -> bool:
         return True
     if rule_of(giver) is not None or rule_of(taker) is not None:
         return True
+    if taker.node.package == "robot_state_publisher" and taker.name.endswith("/joint_states"):
+        return giver.node.package != "joint_state_publisher"  # it has nothing else to listen to
     written = [end.raw.written or "?" for end in (giver, taker)]
     return sum(each.startswith("/") for each in written) == 1 and not any(
         each.startswith(("?", "~")) for each in written

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import CMakeCommand, brings, insert_line
+from haros_ci.api.packages import EXPORTED, CMakeCommand, brings, insert_line, needs
 
 #: Commands that may find packages besides find_package(), and those of such names that do not.
 _FINDING = re.compile(r"find|depend|package|auto|catkin_simple|import|require|setup|common")
@@ -22,6 +22,16 @@ _TAME = frozenset(
 )  # fmt: skip
 #: Commands that find all that the manifest declares for the build.
 _AUTO = ("ament_auto_find_build_dependencies", "ament_auto_find_test_dependencies", "autoware_package")
+#: Macros of ROS 1 and the packages that define them (genmsg-extras.cmake, actionlib_msgs-extras.cmake).
+_MACROS = {
+    "add_message_files": ("message_generation", "genmsg"),
+    "add_service_files": ("message_generation", "genmsg"),
+    "generate_messages": ("message_generation", "genmsg"),
+    "add_action_files": ("actionlib_msgs",),
+    "generate_dynamic_reconfigure_options": ("dynamic_reconfigure",),
+}
+#: What manifests name for the run of code, and whose own CMake finds no generator.
+_RUNTIME = frozenset(("message_runtime", "genpy", "rosbuild"))
 _SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"))
 _TARGET = re.compile(r"([a-z]\w*)::\w+")
 _GENERATED = re.compile(r"(\w+)/(?:msg|srv|action)/\w+\.hp?p?")
@@ -82,6 +92,30 @@ def _is_lacking(package: ProjectPackage, found: Iterable[str], name: str) -> boo
     others = {each for each in found if not each.startswith("ament_")}
     ros = {each for each in others if not _is_of_the_system(package, each)}
     return brings(package, ros, name) is False
+
+
+def _is_undefined(package: ProjectPackage, found: set[str], providers: tuple[str, ...]) -> bool:
+    """Whether none of the packages found is one of *providers*, or finds one."""
+    waiting = [each for each in found if each == each.lower() and not _is_of_the_system(package, each)]
+    if not waiting or package.name in providers:
+        return False
+    project, seen = package.project, set(_RUNTIME)
+    while waiting:
+        name = waiting.pop()
+        if name in providers:
+            return False
+        if name in seen:
+            continue
+        seen.add(name)
+        other = project.package(name)
+        brought = project.knowledge.depends(name, 1)
+        if other is not None:
+            waiting += [need.name for need in needs(other, *EXPORTED)]
+        elif brought is None or not project.knowledge.is_whole(name):
+            return False
+        else:
+            waiting += brought
+    return True
 
 
 def _is_of_the_system(package: ProjectPackage, name: str) -> bool:
@@ -193,12 +227,17 @@ def _is_its_own(package: ProjectPackage, name: str, header: str) -> bool:
 
 
 def _catkin(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
-    """generate_messages(DEPENDENCIES) of ROS 1."""
+    """generate_messages(DEPENDENCIES) of ROS 1, and macros that a package brings."""
     found: set[str] = set()
     for command in package.build.commands:
         if command.name == "find_package":
             found.update(command.arguments)
-        elif command.name == "generate_messages" and not command.is_conditional:
+        providers = _MACROS.get(command.name, ())
+        if providers and not command.is_conditional and _is_undefined(package, found, providers):
+            said = f"{command.name}() is called without a find_package() of {providers[0]} before: CMake stops at an unknown command"
+            remedy = f"add {providers[0]} to the COMPONENTS of find_package(catkin)"
+            yield providers[0], _made(package, command.location, providers[0], f"{said}; {remedy}")
+        if command.name == "generate_messages" and not command.is_conditional:
             for name in command.after("DEPENDENCIES", "LANGS"):
                 if "$" not in name and _is_lacking(package, found, name):
                     said = f"generate_messages() depends on {name} without a find_package() of it before: CMake stops"

@@ -21,6 +21,8 @@ from haros_ci.api.packages import (
 #: So many programs of one finding are named, and have a related place.
 _SHOWN = 5
 _HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl")
+#: How the reason ends where nothing is seen to need the library.
+_ALONE = "nothing can load it"
 _ORDER = (Level.ERROR, Level.WARNING, Level.NOTE)
 
 
@@ -156,7 +158,7 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
             package,
             target.name,
             f"the library {target.name} is not installed, but {why}{hint}",
-            level=Level.ERROR if package.ros == 2 and not is_empty else Level.WARNING,
+            level=Level.ERROR if package.ros == 2 and not is_empty and not why.endswith(_ALONE) else Level.WARNING,
             at=target.location,
             related=where,
             fix=_fix(package, target),
@@ -201,6 +203,7 @@ def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[
         found = cmake.targets.get(base) or by_output.get(base) or by_output.get(f"lib{base}")
         if found is not None:
             yield found, f"{each.type} is loaded from it", ((each.location, f"declares {each.type}"),)
+    yield from _left_of_many(package)
     keywords = ("INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
     for command in package.commands("ament_export_libraries", "catkin_package"):
         words = command.arguments if command.name != "catkin_package" else command.after("LIBRARIES", *keywords)
@@ -208,6 +211,19 @@ def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[
             if word in cmake.targets and not command.is_conditional:
                 why = f"{command.name}() exports it: packages that use it cannot find it"
                 yield cmake.targets[word], why, ((command.location, "exports it"),)
+
+
+def _left_of_many(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[Location, str], ...]]]:
+    """The one shared library of several that is not installed and that no target links: nothing can load it."""
+    cmake = package.cmake
+    every = [t for t in cmake.targets.values() if t.kind == "library" and not t.is_test and cmake.is_shared(t) is True]
+    left = [target for target in every if not may_be_installed(package, target)]
+    if len(left) != 1 or len(every) < 4:
+        return
+    if any(left[0].name in each.arguments[1:] for each in package.commands("target_link_libraries")):
+        return
+    installed = [(each.location, f"{each.name}, which is installed") for each in every if each is not left[0]]
+    yield left[0], f"the {len(installed)} other libraries of {package.name} are: {_ALONE}", tuple(installed[:3])
 
 
 def _wrong_place(package: ProjectPackage, places: list[str], is_started: bool) -> str | None:

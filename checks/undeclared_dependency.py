@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
@@ -28,19 +29,28 @@ _TOOLS = (
     "eigen3_cmake_module",
 )
 _SHOWN = 3
+#: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
+_ENVIRONMENT = "ros_environment"
+#: What brings it only in distributions after Jazzy, by rosidl_default_generators.
+_LATE = frozenset(("rosidl_generator_rs",))
+_VARIABLE = re.compile(
+    r"^[ \t]*(?:else)?if[ \t]*\([^\n#]*\$ENV\{(ROS_DISTRO|ROS_VERSION)\}", re.IGNORECASE | re.MULTILINE
+)
 
 
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), Sources(project)
     for package in project.packages:
         needs = list(needs_of(package, sources)) if package.manifest is not None else []
-        provided = provisions.of(package, tests=False) if needs else None
+        provided = provisions.of(package, tests=False) if package.manifest is not None else None
         missing: dict[frozenset[str], list[Need]] = {}
         for need in needs:
             if provided is not None and provisions.lacks(provided, need.providers):
                 missing.setdefault(need.providers, []).append(need)
         for uses in missing.values():
             yield _finding(package, uses)
+        if provided is not None and not provided.is_open and not _has_environment(package, provisions):
+            yield from _environment(package)
 
 
 def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
@@ -63,6 +73,50 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
         apart=(name,),
         fixes=() if fix is None else (fix,),
     )
+
+
+def _has_environment(package: ProjectPackage, provisions: Provisions) -> bool:
+    """Whether a dependency brings ros_environment in ROS 2; what ROS 1 alone has brings nothing there (roslib of pluginlib)."""
+    project = package.project
+    waiting, seen = list(package.declared - _LATE), {*package.declared, *_LATE}
+    while waiting:
+        name = waiting.pop()
+        if name == _ENVIRONMENT:
+            return True
+        if (
+            project.package(name) is None
+            and project.knowledge.is_package(name)
+            and not project.knowledge.is_in(name, 2)
+        ):
+            continue
+        new = (provisions.brought(name, 2) or frozenset()) - seen
+        seen |= new
+        waiting += new
+    return False
+
+
+def _environment(package: ProjectPackage) -> Iterator[Finding]:
+    """Variables of the environment that ros_environment sets, where CMake decides by them."""
+    commands = package.build.commands if package.ros == 2 and package.name != _ENVIRONMENT else ()
+    for path in sorted({command.location.path for command in commands}):
+        text = package.project.text(path)
+        found = _VARIABLE.search(text)
+        if found is None:
+            continue
+        at = Location(path, text.count("\n", 0, found.start(1)) + 1)
+        kind = "buildtool_depend" if package.raw.format == 1 else "build_depend"
+        fix = add_dependency(package, kind, _ENVIRONMENT)
+        yield Finding(
+            at=last_dependency(package),
+            message=f"{package.name} decides by $ENV{{{found[1]}}} (line {at.line} of {path}), which {_ENVIRONMENT} sets, but package.xml does not "
+            f"declare it: the variable is empty on a build farm; add <{kind}>{_ENVIRONMENT}</{kind}>",
+            about=(package.name, _ENVIRONMENT),
+            level=Level.NOTE,
+            related=((at, f"reads $ENV{{{found[1]}}}"),),
+            apart=(_ENVIRONMENT,),
+            fixes=() if fix is None else (fix,),
+        )
+        return
 
 
 def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
@@ -13,6 +14,7 @@ from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_a
 
 GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
 ENDINGS = (".msg", ".srv", ".action", ".idl")
+_LOWER = re.compile(r"[\"<]([a-z]\w*)/([a-z][a-z0-9_]*)\.h[\">]", re.ASCII)
 #: Made by dynamic_reconfigure of a .cfg.
 OF_A_CONFIG = "config"
 
@@ -49,7 +51,9 @@ def check(project: Project) -> Iterator[Finding]:
     }
     yield from _in_interfaces(project, defining)
     if defining:
-        yield from _in_code(project, defining)
+        users = InterfaceUsers(project)
+        yield from _in_code(project, defining, users)
+        yield from _under_old_names(project, defining, users)
 
 
 def _is_known(package: ProjectPackage) -> bool:
@@ -82,8 +86,51 @@ def _in_interfaces(project: Project, defining: Mapping[str, Defining]) -> Iterat
                 )
 
 
-def _in_code(project: Project, defining: Mapping[str, Defining]) -> Iterator[Finding]:
-    users = InterfaceUsers(project)
+def _under_old_names(project: Project, defining: Mapping[str, Defining], users: InterfaceUsers) -> Iterator[Finding]:
+    """Interfaces of the file's own package under the name of a package that nobody knows: the package was renamed."""
+    if not project.knowledge.is_there:
+        return
+    folders = {part for name in project.workspace.names for part in name.split("/")[:-1]}
+    package_of = project.workspace.package_finder()
+    named = [(reference, *place) for reference, places in users.named.items() for place in places]
+    for reference, path, written in (*named, *_lower_case(project, defining)):
+        name = reference.package
+        of = defining.get(package_of(path) or "")
+        if of is None or name in {of.package.name, *of.package.declared} or path in project.code.unbuilt:
+            continue
+        other, own = project.package(name), of.package.name
+        if other is None and (name in folders or project.knowledge.is_known(name)):
+            continue
+        if other is not None and any(name in command.arguments for command in of.package.build.commands):
+            continue
+        if not get_close_matches(name, [own], 1, 0.6) or replace(reference, package=own) not in of.references:
+            continue
+        at = always_at(project, path, written)
+        if at is None:
+            continue
+        shown = written.strip('"<>')
+        said = "included, so that this file does not build" if "/" in shown else "imported, so that the import fails"
+        why = f"there is no package {name}" if other is None else f"{own} neither declares nor finds {name}"
+        yield Finding(
+            at=at,
+            message=f"{shown} is {said}: {why}, and {own} itself defines this interface; write {own} for {name}",
+            about=(shown,),
+            apart=(path, shown),
+        )
+
+
+def _lower_case(project: Project, defining: Mapping[str, Defining]) -> Iterator[tuple[InterfaceReference, str, str]]:
+    """Headers of ROS 1 that are called like interfaces in lower case."""
+    package_of = project.workspace.package_finder()
+    for path, program in project.programs.items():
+        of = defining.get(package_of(path) or "") if program.language != "python" else None
+        for written in program.includes if of is not None and of.package.ros != 2 else ():
+            found = _LOWER.fullmatch(written)
+            if found is not None:
+                yield InterfaceReference(found[1], "", found[2].replace("_", "")), path, written
+
+
+def _in_code(project: Project, defining: Mapping[str, Defining], users: InterfaceUsers) -> Iterator[Finding]:
     built = {path for package in project.packages for target in package.build.targets for path in target.sources}
     ends = {name.rpartition("/")[2] for name in project.workspace.names}
     for reference, places in users.named.items():

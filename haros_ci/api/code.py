@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from haros_ci.checking.attributes import Unset, unset_attributes
 from haros_ci.code.body import (
     Body,
     Call,
@@ -75,6 +76,7 @@ __all__ = [
     "Program",
     "Reached",
     "Routine",
+    "Unset",
     "Use",
     "Variable",
     "attribute_values",
@@ -113,6 +115,7 @@ __all__ = [
     "type_name",
     "type_of",
     "undone_ways",
+    "unset_attributes",
     "uses",
     "variable",
 ]

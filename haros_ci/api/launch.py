@@ -7,6 +7,7 @@ from haros_ci.checking.distributions import depends_on_distribution
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, meant, owner
 from haros_ci.checking.optional import is_optional
+from haros_ci.checking.yaml_texts import yaml_fault
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -47,4 +48,5 @@ __all__ = [
     "meant",
     "owner",
     "renamed_keyword",
+    "yaml_fault",
 ]

@@ -56,6 +56,7 @@ _QUIET = OF_TARGETS | {
     "rosidl_get_typesupport_target",
     "ament_package",
     "message",
+    "option",
 }
 #: Commands that are given the name of a target, or a word like it, and neither link nor order it.
 _BESIDE = frozenset(

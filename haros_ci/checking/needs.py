@@ -11,6 +11,7 @@ from functools import lru_cache
 from haros_ci.checking.includes import reached
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources, exists
+from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
 
@@ -34,6 +35,7 @@ _WRITING = (
 )
 #: Of a call so many lines are looked at.
 MAX_LINES = 200
+_QT = re.compile(r"Qt([456])")
 _TESTING = re.compile(r"^[ \t]*(?:else)?if[ \t]*\([^)\n]*\b(?:CATKIN_ENABLE_TESTING|BUILD_TESTING)\b", re.I | re.M)
 
 
@@ -69,9 +71,20 @@ def _found(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[N
             names = project.knowledge.provider_of_cmake(name) or frozenset()
             if project.package(name) is not None:
                 names |= {name}
+            names |= _of_qt(name, project.knowledge)
             if exists(names, package):
                 names |= _alike(name)
                 yield Need(names, command.location, f"find_package({name})", False)
+
+
+def _of_qt(name: str, knowledge: Knowledge) -> frozenset[str]:
+    """The keys of rosdep that bring Qt 4, 5 or 6, or a part of it, for find_package(Qt5) and find_package(Qt5Widgets)."""
+    found = _QT.match(name)
+    return (
+        knowledge.keys_like(rf"(?:\w+-)*\w*q(?:t|ml){found[1]}|\w*q(?:t|ml)\w*{found[1]}")
+        if found is not None
+        else frozenset()
+    )
 
 
 def _may_be_for_tests(name: str, command: CMakeCommand, text: str) -> bool:

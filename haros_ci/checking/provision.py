@@ -21,6 +21,8 @@ _OWN_ONLY = ("test_depend", "doc_depend")
 _SHOWN = 3
 #: Packages that are looked at for what others bring, in all; a thousand packages that need each other have a million.
 MAX_STEPS = 3_000_000
+#: Keys that bring what others bring parts of.
+_WHOLE = frozenset(("libqt4-dev", "qtbase5-dev", "qt6-base-dev"))
 _INTERFACES = ("_msgs", "_interfaces", "_srvs")
 
 
@@ -158,6 +160,7 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
             n.endswith("_cmake_module"),  # brings a Find module, and the thing itself by another package
             n.endswith("-pip"),
             n.startswith("python-"),
+            n not in _WHOLE,
             len(n),
             n,
         ),
@@ -178,6 +181,8 @@ def _family(key: str) -> str:
 
 def others_of(names: frozenset[str], name: str, package: ProjectPackage) -> list[str]:
     """A few of *names* beside *name* that the package could declare as well."""
+    if name in _WHOLE:
+        return []
     usable = [n for n in names if n != name and _is_name(n, package.project) and exists(frozenset((n,)), package)]
     return sorted(usable, key=lambda n: (n.startswith("python-"), len(n), n))[:_SHOWN]
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from functools import cache
 
@@ -70,6 +71,11 @@ class Knowledge:
     def is_key(self, name: str) -> bool:
         """Whether rosdep has a key of this name, which stands for packages of the system."""
         return name in self.facts.section("keys")
+
+    def keys_like(self, beginning: str) -> frozenset[str]:
+        """The keys of rosdep that begin with the pattern *beginning*."""
+        wanted = re.compile(beginning)
+        return frozenset(key for key in self.facts.section("keys") if wanted.match(key))
 
     def is_metapackage(self, name: str, ros: int | None = None) -> bool | None:
         """Whether the package is one that has nothing but dependencies; None where its manifest was not seen.

@@ -237,7 +237,7 @@ COMMANDS: Mapping[str, _Run] = MappingProxyType(
     }
 )
 #: Commands that do nothing but change variables.
-UNREMARKABLE = frozenset(("set", "unset", "option", "math", "list", "string", "cmake_parse_arguments", "include_guard"))
+UNREMARKABLE = frozenset(("set", "unset", "math", "list", "string", "cmake_parse_arguments", "include_guard"))
 #: What commands of packages outside the workspace come to; a definition in the workspace has precedence.
 #: autoware_package (autoware_cmake) sets options of the compiler and finds what the manifest names.
 SUMMARIES: Mapping[str, _Run] = MappingProxyType(

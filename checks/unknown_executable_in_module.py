@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Programs that Python modules start with Node() of launch_ros, and that their packages do not have."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from difflib import get_close_matches
+
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api.code import calls_of, dotted
+from haros_ci.api.launch import ProgramUse, meant
+
+#: What makes a node in a launch file, wherever the call stands.
+_NODES = re.compile(r"launch_ros\.actions\.(?:node\.|lifecycle_node\.)?(?:Lifecycle)?Node")
+
+
+def check(project: Project) -> Iterator[Finding]:
+    """Node(package=..., executable=...) in Python modules that launch files import, with both names written out."""
+    code = project.code
+    seen = {use.location.path for system in project.systems for use in system.facts(ProgramUse)}
+    for routine, call in calls_of(code, "Node", "LifecycleNode"):
+        if not routine.is_python or routine.path in seen or routine.is_test:
+            continue
+        if _NODES.fullmatch(dotted(code, routine, call.callee)) is None:
+            continue
+        given = {str(each[1]): str(each[2][1]) for each in call.args if each[0] == "kw" and each[2][0] == "str"}
+        package, program = project.package(given.get("package", "")), given.get("executable", "")
+        if package is None or not program or not _lacks(package, program):
+            continue
+        similar = tuple(get_close_matches(program, sorted(_programs(package)), 1, 0.6))
+        yield Finding(
+            at=Location(routine.path, call.line, call.column),
+            message=f"package {package} builds or installs no program {program!r}: this node cannot start{meant(similar)}",
+            about=(f"{package}/{program}",),
+            apart=(routine.path, program),
+        )
+
+
+def _programs(package: ProjectPackage) -> set[str]:
+    build = package.build
+    names = {each.output or each.name for each in build.targets if each.kind == "executable"}
+    names |= {each.name or posixpath.basename(each.path) for each in build.installed if each.kind == "program"}
+    return names | {each.name for each in build.entry_points} | {posixpath.basename(path) for path in build.scripts}
+
+
+def _lacks(package: ProjectPackage, program: str) -> bool:
+    """Whether all programs of the package are known, this is none of them, and nothing in its build has the name."""
+    if package.ros != 2 or program in _programs(package) or not package.build.commands:
+        return False
+    if not package.cmake.is_whole or package.cmake.installs_unknown:
+        return False
+    if any(posixpath.basename(file.path) == program for file in package.files):
+        return False
+    paths = {command.location.path for command in package.build.commands} | {package.inside("setup.py")}
+    word = re.compile(rf"(?<!\w){re.escape(program)}(?!\w)")
+    return not any(word.search(package.project.text(path)) for path in paths)
+
+
+CHECK = Check(
+    id="unknown-executable-in-module",
+    summary="Node() in a Python module with a program that its package does not provide.",
+    level=Level.ERROR,
+    tags=("launch", "python"),
+    project=check,
+)

@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Attributes of ``self`` that Python code reads and that nothing sets: no method of the class, of its bases or of its subclasses, and
+no code outside of them.
+
+A class is looked at only where all that it inherits is known: classes of the workspace, and the nodes of rclpy with the public names
+that they have in any distribution. One that makes attributes by name (``setattr``, ``__getattr__``, ``__dict__``) is passed over.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.checking.project import Project
+from haros_ci.code.classes import Owner, bases
+from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.model.location import Location
+from haros_ci.model.program import Expression
+
+#: Code that gives objects attributes by name, or asks for them so.
+_BY_NAME = re.compile(
+    r"\b(?:setattr|vars|exec|eval|locals)\s*\(|__(?:getattr|getattribute|dict|new|init_subclass|setstate)__"
+    r"|\bMethodType\b|\bmetaclass\s*=|\bmock\b"
+)
+#: Classes that are made for others to complete them.
+_PARTIAL = re.compile(r"mixin|abstract|interface|base|protocol|template", re.I)
+_PLAIN = frozenset(("object", "abc.ABC", "ABC"))
+_DECORATORS = ("@dataclass", "@dataclasses.dataclass", "@total_ordering", "@functools.total_ordering")
+_THREAD = frozenset(
+    "name daemon start run join is_alive isAlive ident native_id isDaemon setDaemon getName setName".split()
+)
+_NODE = frozenset(
+    """publishers subscriptions clients services timers guards waitables executor context default_callback_group handle
+    get_name get_namespace get_fully_qualified_name get_clock get_logger get_effective_namespace
+    declare_parameter declare_parameters undeclare_parameter has_parameter get_parameter_types get_parameter_type get_parameters
+    get_parameter get_parameter_or get_parameters_by_prefix set_parameters set_parameters_atomically list_parameters
+    add_on_set_parameters_callback add_pre_set_parameters_callback add_post_set_parameters_callback
+    remove_on_set_parameters_callback remove_pre_set_parameters_callback remove_post_set_parameters_callback
+    set_parameters_callback describe_parameter describe_parameters set_descriptor add_waitable remove_waitable
+    resolve_topic_name resolve_service_name create_publisher create_subscription create_client create_service create_timer
+    create_guard_condition create_rate create_service_introspection destroy_publisher destroy_subscription destroy_client
+    destroy_service destroy_timer destroy_guard_condition destroy_rate destroy_node get_node_names
+    get_node_names_and_namespaces get_node_names_and_namespaces_with_enclaves get_fully_qualified_node_names
+    get_publisher_names_and_types_by_node get_subscriber_names_and_types_by_node get_service_names_and_types_by_node
+    get_client_names_and_types_by_node get_action_names_and_types_by_node get_action_client_names_and_types_by_node
+    get_action_server_names_and_types_by_node get_topic_names_and_types get_service_names_and_types
+    get_action_names_and_types count_publishers count_subscribers count_clients count_services
+    get_publishers_info_by_topic get_subscriptions_info_by_topic get_servers_info_by_service get_clients_info_by_service
+    wait_for_node automatically_declare_parameters_from_overrides enable_rosout enable_logger_service PARAM_REL_TOL
+    loaded_parameters type_description_service
+    create_lifecycle_publisher add_managed_entity trigger_configure trigger_cleanup trigger_activate trigger_deactivate
+    trigger_shutdown on_configure on_cleanup on_activate on_deactivate on_shutdown on_error track_transition_callback
+    """.split()
+)
+#: Classes of libraries, each with what they bring; of what begins with an underscore nothing is said there.
+_KNOWN = {
+    "rclpy.node.Node": _NODE,
+    "rclpy.Node": _NODE,
+    "rclpy.lifecycle.Node": _NODE,
+    "rclpy.lifecycle.LifecycleNode": _NODE,
+    "rclpy.lifecycle.node.LifecycleNode": _NODE,
+    "threading.Thread": _THREAD,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Unset:
+    """Attribute *name* of class *owner* is read at *location* in *routine*; *known* are the attributes that it has."""
+
+    owner: str
+    name: str
+    routine: Routine
+    location: Location
+    known: frozenset[str]
+
+
+@dataclass(slots=True)
+class _Attributes:
+    """What the methods of one class do with ``self``."""
+
+    owner: Owner
+    routines: list[Routine]
+    read: dict[str, Routine]
+    has: set[str]
+
+
+def unset_attributes(project: Project) -> Iterator[Unset]:
+    """Every attribute that is read and never set, once for each class."""
+    code = project.code
+    classes = _classes(code)
+    parents = {key: list(bases(code, each.owner)) for key, each in classes.items()}
+    related = _related(classes, parents)
+    elsewhere = _set_elsewhere(code)
+    for key, each in classes.items():
+        source, definition = each.owner
+        if not each.read or source.package is None or not _is_plain(code, each.owner):
+            continue
+        family = [classes[name] for name in sorted(related[key]) if name in classes]
+        libraries = {name for member in related[key] for above, name in parents.get(member, ()) if above is None}
+        if len(family) < len(related[key]) or not libraries <= {*_PLAIN, *_KNOWN}:
+            continue
+        if any(_BY_NAME.search(code.text(path)) for path in {one.owner[0].path for one in family}):
+            continue
+        if not _is_made(code, definition.name, is_alone=len(family) == 1):
+            continue
+        has = set().union(*(one.has for one in family), *(_KNOWN.get(name, frozenset()) for name in libraries))
+        if "__init__" not in has:
+            continue
+        for name, routine in sorted(each.read.items()):
+            is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
+            if name in has or name in elsewhere or is_hidden or _is_asked(code.text(source.path), name):
+                continue
+            yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(has))
+
+
+def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
+    """The Python classes of the workspace by file and name; those that a file defines twice are left out."""
+    found: dict[tuple[str, str], _Attributes] = {}
+    for source in code.sources:
+        program = source.program
+        if program.language != "python" or program.problems or source.path.endswith(".pyi"):
+            continue
+        names = [each.name for each in program.classes]
+        for each in program.classes:
+            if names.count(each.name) == 1:
+                has = {member.name for member in each.fields}
+                has |= {inner.rpartition(".")[2] for inner in names if inner.rpartition(".")[0] == each.name}
+                found[source.path, each.name] = _Attributes((source, each), [], {}, has)
+        for function in program.functions:
+            one = found.get((source.path, function.owner))
+            if one is not None and function.name.rpartition(".")[0] == function.owner:
+                one.has.add(function.name.rpartition(".")[2])
+        for routine in code.routines(source.path):
+            one = found.get((source.path, routine.owner))
+            if one is not None:
+                one.routines.append(routine)
+                _add(one, routine)
+    return found
+
+
+def _add(one: _Attributes, routine: Routine) -> None:
+    """What a method reads and sets; what stands where an AttributeError is caught counts as neither."""
+    waiting: list[Any] = [routine.function.body or ()]
+    while waiting:
+        node = waiting.pop()
+        if not isinstance(node, (tuple, list)) or not node:
+            continue
+        if node[0] == "try" and len(node) == 3 and any(_catches(each) for each in node[2]):
+            one.has.update(_set_in(node[1]))
+            waiting.append(node[2])
+        elif node[0] == "set" and len(node) == 4 and node[1] == "=":
+            one.has.update(name for is_own, name in _targets(node[2]) if is_own)
+            waiting += [*_rest(node[2]), node[3]]
+        elif node[0] == "field" and len(node) == 3 and tuple(node[1]) == ("this",):
+            one.read.setdefault(str(node[2]), routine)
+        else:
+            waiting.extend(reversed(node))
+
+
+def _catches(handler: Any) -> bool:
+    return not str(handler[2]).strip() or "AttributeError" in str(handler[2])
+
+
+def _set_in(block: Any) -> Iterator[str]:
+    waiting = [block]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, (tuple, list)) and node:
+            if node[0] == "set" and len(node) == 4:
+                yield from (name for is_own, name in _targets(node[2]) if is_own)
+            waiting.extend(node)
+
+
+def _targets(target: Expression) -> Iterator[tuple[bool, str]]:
+    """The attributes that an assignment sets: whether it is one of ``self``, and its name."""
+    if target[0] == "list":
+        for each in target[1]:
+            yield from _targets(each)
+    elif target[0] in ("star", "starstar"):
+        yield from _targets(target[1])
+    elif target[0] == "field":
+        yield tuple(target[1]) == ("this",), str(target[2])
+
+
+def _rest(target: Expression) -> Iterator[Expression]:
+    """What an assignment's target reads."""
+    if target[0] == "list":
+        for each in target[1]:
+            yield from _rest(each)
+    elif target[0] in ("star", "starstar"):
+        yield from _rest(target[1])
+    elif target[0] == "field":
+        if tuple(target[1]) != ("this",):
+            yield target[1]
+    else:
+        yield target
+
+
+def _related(
+    classes: dict[tuple[str, str], _Attributes], parents: dict[tuple[str, str], list[tuple[Owner | None, str]]]
+) -> dict[tuple[str, str], set[tuple[str, str]]]:
+    """Each class with its bases, its subclasses and their bases: all that may be one object with it."""
+    above = {
+        key: {key, *((each[0].path, each[1].name) for each, _ in found if each is not None)}
+        for key, found in parents.items()
+    }
+    related: dict[tuple[str, str], set[tuple[str, str]]] = {key: set() for key in classes}
+    for every in above.values():
+        for each in every:
+            if each in related:
+                related[each] |= every
+    return related
+
+
+def _set_elsewhere(code: Codebase) -> frozenset[str]:
+    """The attributes that any code sets of something that is not ``self``."""
+    found: set[str] = set()
+    for source in code.sources:
+        if source.program.language == "python":
+            for routine in code.routines(source.path):
+                for target, *_ in code.body(routine).sets:
+                    found.update(name for is_own, name in _targets(target) if not is_own or not routine.owner)
+    return frozenset(found)
+
+
+def _is_plain(code: Codebase, owner: Owner) -> bool:
+    """Whether nothing but its statements makes the class: no decorator that may add to it."""
+    source, definition = owner
+    lines = code.text(source.path).split("\n")[: max(definition.line - 1, 0)]
+    before = next((line.strip() for line in reversed(lines) if line.strip()), "")
+    return not (before.startswith("@") or before == ")") or before.startswith(_DECORATORS)
+
+
+def _is_made(code: Codebase, name: str, *, is_alone: bool) -> bool:
+    """Whether code of the workspace makes objects of the class, or of a subclass; one for others to complete is not said to be."""
+    if not is_alone:
+        return True
+    short = name.rpartition(".")[2]
+    call = re.compile(rf"(?<!class )(?<!\w){re.escape(short)}\s*\(")
+    return _PARTIAL.search(short) is None and any(call.search(code.text(path)) for path in code.mentioning(short))
+
+
+def _is_asked(text: str, name: str) -> bool:
+    """Whether the file asks whether an object has the attribute."""
+    return re.search(rf"attr\s*\([^()\n]*[\"']{re.escape(name)}[\"']", text) is not None
+
+
+def _place(code: Codebase, routine: Routine, name: str) -> Location:
+    """Where the attribute is first read in the routine; the routine's head if that is not found."""
+    line = routine.function.line
+    wanted = re.compile(rf"\b\w+\.{re.escape(name)}\b")
+    for number, each in enumerate(code.lines(routine, line).split("\n"), line):
+        found = wanted.search(each.partition("#")[0])
+        if found is not None:
+            return Location(routine.path, number, found.start() + 1, number, found.end() + 1)
+    return Location(routine.path, line or 1)
