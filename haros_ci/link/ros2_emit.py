@@ -209,8 +209,14 @@ def _parameter(
     )
     if entry.kind == "setters" or entry.kind == "parameters":
         stored = default if entry.kind == "setters" else value
-        if stored is None and entry.kind == "parameters" and (word is not None or applied.frame.source.separator == "::"):
-            stored = Opaque(NO_DEFAULT, applied.location)  # without a value from outside the declaration or reading throws
+        if (
+            stored is None
+            and entry.kind == "parameters"
+            and (word is not None or applied.frame.source.separator == "::")
+        ):
+            stored = Opaque(
+                NO_DEFAULT, applied.location
+            )  # without a value from outside the declaration or reading throws
         ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
     return value
 
