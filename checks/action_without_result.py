@@ -15,6 +15,7 @@ from haros_ci.api.code import (
     calls_of,
     dotted,
     given_function,
+    in_callbacks,
     last_part,
     nodes,
     type_name,
@@ -31,7 +32,9 @@ HANDLES = ("rclcpp_action::ServerGoalHandle", "rclcpp_action::ServerGoalHandleBa
 
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
-    seen: set[int] = set()
+    seen = {
+        id(each.routine) for each in in_callbacks(code) if each.callback.kind == "timer"
+    }  # it goes on at the next tick
     for routine, why in _executing(code):
         if id(routine) in seen or routine.is_test:
             continue

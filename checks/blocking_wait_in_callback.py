@@ -76,7 +76,7 @@ def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
                 "adds its own node to a second executor: this throws std::runtime_error, because the node already "
                 "belongs to an executor; use a separate node"
             )
-    if call.name in WAITS and call.receiver is not None and not _polls(call):
+    if call.name in WAITS and call.receiver is not None and not _polls(call) and not _is_awaited(code, routine, call):
         client = _awaited(code, routine, call.receiver)
         made = client_made(code, routine, client) if client is not None else None
         if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
@@ -104,6 +104,29 @@ def _polls(call: Call) -> bool:
     while inner[0] == "call" and len(inner[2]) == 1:
         inner = inner[2][0]
     return bool(inner[0] == "num" and inner[1] == 0)
+
+
+def _is_awaited(code: Codebase, routine: Routine, call: Call) -> bool:
+    """Whether something before the call has waited for the future already, or has asked whether it is ready."""
+    future = _whole(call.receiver)
+    return any(
+        (each.line, each.column) < (call.line, call.column)
+        and not (each.is_bare and _polls(each))
+        and (
+            (each.name in WAITS and _whole(each.receiver) == future)
+            or (each.name == "spin_until_future_complete" and future in map(_whole, each.args))
+        )
+        for each in code.body(routine).calls
+    )
+
+
+def _whole(future: Any) -> Any:
+    """A future itself: ``result`` of ``result.future``."""
+    return (
+        list(future[1])
+        if future is not None and future[0] == "field" and future[2] == "future"
+        else future and list(future)
+    )
 
 
 def _awaited(code: Codebase, routine: Routine, future: Any) -> Any:

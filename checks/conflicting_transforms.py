@@ -21,7 +21,8 @@ def check(project: Project) -> Iterator[Finding]:
         told: dict[tuple[int, int], list[tuple[Broadcast, Broadcast]]] = {}
         for several in by_child.values():
             for one, other in combinations(several, 2):
-                if one.node is not other.node and is_conflict(one, other):
+                is_same = one.node is other.node or (one.node.known and one.node.name == other.node.name)
+                if not is_same and is_conflict(one, other):  # duplicate-node-name tells of two of one name
                     told.setdefault((id(one.node), id(other.node)), []).append((one, other))
                     break
         for pairs in told.values():

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,6 +21,27 @@ _IN_CODE = re.compile(
     r"(?P<ask>\b(?:lookup_?transform|can_?transform|lookup_transform_full)\w*\s*\((?:[^;()]{0,80}?,)?\s*)" + _QUOTED,
     re.IGNORECASE,
 )
+#: What takes a leading slash off: of a variable, which comes first, or of whatever is there.
+_STRIPPING = (
+    r"(?:\[\s*1\s*:\s*\]|\[\s*0\s*\]\s*[!=]=\s*[\"']/|\.\s*front\s*\(\s*\)\s*[!=]=\s*'/|\.\s*at\s*\(\s*0\s*\)\s*[!=]=\s*'/"
+    r"|\.\s*(?:l?strip|removeprefix|startswith|starts_with|replace)\s*\(\s*[\"']/"
+    r"|\.\s*(?:erase\s*\(\s*(?:0\s*,\s*1\b|\w+\s*\.\s*c?begin\s*\(\s*\)\s*\))|substr\s*\(\s*1\b))"
+)
+_STRIPS = re.compile(_STRIPPING + r"|\bstrip_?(?:leading_?)?slash\b", re.IGNORECASE)
+_STRIPPED = re.compile(r"\b(\w+)\s*" + _STRIPPING)
+_WORD = re.compile(r"[A-Za-z_]\w*")
+_TEXTS = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
+_CALLED = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
+#: A function that is defined here: its name, up to its body.
+_DEFINED = re.compile(r"\b(?:def\s+)?([A-Za-z_]\w*)\s*\([^;{}()]{0,400}\)\s*(?:const\s*)?(?:->\s*\w+\s*)?[{:]")
+#: Words of a statement that reads a parameter, which are not its own.
+_NOT_ITS_OWN = frozenset(
+    "this self node std string auto const get_parameter declare_parameter get_parameter_or as_string value string_value "
+    "get_parameter_value get_value get get_param param getParam getParameter rclcpp rclpy rospy ros if return str".split()
+)
+#: Characters of a function's body that are looked at.
+_BODY = 1500
+_CODE = ("cpp", "python")
 #: The package of the broadcasters: who receives what they send takes the slash off, if it is tf2, so they get no more than a note.
 _BROADCASTERS = "tf2_ros"
 
@@ -58,6 +79,10 @@ def _uses_tf2(package: str, ros: int, system: System) -> bool:
 def _parameters(system: System) -> Iterator[Finding]:
     given = {each.name: each for each in system.parameters if _PARAMETER.search(each.name)}
     readers: dict[str, SystemNode] = {}
+    places: dict[str, set[Location]] = {}
+    for end in system.ends:
+        if end.kind in ("getters", "parameters") and end.in_source and _PARAMETER.search(end.name):
+            places.setdefault(end.name, set()).add(end.location)
     for node in system.nodes:
         if node.package == _BROADCASTERS or not _uses_tf2(node.package, node.ros, system):
             continue
@@ -65,13 +90,63 @@ def _parameters(system: System) -> Iterator[Finding]:
             if not end.known or not _PARAMETER.search(end.name):
                 continue
             readers.setdefault(end.name, node)
-            if end.name not in given and end.in_source and _is_frame(end.raw.value):
+            is_default = end.name not in given and end.in_source and _is_frame(end.raw.value)
+            if is_default and not _is_stripped(system, places[end.name]):
                 yield _finding(end.location, end.raw.value, f"the parameter {end.name}", node)
     for name, parameter in given.items():
         owner = readers.get(name) or _owner(name, system)
         place = parameter.origin or parameter.location
-        if owner is not None and place is not None and _is_frame(parameter.value) and not parameter.unknowns:
+        is_told = owner is not None and place is not None and _is_frame(parameter.value) and not parameter.unknowns
+        if is_told and not _is_stripped(system, places.get(name, ())):
+            assert owner is not None and place is not None
             yield _finding(place, parameter.value, f"the parameter {name}", owner)
+
+
+def _is_stripped(system: System, places: Iterable[Location]) -> bool:
+    """Whether the code that reads the parameter at one of *places* takes the slash off: there, of the variable, or in a function that it is given to."""
+    if system.workspace is None:
+        return False
+    for place in places:
+        text = system.workspace.text(place.path)
+        statement = _statement(text, place)
+        if _STRIPS.search(statement):
+            return True
+        read = {word for word in _WORD.findall(_TEXTS.sub(" ", statement)) if word not in _NOT_ITS_OWN}
+        if any(found[1] in read for found in _STRIPPED.finditer(text)):
+            return True
+        called = {word for word in _CALLED.findall(statement) if word not in _NOT_ITS_OWN}
+        if called and any(
+            _strips(file.path, system, called) for file in system.workspace.files if file.language in _CODE
+        ):
+            return True
+    return False
+
+
+def _statement(text: str, place: Location) -> str:
+    """The statement of C++ at a place, or the lines of Python to the last bracket."""
+    lines = text.split("\n")
+    first = (place.line or 1) - 1
+    if place.path.endswith(".py"):
+        end = first + 1
+        while end < min(len(lines), first + 10) and _is_open("\n".join(lines[first:end])):
+            end += 1
+        return "\n".join(lines[first:end])
+    before = "\n".join(lines[max(0, first - 5) : first])
+    after = "\n".join(lines[first : first + 10])
+    return re.split(r"[;{}]", before)[-1] + "\n" + after.partition(";")[0]
+
+
+def _is_open(text: str) -> bool:
+    return sum(map(text.count, "([{")) > sum(map(text.count, ")]}"))
+
+
+def _strips(path: str, system: System, names: set[str]) -> bool:
+    """Whether a function of *names* that the file defines takes a slash off."""
+    text = system.workspace.text(path) if system.workspace is not None else ""
+    for found in _DEFINED.finditer(text):
+        if found[1] in names and _STRIPS.search(text, found.end(), found.end() + _BODY):
+            return True
+    return False
 
 
 def _owner(name: str, system: System) -> SystemNode | None:

@@ -23,6 +23,8 @@ HEADED = FRAMED | frozenset(
     [f"sensor_msgs/{name}" for name in "Image CompressedImage CameraInfo JointState NavSatFix MagneticField".split()]
     + ["diagnostic_msgs/DiagnosticArray"]
 )
+#: Those of which only the stamp matters.
+TIMED = frozenset(("diagnostic_msgs/DiagnosticArray",))
 MAKERS = frozenset(("make_shared", "make_unique"))
 
 
@@ -43,7 +45,7 @@ def check(project: Project) -> Iterator[Finding]:
                 at=call_place(routine, call),
                 message=f"{name}, a {kind}, is published with {said}",
                 about=(routine.title, name, kind),
-                level=Level.WARNING if said.startswith("an empty") else Level.NOTE,
+                level=Level.NOTE if "without frame_id" in said else Level.WARNING,
             )
 
 
@@ -125,6 +127,10 @@ def _missing(code: Codebase, routine: Routine, name: str, kind: str) -> str | No
             set_parts.add(use.path[1] if len(use.path) > 1 else "header")
     if not filled or "header" in set_parts or declared > 1:
         return None
+    if not set_parts and kind in TIMED:
+        return (
+            "a header without stamp: subscribers do not know the time of the data; set header.stamp before publishing"
+        )
     if not set_parts:
         return (
             "an empty header: stamp and frame_id are never set, so subscribers know neither time nor frame of the "

@@ -10,6 +10,8 @@ from haros_ci.api import ACTION, SERVICE, TOPIC, Check, Finding, Level, Location
 
 #: What the whole of a name consists of, by ROS version; ``?`` stands for what is not known.
 _CHARACTERS = {1: re.compile(r"[A-Za-z0-9_/~?]*"), 2: re.compile(r"[A-Za-z0-9_/~{}?]*")}
+#: A part of a name of which the text is empty.
+_EMPTY = re.compile(r"//+")
 _BRACES = re.compile(r"\{(?:node|ns|namespace)\}")
 
 
@@ -32,7 +34,7 @@ def _wrong(node: SystemNode) -> Iterator[tuple[Location, str, str, str]]:
         written = end.raw.written
         if written and end.in_source and not end.implicit:
             why = fault(written, node.ros)
-            if why:
+            if why and not (_is_to_be_given(node) and fault(_EMPTY.sub("/x/", written).rstrip("/"), node.ros) == ""):
                 yield end.location, f"the {end.word}", written, why
     for rule in node.raw.rules:
         for side, name in (("source", rule.source), ("target", rule.target)):
@@ -45,6 +47,13 @@ def _wrong(node: SystemNode) -> Iterator[tuple[Location, str, str, str]]:
         why = fault(last, node.ros, is_node=True)
         if why:
             yield node.location, "the node name", last, why
+
+
+def _is_to_be_given(node: SystemNode) -> bool:
+    """Whether nothing seen starts the node, and it has a parameter that is empty until whoever starts it gives a value."""
+    return not node.is_launched and any(
+        end.raw.value == "" or end.raw.effective == "" for end in node.of("parameters", "getters")
+    )
 
 
 def fault(name: str, ros: int, is_node: bool = False) -> str:

@@ -17,6 +17,7 @@ from haros_ci.api import (
     Level,
     Location,
     System,
+    SystemNode,
     can_meet,
     is_moved,
     is_slip,
@@ -39,12 +40,38 @@ def check(system: System) -> Iterator[Finding]:
     for channels, kinds in ((system.topics, TOPIC), (system.services, SERVICE), (system.actions, ACTION)):
         unknown = tuple(end for end in system.ends if end.kind in kinds and not end.known)
         for giver, taker in _lonely(channels, unknown):
+            if any(_is_given(channel, system) for channel in (giver, taker)):
+                continue
             pair = next((pair for pair in can_meet(giver.givers, taker.takers) if _fit(*pair)), None)
             if pair is not None:
                 wrong = _wrong(*pair)
                 found.setdefault((named_at(wrong), wrong.original_name), []).append((giver, taker, *pair))
+    is_open = bool(found) and any(map(_is_open, system.nodes))
     for each in found.values():
-        yield _finding(each)
+        yield _finding(each, is_open)
+
+
+def _is_given(channel: Channel, system: System) -> bool:
+    """Whether a parameter of another node has the channel's name for its value: that node may be the partner."""
+    nodes = {end.node.name for end in channel.ends}
+    own = tuple(f"{node}{sign}" for node in nodes for sign in ":/")
+    return any(
+        isinstance(each.value, str)
+        and each.value not in ("", "/")
+        and (each.value == channel.name or channel.name.endswith(f"/{each.value}"))
+        and not each.name.startswith(own)
+        for each in system.parameters
+    )
+
+
+def _is_open(node: SystemNode) -> bool:
+    """Whether a node may have ends that are not told, or has one of which neither the name nor the type is known."""
+    kinds = (*TOPIC, *SERVICE, *ACTION)
+    return (
+        not node.ends
+        or any(unknown.field == "endpoints" for unknown in node.raw.unknowns)
+        or any(not end.known and not _tells(end) for end in node.of(*kinds))
+    )
 
 
 def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator[tuple[Channel, Channel]]:
@@ -118,7 +145,8 @@ def _wrong(giver: End, taker: End) -> End:
     return taker
 
 
-def _finding(found: list[tuple[Channel, Channel, End, End]]) -> Finding:
+def _finding(found: list[tuple[Channel, Channel, End, End]], is_open: bool) -> Finding:
+    """One finding for all pairs; a note where a node *is open*, so that it may be a partner."""
     giver_name, taker_name, giver, taker = found[0]
     wrong = _wrong(giver, taker)
     other = taker if wrong is giver else giver
@@ -128,12 +156,12 @@ def _finding(found: list[tuple[Channel, Channel, End, End]]) -> Finding:
         hint = f"; {wrong.original_name} is remapped here"
     elif (wrong.raw.written or "").startswith("/") and wrong is giver:
         hint = "; the name is global in the code, so namespaces and relative remappings have no effect on it"
+    alone = "no partner is seen, and not all nodes are known" if is_open else "neither has another partner"
     return Finding(
         at=named_at(wrong),
         message=(
             f"{giver.word} {giver_name} of {giver.node} and {taker.word} {taker_name} of {taker.node} do not connect, "
-            f"although they have the same type and nearly the same name: neither has another partner{more}; use one "
-            f"name for both{hint}"
+            f"although they have the same type and nearly the same name: {alone}{more}; use one name for both{hint}"
         ),
         about=tuple(dict.fromkeys(part for each in found for part in each)),
         related=tuple(
@@ -143,6 +171,7 @@ def _finding(found: list[tuple[Channel, Channel, End, End]]) -> Finding:
             if end is not wrong
         ),
         flow=way_to(wrong) or way_to(other),
+        level=Level.NOTE if is_open else None,
     )
 
 

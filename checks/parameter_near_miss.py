@@ -69,7 +69,7 @@ def _finding(
     end: End, given: Parameter, at: Location, others: tuple[tuple[End, Parameter, Location], ...] = ()
 ) -> Finding:
     """The finding; *others* are parameters that are given in the same file with the same slip."""
-    names = [other.name for other, _, _ in others]
+    names = [name for name in dict.fromkeys(other.name for other, _, _ in others) if name != end.name]
     shown = ", ".join(names[:_SHOWN]) + (f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else "")
     likewise = f"; likewise {shown}" if names else ""
     return Finding(
@@ -82,7 +82,7 @@ def _finding(
         apart=(given.name, *(each.name for _, each, _ in others)),
         related=(
             (end.location, f"{end.name} is read here"),
-            *((place, f"{each.name} is set here") for _, each, place in others),
+            *dict.fromkeys((place, f"{each.name} is set here") for _, each, place in others if each is not given),
         ),
     )
 

@@ -44,6 +44,9 @@ AGAIN = re.compile(
     r"^(?:re_?)?(?:init\w*|connect\w*|open\w*|start\w*|set_?up\w*|reset\w*)$|^re(?:connect|open|start|try|boot)",
     re.IGNORECASE,
 )
+#: Names of services that bring hardware up, and of flags that say whether it has been.
+INITIAL = re.compile(r"(?:^|[_/]|(?<=[a-z]))[iI]nit(?:iali[sz](?:e|ation))?(?:$|[_/A-Z])")
+INITIALISED = re.compile(r"initiali[sz]ed|is_?init(?:ed)?(?:$|_)", re.IGNORECASE)
 #: Sleeps shorter than this many seconds hold nobody up.
 SHORT = 0.02
 #: Sleeps shorter than this are a note: of a pause of a few cycles messages are seldom lost.
@@ -99,14 +102,16 @@ def _finding(code: Codebase, every: list[tuple[Reached, Call, float]]) -> Findin
     where = f"{title}, the callback of a {kind}"
     if each.routine is not each.callback.routine:
         where = f"{each.routine.title}, which {title}, the callback of a {kind}, runs"
-    effect = (
-        (
-            "no other callback of the node's default group runs, and messages are delayed or lost; use a timer, or a "
-            "separate callback group"
-        )
-        if each.callback.ros == 2
-        else "the spinner runs no other callback, and messages are delayed or lost; use a timer"
+    ros2 = each.callback.ros == 2
+    others = "no other callback of the node's default group runs" if ros2 else "the spinner runs no other callback"
+    threads = (
+        "put it into a separate callback group, with a multi-threaded executor"
+        if ros2
+        else "spin with several threads (ros::AsyncSpinner)"
     )
+    #: who has called a service waits for its answer: a timer would come too late
+    advice = threads if kind == "service" else f"use a timer, or {threads}"
+    effect = f"{others}, and messages are delayed or lost; {advice}"
     return Finding(
         at=call_place(each.routine, call),
         message=f"the thread sleeps{long} in {where}: during the sleep {effect}",
@@ -150,12 +155,27 @@ def _is_failure(test: Any) -> bool:
 
 
 def _is_minor(code: Codebase, each: Reached, call: Call, seconds: float) -> bool:
-    """Whether it holds others up briefly, a known number of times, after a failure, or where nobody waits."""
-    if _is_after_failure(code, each.routine, call):
+    """Whether it holds others up briefly, a known number of times, after a failure, at the start, or where nobody waits."""
+    if _is_after_failure(code, each.routine, call) or _is_initialising(each, call):
         return True
     if 0 <= seconds < BRIEF or any(place.kind == "loop" and _is_bounded(place) for place in call.around):
         return True
     return any(TOOLS.search(routine.path.lower()) for routine in (each.callback.maker, each.routine))
+
+
+def _is_initialising(each: Reached, call: Call) -> bool:
+    """Whether it is done once, when hardware is brought up: in a service for that, or while a flag says that it is not initialized yet."""
+    callback = each.callback
+    if callback.kind == "service":
+        named = (callback.routine.function.name, *(str(given[1]) for given in callback.call.args if given[0] == "str"))
+        if any(INITIAL.search(name.rpartition(":")[2].rpartition(".")[2]) for name in named):
+            return True
+    around = (place for _, step in (*each.path, (each.routine, call)) for place in step.around)
+    return any(place.kind in ("then", "else") and _asks_for_flag(place.statement) for place in around)
+
+
+def _asks_for_flag(test: Any) -> bool:
+    return any(INITIALISED.search(str(node[-1])) for node in nodes(test) if node[0] in ("name", "field"))
 
 
 def _is_bounded(place: Place) -> bool:

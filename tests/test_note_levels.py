@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Findings that are a note: paths of credentials, and sleeps that hold nothing up."""
+"""Findings that are a note: paths of credentials, sleeps that hold nothing up, names beside nodes that are not known."""
 
 from __future__ import annotations
 
@@ -94,6 +94,11 @@ LONG = "time.sleep(2.0)"
         ),
         (SUBSCRIPTION, f"if not self.port.is_open:\n            {LONG}\n        self.send()", "pass", Level.WARNING),
         (SUBSCRIPTION, f"if self.is_open:\n            {LONG}\n            return", "pass", Level.WARNING),
+        (SUBSCRIPTION, f"if not self.initialized:\n            {LONG}", "pass", Level.NOTE),
+        (SUBSCRIPTION, f"if self.is_limited:\n            {LONG}", "pass", Level.WARNING),
+        (f"{SERVICE}; {SUBSCRIPTION}".replace("home", "init"), "pass", LONG, Level.NOTE),
+        (f"{SERVICE}; {SUBSCRIPTION}".replace("home", "init_base"), "pass", LONG, Level.NOTE),
+        (f"{SERVICE}; {SUBSCRIPTION}".replace("home", "initial_pose"), "pass", LONG, Level.WARNING),
     ],
 )
 def test_sleeps_that_hold_nothing_up(made: str, on_message: str, move: str, expected: Level, tmp_path: Path) -> None:
@@ -105,6 +110,47 @@ def test_sleeps_that_hold_nothing_up(made: str, on_message: str, move: str, expe
     assert levels("sleep-in-callback", files, tmp_path) == [expected]
 
 
+@pytest.mark.parametrize(
+    ("made", "advice"),
+    [
+        (SERVICE, "lost; put it into a separate callback group, with a multi-threaded executor"),
+        (SUBSCRIPTION, "lost; use a timer, or put it into a separate callback group, with a multi-threaded executor"),
+    ],
+)
+def test_what_to_do_about_a_sleep(made: str, advice: str, tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "rclpy"),
+        "CMakeLists.txt": CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)"),
+        "n.py": NODE.format(made, "self.move()", LONG),
+    }
+    check = next(check for check in checks() if check.id == "sleep-in-callback")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.message.rstrip(".").endswith(advice)
+
+
+@pytest.mark.parametrize(
+    ("more", "expected", "words"),
+    [
+        ("", Level.WARNING, "neither has another partner"),
+        ('<node pkg="rviz2" exec="rviz2" name="rviz"/>', Level.NOTE, "not all nodes are known"),
+        ('<node pkg="elsewhere" exec="recorder"/>', Level.NOTE, "not all nodes are known"),
+    ],
+)
+def test_names_that_a_node_which_is_not_known_may_have(more: str, expected: Level, words: str, tmp_path: Path) -> None:
+    talker = 'import rclpy\nfrom std_msgs.msg import String\nrclpy.init()\nnode = rclpy.create_node("n%d")\nend = node.%s\nrclpy.spin(node)\n'
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "rclpy"),
+        "CMakeLists.txt": CMAKE.format("install(PROGRAMS a.py b.py DESTINATION lib/demo)"),
+        "a.py": "#!/usr/bin/env python3\n" + talker % (1, 'create_publisher(String, "velocity_command", 1)'),
+        "b.py": "#!/usr/bin/env python3\n" + talker % (2, 'create_subscription(String, "velocity_comand", print, 1)'),
+        "launch/a.launch.xml": f'<launch><node pkg="demo" exec="a.py"/><node pkg="demo" exec="b.py"/>{more}</launch>\n',
+    }
+    check = next(check for check in checks() if check.id == "near-miss-name")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level == expected
+    assert words in result.message
+
+
 def test_a_sleep_is_named_with_its_function_and_time(tmp_path: Path) -> None:
     files = {
         "package.xml": ROS2.replace("rclcpp", "rclpy"),
@@ -114,3 +160,23 @@ def test_a_sleep_is_named_with_its_function_and_time(tmp_path: Path) -> None:
     check = next(check for check in checks() if check.id == "sleep-in-callback")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert "sleeps for 2 s in Arm.move, which Arm.on_call, the callback of a service, runs" in result.message
+
+
+def test_parameters_with_the_same_slip_are_named_once(tmp_path: Path) -> None:
+    node = (
+        'import rospy\nrospy.init_node("n")\na = rospy.get_param("max_speed", 1)\nb = rospy.get_param("poll_rate", 1)\n'
+        'if a > 1:\n    b = rospy.get_param("poll_rate", 2)\n    a = rospy.get_param("max_speed", 2)\nrospy.spin()\n'
+    )
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "rospy").replace("ament_cmake", "catkin"),
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.0.2)\nproject(demo)\nfind_package(catkin REQUIRED COMPONENTS rospy)\n"
+        "catkin_package()\ncatkin_install_python(PROGRAMS n.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+        "n.py": "#!/usr/bin/env python\n" + node,
+        "launch/a.launch": '<launch><node pkg="demo" type="n.py" name="n">\n<param name="max_speed" value="5"/>\n'
+        '<param name="poll_rate" value="5"/>\n</node></launch>\n',
+    }
+    check = next(check for check in checks() if check.id == "parameter-near-miss")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert "write /max_speed; likewise /poll_rate" in result.message
+    assert not result.message.partition("likewise /poll_rate")[2].startswith(",")
+    assert len({(each.location, each.message) for each in result.related}) == len(result.related)

@@ -214,16 +214,18 @@ def misplaced(given: Given) -> tuple[str, str] | None:
 
 
 def is_mentioned(system: System, node: SystemNode, name: str) -> bool:
-    """Whether the source of *node* has the text *name*, though nothing is seen to declare it: then something may.
+    """Whether the source of *node* has the text *name*, though nothing in it is seen to declare it: then something may.
 
     The files are those of its package and of the packages in which it declares parameters; launch files are none of them.
     """
-    if system.workspace is None or name in system.whole.declared:
+    if system.workspace is None:
         return False
     folders = {package.path for package in system.packages.values() if package.name == node.package}
     places = {end.location.path for ends in node.names.declared.values() for end in ends if end.in_source}
     folders |= {
         package.path for package in system.packages.values() if any(is_in(path, package.path) for path in places)
     }
+    if any(is_in(path, folder) for path in system.whole.declared.get(name, ()) for folder in folders):
+        return False
     texts = (text for folder in sorted(folders) for text in system.whole.sources(folder, system))
     return any(f'"{name}{end}' in text or f"'{name}{end}" in text for text in texts for end in ('"', "'", "."))

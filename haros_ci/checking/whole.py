@@ -45,9 +45,14 @@ class Whole:
         return frozenset(place for system in self.systems for place in system.taken)
 
     @cached_property
-    def declared(self) -> frozenset[str]:
-        """The names of parameters that any node is seen to declare."""
-        return frozenset(key for system in self.systems for node in system.nodes for key in node.names.declared)
+    def declared(self) -> Mapping[str, frozenset[str]]:
+        """The names of parameters that any node is seen to declare, with the files that do."""
+        found: dict[str, set[str]] = {}
+        for system in self.systems:
+            for node in system.nodes:
+                for key, ends in node.names.declared.items():
+                    found.setdefault(key, set()).update(end.location.path for end in ends if end.in_source)
+        return {key: frozenset(paths) for key, paths in found.items()}
 
     @cached_property
     def parameter_files(self) -> Mapping[str, tuple[ParameterFileUse, ...]]:

@@ -14,6 +14,9 @@ from haros_ci.link.index import Index, Source, build_index, is_test
 from haros_ci.model.location import Location
 from haros_ci.model.program import Class, Function
 
+#: The header of rosserial's node handle, and that of roscpp's.
+ROSSERIAL, ROSCPP = "ros.h", "ros/ros.h"
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Routine:
@@ -81,6 +84,7 @@ class Codebase:
     _mentions: dict[tuple[str, ...], frozenset[str]] = field(default_factory=dict)
     #: Sources that no target compiles: checks of the code pass them over, since they never run.
     unbuilt: frozenset[str] = frozenset()
+    _firmware: frozenset[str] | None = None
     #: What other modules of this room remember about this code, by their own keys.
     kept: dict[object, object] = field(default_factory=dict)
 
@@ -137,12 +141,35 @@ class Codebase:
         return self.routine(routine.source, functions[index]) if 0 <= index < len(functions) else None
 
     def mentioning(self, *words: str) -> frozenset[str]:
-        """The files of programs whose text contains one of *words*, without those that no target compiles."""
+        """The files of programs whose text contains one of *words*, without firmware and those that no target compiles."""
         if words not in self._mentions:
             texts = ((source.path, self.text(source.path)) for source in self.sources)
             self._mentions[words] = frozenset(path for path, text in texts if any(word in text for word in words))
-            self._mentions[words] -= self.unbuilt
+            self._mentions[words] -= self.unbuilt | self.firmware
         return self._mentions[words]
+
+    @property
+    def firmware(self) -> frozenset[str]:
+        """The C++ files of microcontrollers: they include rosserial's ``ros.h``, whose classes have the names of roscpp's.
+
+        There ``subscribe`` and ``advertise`` are given objects that exist, and nothing is ever shut down.
+        """
+        if self._firmware is None:
+            firmware = (
+                source.path for source in self.sources if source.separator == "::" and self._is_firmware(source)
+            )
+            self._firmware = frozenset(firmware) if any(ROSSERIAL in each for each in self._included()) else frozenset()
+        return self._firmware
+
+    def _included(self) -> Iterator[tuple[str, ...]]:
+        """What each file includes."""
+        for source in self.sources:
+            yield tuple(each.strip('<>" ') for each in source.program.includes)
+
+    def _is_firmware(self, source: Source) -> bool:
+        files = (source.path, *self.cpp.reach(source.path))
+        included = {each.strip('<>" ') for path in files for each in self.by_path[path].program.includes}
+        return ROSSERIAL in included and ROSCPP not in included
 
     def ros_of(self, source: Source) -> int | None:
         """1 or 2: what the manifest of its package says, else what it includes or imports."""

@@ -252,7 +252,7 @@ def initialise(
     bases = run.bases(source, definition, templates)
     given = list(arguments) if function is None and not bases else []  # an aggregate
     for base in bases:
-        base_init = inits.get(base[0].rpartition("::")[2])
+        base_init = inits.get(base[0].rpartition("::")[2]) or _by_another_name(run, inner, definition, base[0])
         args = call_arguments.arguments(run, inner, base_init[1]) if base_init else ()
         if function is None and base is bases[0]:  # constructors are inherited
             args = arguments
@@ -289,6 +289,15 @@ def initialise(
             cell.value = Opaque(f"the member {member.name} is not set before", Location(source.path, member.line), kind)
     if function is not None and function.body is not None:
         activation.follow_body(run, inner, function)
+
+
+def _by_another_name(run: Run, inner: Frame, definition: Class, base: str) -> Any:
+    """The initialiser of a *base* under an alias or macro: ``Base(name)`` where ``using Base = rclcpp::Node``."""
+    members = {member.name for member in definition.fields}
+    for name, kind, args, line, column in inner.function.inits if inner.function is not None else ():
+        if name not in members and run.type_in(kind if kind[0] else (name, (), ""), inner)[0] == base:
+            return kind, args, line, column
+    return None
 
 
 def _is_of_base(run: Run, inner: Frame, function: Function, name: str) -> bool:

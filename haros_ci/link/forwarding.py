@@ -27,7 +27,8 @@ NAMES = frozenset(
     "create_publisher create_lifecycle_publisher create_subscription create_service create_client create_server "
     "create_generic_publisher create_generic_subscription create_generic_service create_generic_client "
     "create_action_server create_action_client declare_parameter declare_parameter_if_not_declared "
-    "declare_or_get_parameter get_or_declare_parameter get_parameter get_parameter_or set_parameter".split()
+    "declare_or_get_parameter get_or_declare_parameter get_parameter get_parameter_or set_parameter "
+    "declareParameter declare_param getParameter getParam get_param readParameter read_parameter".split()
 )
 
 #: Around what is followed inside a wrapper, or is none.

@@ -28,7 +28,7 @@ from haros_ci.model.program import Function, Program
 from haros_ci.model.workspace import Problem
 
 #: Part of every key: an interpreter that makes something else of the same facts gets another.
-VERSION = "14"
+VERSION = "15"
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from haros_ci.link import (
     library_yaml,
     members,
     partials,
+    python_kinds,
     python_texts,
 )
 from haros_ci.link.run import Frame, Run
@@ -128,6 +129,10 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
         return partials.partial(first, args[1:])
     if name == "type" and len(args) == 1 and isinstance(first, Object) and first.definition is not None:
         return ClassValue(*first.definition)
+    if name == "type" and len(args) == 1 and first is not None:
+        return python_kinds.type_of(first)
+    if name == "isinstance":
+        return python_kinds.is_instance(args)
     if name in ("rospy.myargv", "sys.argv") and run.context.arguments is not None:
         return argv(run, name == "rospy.myargv")
     if name in dynamic.IMPORTS:

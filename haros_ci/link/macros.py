@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Object-like macros as expressions: literals, names, and operators in parentheses; all else is not known."""
+"""Object-like macros as expressions: literals, names, and operators in parentheses; all else is not known. And as names of classes."""
 
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from haros_ci.model.program import Expression
+
+if TYPE_CHECKING:
+    from haros_ci.link.index import Index, Source
 
 _TOKEN = re.compile(
     r"""\s*(?:
@@ -18,6 +21,8 @@ _TOKEN = re.compile(
     )""",
     re.VERBOSE,
 )
+#: What a macro that names a class stands for.
+_QUALIFIED = re.compile(r"(?:::)?[A-Za-z_]\w*(?:::[A-Za-z_]\w*)+")
 _INTEGER = re.compile(
     r"(?:0[xX](?P<hex>[0-9a-fA-F]+)|0[bB](?P<bin>[01]+)|(?P<oct>0[0-7]+)|(?P<dec>0|[1-9][0-9]*))[uUlLzZ]*"
 )
@@ -47,6 +52,13 @@ def expression(body: str) -> Expression:
     except _Unreadable:
         return ("?", f"a macro: {text[:80]}")
     return found
+
+
+def class_named(index: Index, name: str, source: Source, files: frozenset[str]) -> tuple[Source, str] | None:
+    """The qualified name that a macro stands for, and the file that defines it; None if it is none, or one of several."""
+    found = index.near(index.macros, name, source, files) if source.separator == "::" else []
+    bodies = {body for _, body in found}
+    return found[0] if len(bodies) == 1 and _QUALIFIED.fullmatch(found[0][1]) else None
 
 
 def _tokens(text: str) -> list[tuple[str, str]]:

@@ -15,6 +15,7 @@ from haros_ci.link import (
     formats,
     iterators,
     methods,
+    python_kinds,
     statements,
     texts,
 )
@@ -114,6 +115,8 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
         further = iterators.moved(left, right.value if symbol == "+" else -right.value)
         if further is not None:
             return further
+    if symbol in ("==", "!=", "is", "is not") and (is_same := python_kinds.same(left, right)) is not None:
+        return TRUE if is_same is (symbol in ("==", "is")) else FALSE
     if symbol in ("==", "!="):
         if (told := iterators.compared(symbol, left, right)) is not None:
             return told

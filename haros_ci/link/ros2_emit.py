@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.link import conversions, forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.link.names import UNKNOWN, pattern
-from haros_ci.link.ros2_process import GIVEN, NO_NAME, RosNode
+from haros_ci.link.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
 from haros_ci.link.run import Made
 from haros_ci.link.types import ros2_data_type, ros2_parameter_type
 from haros_ci.link.values import (
@@ -209,6 +209,14 @@ def _parameter(
     )
     if entry.kind == "setters" or entry.kind == "parameters":
         stored = default if entry.kind == "setters" else value
+        if (
+            stored is None
+            and entry.kind == "parameters"
+            and (word is not None or applied.frame.source.separator == "::")
+        ):
+            stored = Opaque(
+                NO_DEFAULT, applied.location
+            )  # without a value from outside the declaration or reading throws
         ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
     return value
 

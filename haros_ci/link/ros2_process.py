@@ -28,8 +28,9 @@ TAKES_ONE = frozenset(
 )
 #: The kind of a node that a class of a library is given by whoever uses it.
 GIVEN = "given"
-#: Why the value of a parameter is not known of which the name is not.
+#: Why the value of a parameter is not known of which the name is not, and of one that has no default.
 NO_NAME = "the parameter's name is not known"
+NO_DEFAULT = "the parameter is declared without a default, and nothing seen gives it a value"
 #: What a rule's source begins with that is for topics, or for services, alone.
 TOPIC, SERVICE = "rostopic://", "rosservice://"
 

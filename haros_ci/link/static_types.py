@@ -30,13 +30,19 @@ def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cel
 
 
 def some_elements(run: Run, frame: Frame, expression: Expression) -> tuple[list[Value | Cell], tuple[Cell, ...] | None]:
-    """Elements that a loop goes through for sure, and objects that are elements on some paths: None if these are all."""
+    """Elements that a loop goes through for sure, and objects that are elements on some paths: None if these are all.
+
+    Where a branch is not taken, a text stands for the list that the branch is for: its letters are no elements.
+    """
     value = expressions.evaluate(run, frame, expression)
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
         return list(certain(value.content.value)), objects(value.content.value)
-    found = _all_elements(frame, value)
+    is_dead = bool(run.dead or frame.is_dead)
+    found = (
+        None if is_dead and isinstance(value, Known) and isinstance(value.value, str) else _all_elements(frame, value)
+    )
     return ([], ()) if found is None else (found, None)
 
 

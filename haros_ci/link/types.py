@@ -8,6 +8,7 @@ from typing import Any
 
 from haros_ci.link.common_messages import COMMON
 from haros_ci.link.index import Index, Source, pointed_class
+from haros_ci.link.macros import class_named
 from haros_ci.model.program import Type
 
 NO_TYPE: Type = ("", (), "")
@@ -145,6 +146,9 @@ def resolve_type(
             if index.includes(source, index.aliases[candidate]):
                 return (target[0], target[1], target[2] + marks)
             hidden = hidden or (target[0], target[1], target[2] + marks)
+    if not colons and hidden is None and (macro := class_named(index, name, source, files)) is not None:
+        target = resolve_type(index, (macro[1], (), ""), scope, macro[0], files, {}, depth + 1)
+        return (target[0], target[1], target[2] + marks)
     if colons:
         for candidate in index.scopes(head, scope, source):
             for where, alias in index.near(index.aliases, candidate, source, files)[:1]:

@@ -146,9 +146,48 @@ RESOLVED = (
     case("collected arguments", 'def f(*n):\n    for s in n:\n        PUB(s)\nf("a", "b")', "/a", "/b"),
     case("property of text", 'PUB("a" "b")', "/ab"),
     case("doubled percent", 'PUB("a%%s" % ())', "/a%s"),
+    case(
+        "no list", 't = "ab"\nif isinstance(t, list):\n    for s in t:\n        PUB(s)\nelse:\n    PUB(t)', "/?", "/ab"
+    ),
+    case(
+        "a list",
+        't = ["a", "b"]\nif isinstance(t, str):\n    PUB(t)\nelse:\n    for s in t:\n        PUB(s)',
+        "/?",
+        "/a",
+        "/b",
+    ),
+    case(
+        "one of several types", 't = "a"\nif isinstance(t, (list, tuple)):\n    PUB("x")\nelse:\n    PUB(t)', "/a", "/x"
+    ),
+    case("a number is no text", 't = 1\nPUB("a" if isinstance(t, basestring) else "b")', "/b"),
+    case("a flag is a number", 't = True\nPUB("a" if isinstance(t, int) else "b")', "/a"),
+    case(
+        "the type of a text",
+        't = "ab"\nif type(t) is list:\n    for s in t:\n        PUB(s)\nelse:\n    PUB(t)',
+        "/?",
+        "/ab",
+    ),
+    case("the type compared by ==", 't = {"k": "a"}\nPUB(t["k"] if type(t) == dict else "b")', "/a"),
+    case("the type is not", 't = "ab"\nPUB("x" if type(t) is not str else t)', "/ab"),
+    case(
+        "entries of a parameter",
+        (
+            'rospy.set_param("~c", {"x": {"topic": "/a_b"}})\nfor k, v in rospy.get_param("~c").items():\n'
+            '    if isinstance(v["topic"], list):\n        for s in v["topic"]:\n            PUB(s)\n'
+            '    else:\n        PUB(v["topic"])'
+        ),
+        "/?",
+        "/a_b",
+    ),
 )
 
 NOT_SURE = (
+    case("type of what is not known", 't = text()\nPUB("a" if isinstance(t, list) else "b")', "/a|/b"),
+    case("a type that is not known", 't = "x"\nPUB("a" if isinstance(t, kinds()) else "b")', "/a|/b"),
+    case("a tuple is no list", 't = ("x",)\nPUB("a" if isinstance(t, list) else "b")', "/b"),
+    case("type of one's own", 'class L(list):\n    pass\nt = "x"\nPUB("a" if isinstance(t, L) else "b")', "/b"),
+    case("list by another name", 'list = str\nt = "x"\nPUB("a" if isinstance(t, list) else "b")', "/a"),
+    case("type of an object", 'class C:\n    pass\nPUB("a" if isinstance(C(), list) else "b")', "/b"),
     case("list of split appended to", 'l = "a b".split()\nl.append("c")\nPUB(l[-1])', "/c"),
     case("element of split set", 'l = "a b".split()\nl[0] = "c"\nPUB(l[0])', "/c"),
     case("list of split sorted", 'l = "b a".split()\nl.sort()\nPUB(l[0])', "/a"),

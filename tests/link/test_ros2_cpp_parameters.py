@@ -88,6 +88,13 @@ def test_names_from_parameters(read: str) -> None:
         'auto v = declare_parameter<std::string>("t");',
         'auto v = declare_parameter<std::string>("t", name_from_file());',
         'declare_parameter<std::string>("t"); auto v = get_parameter("t").as_string();',
+        'declare_parameter<std::string>("t"); std::string v; get_parameter("t", v);',
+        'declare_parameter("t", rclcpp::PARAMETER_STRING); std::string v; get_parameter("t", v);',
+        'declare_parameter<std::string>("t"); std::string v; get_parameter_or<std::string>("t", v, "other");',
+        (
+            'if (!has_parameter("t")) { declare_parameter<std::string>("t"); } std::string v;'
+            'if (has_parameter("t")) { get_parameter("t", v); } else { v = "other"; }'
+        ),
     ),
 )
 def test_names_that_parameters_do_not_tell(read: str) -> None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import ends, ros2_main
+from follow_kit import ROS2_HEAD, ends, explicit, ros2_main
 
 BASE = """
 namespace own {
@@ -140,3 +140,25 @@ def test_what_a_wrapper_does_not_do_as_things_are_is_not_told(body: str, told: l
         if not end.implicit
     ]
     assert found == told
+
+
+OF_A_MACRO = (
+    "#define PLAIN 1\n#define LIFECYCLE 2\n#define KIND %s\n#if KIND == PLAIN\n#define BASE rclcpp::Node\n"
+    "#elif KIND == LIFECYCLE\n#define BASE rclcpp_lifecycle::LifecycleNode\n#endif\n"
+    "class B : public BASE {\npublic:\nexplicit B(const std::string & name) : BASE(name) {}\n"
+    "template <typename T> T getParameter(const std::string & name, const T & value) {\n"
+    "if (!this->has_parameter(name)) { this->declare_parameter<T>(name, value); }\nreturn this->get_parameter(name).template get_value<T>();\n}\n};\n"
+    'class N : public B {\npublic:\nN() : B("n") { t_ = this->getParameter<std::string>("t", "a"); }\nstd::string t_;\n};\n'
+)
+
+
+@pytest.mark.parametrize("kind", ("PLAIN", "LIFECYCLE"))
+def test_the_base_of_a_node_is_a_macro(kind: str) -> None:
+    """The parameter stands where the method that declares it is called."""
+    before = "#include <rclcpp_lifecycle/lifecycle_node.hpp>\n" + OF_A_MACRO % kind
+    (found,) = ros2_main("rclcpp::spin(std::make_shared<N>()->get_node_base_interface());", before).nodes
+    (end,) = [each for each in explicit(found, "parameters") if each.original_name.endswith(":t")]
+    line = (ROS2_HEAD + before).split("\n").index(
+        'N() : B("n") { t_ = this->getParameter<std::string>("t", "a"); }'
+    ) + 1
+    assert (found.name, end.name, end.value, end.location.line) == ("/n", "/n:t", "a", line)

@@ -17,6 +17,10 @@ _DEFINITION = kinds("preproc_def")
 _NAME = field("name")
 _CONDITION = field("condition")
 _NEVER = re.compile(r"#\s*(?:if|elif)\s+(?:0|false)")
+#: A condition that compares two numbers or macros.
+_COMPARED = re.compile(r"#\s*(?:el)?if\s+(\w+)\s*(==|!=)\s*(\w+)")
+#: Macros in place of macros that are followed.
+_DEEPEST = 8
 _MOST_BRANCHES = 1000
 
 Branch = tuple[int, int, str, list[Node]]
@@ -61,3 +65,22 @@ def is_include_guard(unit: Unit, found: list[Branch]) -> bool:
         return False
     name = first.child_by_field_id(_NAME)
     return name is not None and unit.cut(name) == words[-1]
+
+
+def holds(unit: Unit, text: str) -> bool | None:
+    """Whether the condition of a branch holds: ``#if A == B`` of macros that this file defines once, under no condition, as numbers."""
+    found = _COMPARED.fullmatch(text)
+    if found is None:
+        return None
+    left, right = _number(unit, found[1], _DEEPEST), _number(unit, found[3], _DEEPEST)
+    return None if left is None or right is None else (left == right) is (found[2] == "==")
+
+
+def _number(unit: Unit, word: str, depth: int) -> int | None:
+    if word.isdecimal():
+        return int(word) if len(word) < 20 else None
+    bodies = {body for name, parameters, body in unit.found.macros if name == word and parameters is None}
+    if len(bodies) != 1 or word in unit.found.guarded or not depth:
+        return None
+    body = bodies.pop()
+    return _number(unit, body, depth - 1) if body.isidentifier() or body.isdecimal() else None

@@ -32,6 +32,7 @@ _LOST = kinds(
     "{ function_declarator expression_statement compound_statement if_statement for_statement for_range_loop"
     " while_statement do_statement switch_statement return_statement try_statement"
 )
+_WORD = re.compile(r"\w+")
 _CONTINUATION = re.compile(r"\\\r?\n")
 
 Handler = Callable[[Unit, Node, Scope, int], None]
@@ -201,15 +202,24 @@ def _macro(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
         parameters = tuple(each.strip() for each in inside.split(",")) if inside else ()
         if "(" in body:
             unit.found.callable_macros[unit.cut(named)] = (parameters, body)
+    if scope.guards:
+        unit.found.guarded.add(unit.cut(named))
     unit.found.macros.append((unit.cut(named), parameters, body))
 
 
 def _conditional(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
     found = preprocessor.branches(unit, node)
     is_guard = preprocessor.is_include_guard(unit, found)
+    if is_guard:  # or a default, which the build may replace
+        unit.found.guarded.update(_WORD.findall(found[0][2]))
+    is_taken = False
     for index, (line, column, text, nodes) in enumerate(found):
+        known, holds = len(unit.found.macros), preprocessor.holds(unit, text)
         guards = scope.guards if is_guard and index == 0 else (*scope.guards, (line, column, text))
         declare(unit, nodes, Scope(scope.name, scope.space, scope.members, guards, scope.templates), depth)
+        if is_taken or holds is False:
+            del unit.found.macros[known:]  # what they would be defined as is never meant
+        is_taken = is_taken or bool(holds)
 
 
 def _registration(unit: Unit, node: Node, scope: Scope, depth: int) -> None:

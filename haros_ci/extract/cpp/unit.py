@@ -26,7 +26,7 @@ _LONGEST_TEXT = 200
 class Found:
     """The contents of the Program under construction, shared by the file and its macro expansions.
 
-    *expansions* counts them; *reread* are the offsets of what was parsed again, whose errors do not matter.
+    *guarded* are the macros that are defined under an ``#if``; *expansions* counts expansions; *reread* are the offsets of what was parsed again, whose errors do not matter.
     """
 
     functions: list[Function | None] = field(default_factory=list)
@@ -36,6 +36,7 @@ class Found:
     scopes: list[tuple[str, str]] = field(default_factory=list)
     includes: list[str] = field(default_factory=list)
     macros: list[tuple[str, tuple[str, ...] | None, str]] = field(default_factory=list)
+    guarded: set[str] = field(default_factory=set)
     registered: list[tuple[str, tuple[str, ...], int, int]] = field(default_factory=list)
     problems: list[tuple[int, str]] = field(default_factory=list)
     callable_macros: dict[str, tuple[tuple[str, ...], str]] = field(default_factory=dict)

@@ -275,6 +275,27 @@ def test_registrations_with_and_without_semicolon() -> None:
     assert [each.name for each in program.functions] == ["f"]
 
 
+@pytest.mark.parametrize(
+    ("head", "kept"),
+    (
+        ("#define KIND A\n", ("x::A",)),
+        ("#define KIND 2\n", ("x::B",)),
+        ("#define KIND 3\n", ("x::C",)),
+        ("", ("x::A", "x::B", "x::C")),
+        ("#ifndef KIND\n#define KIND A\n#endif\n", ("x::A", "x::B", "x::C")),
+        ("#define KIND A\n#define KIND B\n", ("x::A", "x::B", "x::C")),
+        ("#define KIND other()\n", ("x::A", "x::B", "x::C")),
+        ("#define KIND KIND\n", ("x::A", "x::B", "x::C")),
+    ),
+)
+def test_macros_of_branches_that_are_never_taken(head: str, kept: tuple[str, ...]) -> None:
+    text = (
+        "#define A 1\n#define B 2\n" + head + "#if KIND == A\n#define BASE x::A\n#elif KIND == B\n#define BASE x::B\n"
+        "#else\n#define BASE x::C\n#endif\n"
+    )
+    assert tuple(body for name, _, body in read_cpp(text).macros if name == "BASE") == kept
+
+
 def test_guards_around_functions() -> None:
     text = (
         "#ifndef A_H\n#define A_H\n"
