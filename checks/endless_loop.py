@@ -173,5 +173,6 @@ CHECK = Check(
     catalogue="C06",
     decidability=Decidability.EXACT,
     tags=("code",),
+    profiles=("strict",),
     project=check,
 )

@@ -280,5 +280,6 @@ CHECK = Check(
     catalogue="C02",
     decidability=Decidability.EXACT,
     tags=("code",),
+    profiles=("strict",),
     project=check,
 )

@@ -9,29 +9,7 @@ from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, System, listed
 from haros_ci.api.launch import PackageUse, included_by, is_optional, owner
-from haros_ci.api.packages import Package, knowledge
-
-#: Dependencies that are there when the package runs.
-_RUN = ("depend", "exec_depend", "run_depend", "build_export_depend")
-
-
-#: Packages that bring no others with nodes, configuration or models, by their beginnings and ends.
-_PLAIN: tuple[str, ...] = (
-    "rclcpp",
-    "rclpy",
-    "rcl",
-    "launch",
-    "ament_",
-    "python3-",
-    "python-",
-    "tf2",
-    "roscpp",
-    "rospy",
-    "roslaunch",
-    "xacro",
-)
-_PLAIN += ("message_runtime", "rosidl_", "std_srvs", "pluginlib", "eigen", "class_loader", "rviz2", "rviz", "nodelet")
-
+from haros_ci.api.packages import Package, dependency_place, is_to_be_had, provided
 
 #: Tools that people start while they make or watch a robot.
 _TOOLS = frozenset(
@@ -62,10 +40,10 @@ def check(system: System) -> Iterator[Finding]:
     used = _used(every)
     names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
     for package, packages in used.values():
-        found, is_whole = _provided(package, system)
+        found, is_whole = provided(package, system)
         groups: dict[Level | None, list[_Missing]] = {}
         for name, uses in packages.items():
-            if name in found or not _exists(name, package.ros, system):
+            if name in found or not is_to_be_had(name, package.ros, system):
                 continue
             needing = tuple(use for use in uses if not is_optional(use, system))
             if not needing or _is_left_out(package, name, needing, system):
@@ -88,7 +66,7 @@ def _finding(package: Package, group: list[_Missing], level: Level | None) -> Fi
         them, lacking = "them", "these packages"
     files, fails = ("a launch file", "the launch fails") if is_one else ("launch files", "they fail")
     return Finding(
-        at=_manifest(package),
+        at=dependency_place(package),
         message=f"{files} of {package.name} {'uses' if is_one else 'use'} {listed(names)}, but package.xml does not declare {them}: "
         f"{fails} on a machine without {lacking}; add {listed([f'<{tag}>{name}</{tag}>' for name in names])}",
         about=(package.name, *names),
@@ -142,7 +120,7 @@ def _is_left_out(package: Package, name: str, uses: Iterable[PackageUse], system
     """Whether the manifest has the dependency in a comment, or the launch files are templates that are yet to be filled in."""
     if system.workspace is None:
         return False
-    comments = _COMMENT.findall(system.workspace.text(_manifest(package).path))
+    comments = _COMMENT.findall(system.workspace.text(dependency_place(package).path))
     if any(re.search(rf">\s*{re.escape(name)}\s*<", comment) for comment in comments):
         return True
     return all(_BLANK.search(system.workspace.text(use.location.path)) is not None for use in uses)
@@ -177,49 +155,6 @@ def _is_of_some(use: PackageUse, system: System) -> bool:
     owners = {each.name: each for path in alike if (each := owner(system, Location(path, 1))) is not None}
     declared = {dependency.name for each in owners.values() for dependency in each.dependencies}
     return len(owners) >= _MANY and use.package not in declared
-
-
-def _exists(name: str, ros: int | None, system: System) -> bool:
-    """Whether the workspace or a distribution has a package *name*, so that declaring it helps; unknown-package tells of slips."""
-    known = knowledge()
-    return name in system.packages or not known.is_there or known.is_in(name, ros)
-
-
-def _manifest(package: Package) -> Location:
-    """Where another dependency goes: behind those that there are."""
-    path = "package.xml" if package.path == "." else f"{package.path}/package.xml"
-    lines = [each.line for each in package.dependencies if each.line is not None and each.kind in _RUN]
-    return Location(path, max(lines, default=1))
-
-
-def _provided(package: Package, system: System) -> tuple[frozenset[str], bool]:
-    """What *package* names in any way, and what packages of the workspace need that it needs; whether that is all it gets."""
-    found = {dependency.name for dependency in package.dependencies}
-    todo = [dependency.name for dependency in package.dependencies if dependency.kind in _RUN]
-    is_whole = True
-    while todo:
-        name = todo.pop()
-        inner = system.packages.get(name)
-        if inner is None:
-            outside = knowledge().depends(name, package.ros) if knowledge().is_whole(name) else None
-            is_known = outside is not None or name.startswith(_PLAIN) or name.endswith("_msgs")
-            is_whole = is_whole and is_known
-            found.update(_closure(outside or (), package.ros))
-        for dependency in inner.dependencies if inner is not None else ():
-            if dependency.kind in _RUN and dependency.name not in found:
-                found.add(dependency.name)
-                todo.append(dependency.name)
-    return frozenset(found), is_whole
-
-
-def _closure(names: Iterable[str], ros: int | None) -> set[str]:
-    """*names* and all that comes with them, as far as it is known."""
-    found, todo = set(names), list(names)
-    while todo:
-        further = (knowledge().depends(todo.pop(), ros) or frozenset()) - found
-        found |= further
-        todo += further
-    return found
 
 
 CHECK = Check(

@@ -8,31 +8,16 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, Project, is_slip
-from haros_ci.api.packages import Build, Element
-
-_NAME = r"[A-Za-z_]\w*(?:(?:::|/)[A-Za-z_]\w*)+"
-_PAIR = re.compile(rf"""(?:^|[\s,{{\[])["']?([\w.]+)["']?\s*:\s*(["']?)({_NAME})\2\s*(?=[,}}\]]|\s#|$)""")
-_ITEM = re.compile(rf"""^(\s*)-\s+(["']?)({_NAME})\2\s*(?:\s#.*)?$""")
-_INLINE = re.compile(r"""^(\s*)(?:-\s+)?["']?([\w.]+)["']?\s*:\s*\[(.*)\]\s*(?:\s#.*)?$""")
-_HEAD = re.compile(r"""^(\s*)(?:-\s+)?["']?([\w.]+)["']?\s*:\s*(?:#.*)?$""")
-_WORD = re.compile(rf"""(?:^|,)\s*(["']?)({_NAME})\1\s*(?=,|$)""")
-_CREATE = re.compile(rf'\bcreate(?:Unique|Shared|Unmanaged)?Instance\s*\(\s*"({_NAME})"')
-#: Keys whose values are look-up names: of navigation, moveit, costmaps, ros2_control.
-_SURE = re.compile(
-    r"(?:\w*_)?plugins?|base_(?:global|local)_planner|kinematics_solver|planning_plugins?|(?:request|response)_adapters|capabilities"
+from haros_ci.api.packages import (
+    PLUGIN_NAME,
+    Build,
+    Element,
+    PluginUse,
+    plugins_in_parameters,
+    plugins_in_yaml,
 )
-#: Keys whose values are look-up names at times.
-_PERHAPS = re.compile(r"type|class|class_name|\w*_class")
 
-
-@dataclass(frozen=True, slots=True)
-class _Use:
-    """A name where a plug-in's is given; *is_sure* if nothing else can stand there."""
-
-    name: str
-    location: Location
-    key: str
-    is_sure: bool
+_CREATE = re.compile(rf'\bcreate(?:Unique|Shared|Unmanaged)?Instance\s*\(\s*"({PLUGIN_NAME})"')
 
 
 @dataclass(slots=True)
@@ -85,7 +70,7 @@ def check(project: Project) -> Iterator[Finding]:
         yield _finding(use, meant, known)
 
 
-def _meant(use: _Use, known: _Known, by_plain: Mapping[str, str]) -> str | None:
+def _meant(use: PluginUse, known: _Known, by_plain: Mapping[str, str]) -> str | None:
     """The exported name that is meant, "" if none is like it; None if the name may be right, or none of a plug-in.
 
     Separators are part of a look-up name. Otherwise its namespace has to be a package's that exports plug-ins, all of which
@@ -104,7 +89,7 @@ def _meant(use: _Use, known: _Known, by_plain: Mapping[str, str]) -> str | None:
     return None
 
 
-def _released(use: _Use, known: _Known) -> str:
+def _released(use: PluginUse, known: _Known) -> str:
     """The plug-in of a released package for which *use* is a slip; "" if it is none of any, or one itself.
 
     The list of released ones may lack new ones, and packages changed separators: only a slip in the last part counts.
@@ -120,7 +105,7 @@ def _released(use: _Use, known: _Known) -> str:
     return meant.replace("::", "/") if "/" in use.name and meant.replace("::", "/") in names else alike[meant]
 
 
-def _of_elsewhere(use: _Use, meant: str) -> Finding:
+def _of_elsewhere(use: PluginUse, meant: str) -> Finding:
     return Finding(
         at=use.location,
         message=f"no released package is known to export a plug-in {use.name}: loading {use.key} fails; did you mean "
@@ -131,7 +116,7 @@ def _of_elsewhere(use: _Use, meant: str) -> Finding:
     )
 
 
-def _finding(use: _Use, meant: str, known: _Known) -> Finding:
+def _finding(use: PluginUse, meant: str, known: _Known) -> Finding:
     owners = sorted(known.owners.get(_plain(meant or use.name).rpartition("::")[0], ()))
     if meant and _plain(meant) == _plain(use.name):
         hint = f"it is exported as {meant}; write the same name"
@@ -159,17 +144,12 @@ def _is_vague(build: Build) -> bool:
     return any(word in problem.message for problem in build.problems for word in words)
 
 
-def _uses(project: Project) -> Iterator[_Use]:
+def _uses(project: Project) -> Iterator[PluginUse]:
     """Where plug-ins are named: YAML files, parameters of launch files, hardware of robots, calls of loaders."""
     for file in project.workspace.files:
         if file.language == "yaml":
-            yield from _in_yaml(file.path, project.text(file.path))
-    for system in project.systems:
-        for each in system.parameters:
-            key = each.name.replace("/", ".").rpartition(".")[2]
-            if each.origin is None and each.location is not None and isinstance(each.value, str):
-                if re.fullmatch(_NAME, each.value) and (_SURE.fullmatch(key) or _PERHAPS.fullmatch(key)):
-                    yield _Use(each.value, each.location, key, bool(_SURE.fullmatch(key)))
+            yield from plugins_in_yaml(file.path, project.text(file.path))
+    yield from plugins_in_parameters(project.systems)
     for package in project.packages:
         if "pluginlib" in package.declared:
             for file in package.files:
@@ -177,52 +157,22 @@ def _uses(project: Project) -> Iterator[_Use]:
                     text = project.text(file.path)
                     for match in _CREATE.finditer(text) if "Instance" in text else ():
                         place = Location(file.path, text.count("\n", 0, match.start(1)) + 1)
-                        yield _Use(match[1], place, "the loader", True)
+                        yield PluginUse(match[1], place, "the loader", True)
         for file in package.files:
             if file.path.endswith((".urdf", ".xacro")) and "<hardware>" in project.text(file.path):
                 root = project.element(file.path)
                 yield from _in_robot(file.path, root) if root is not None else ()
 
 
-def _in_yaml(path: str, text: str) -> Iterator[_Use]:
-    """Values and items of lists on one line each, which look-up names are; a key's list is what is indented below it."""
-    if "::" not in text and "/" not in text:
-        return
-    heads: list[tuple[int, str]] = []
-    for number, line in enumerate(text.splitlines(), 1):
-        if not line.strip() or line.lstrip().startswith("#"):
-            continue
-        place = Location(path, number)
-        head, item, inline = _HEAD.match(line), _ITEM.match(line), _INLINE.match(line)
-        if head is not None:
-            indent = len(head[1])
-            heads = [each for each in heads if each[0] < indent] + [(indent, head[2])]
-        elif item is not None:
-            above = [each for each in heads if each[0] <= len(item[1])]
-            key = above[-1][1] if above else ""
-            if _SURE.fullmatch(key.rpartition(".")[2]):
-                yield _Use(item[3], place, key, True)
-        elif inline is not None and "{" not in inline[3]:
-            key = inline[2]
-            if _SURE.fullmatch(key.rpartition(".")[2]):
-                for match in _WORD.finditer(inline[3]):
-                    yield _Use(match[2], place, key, True)
-        else:
-            for match in _PAIR.finditer(line):
-                key = match[1].rpartition(".")[2]
-                if _SURE.fullmatch(key) or _PERHAPS.fullmatch(key):
-                    yield _Use(match[3], place, match[1], bool(_SURE.fullmatch(key)))
-
-
-def _in_robot(path: str, root: Element) -> Iterator[_Use]:
+def _in_robot(path: str, root: Element) -> Iterator[PluginUse]:
     """``<hardware><plugin>package/Class</plugin></hardware>`` of ros2_control."""
     waiting = [root]
     while waiting:
         element = waiting.pop()
         for child in element.all("plugin") if element.tag == "hardware" else ():
             name = child.text.strip()
-            if re.fullmatch(_NAME, name):
-                yield _Use(name, Location(path, child.line), "<hardware>", True)
+            if re.fullmatch(PLUGIN_NAME, name):
+                yield PluginUse(name, Location(path, child.line), "<hardware>", True)
         waiting += element.children
 
 

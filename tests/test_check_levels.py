@@ -330,3 +330,30 @@ def test_a_shared_library_that_has_only_headers(sources: str, expected: Level, t
     texts = dict.fromkeys(sources.split(), "int word();\n")
     files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format(cmake), "talker.cpp": "int main() {}\n", **texts}
     assert levels("target-not-installed", files, tmp_path) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("declared", "asked", "expected"),
+    [
+        ("nav2_controller", "", [Level.WARNING]),
+        ("nav2_controller", "ament_index_python.get_packages_with_prefixes()\n    ", [Level.NOTE]),
+        ("house_of_robots_stack", "", [Level.NOTE]),
+        ("nav2_dwb_controller", "", []),
+        ("navigation2", "", []),
+    ],
+)
+def test_plugins_of_packages_that_are_not_declared(
+    declared: str, asked: str, expected: list[Level], tmp_path: Path
+) -> None:
+    launch = (
+        "import ament_index_python\n"
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+        f"def generate_launch_description():\n    {asked}return LaunchDescription([Node(package='nav2_controller',\n"
+        "        executable='controller_server', parameters=[{'FollowPath.plugin': 'dwb_core::DWBLocalPlanner'}])])\n"
+    )
+    files = {
+        "package.xml": ROS2.replace("<export>", f"<exec_depend>{declared}</exec_depend><export>"),
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)"),
+        "launch/a.launch.py": launch,
+    }
+    assert levels("undeclared-plugin-dependency", files, tmp_path) == expected

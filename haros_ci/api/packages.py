@@ -35,6 +35,7 @@ from haros_ci.checking.manifests import (
 )
 from haros_ci.checking.needs import Need, needs_of
 from haros_ci.checking.outside_targets import may_have_more
+from haros_ci.checking.plugin_uses import PLUGIN_NAME, PluginUse, plugins_in_parameters, plugins_in_yaml
 from haros_ci.checking.plugins import (
     MACROS,
     Registration,
@@ -59,6 +60,16 @@ from haros_ci.checking.provision import (
 )
 from haros_ci.checking.requirements import distributions_of, normal, pinned
 from haros_ci.checking.unbuilt import SUFFIXES, loose
+from haros_ci.checking.undeclared import (
+    brought_by,
+    closes_a_cycle,
+    dependency_place,
+    is_aside,
+    is_left_out,
+    is_to_be_had,
+    provided,
+    used_by_launch_files,
+)
 from haros_ci.checking.uninstalled import (
     Programs,
     Uninstalled,
@@ -89,6 +100,8 @@ __all__ = [
     "EXPORTED",
     "MACROS",
     "OF_TARGETS",
+    "PLUGIN_NAME",
+    "SUFFIXES",
     "Build",
     "CMake",
     "CMakeCommand",
@@ -104,11 +117,11 @@ __all__ = [
     "Need",
     "Package",
     "PluginClass",
+    "PluginUse",
     "Programs",
     "Provision",
     "Provisions",
     "Registration",
-    "SUFFIXES",
     "SourceFile",
     "Sources",
     "Target",
@@ -119,8 +132,11 @@ __all__ = [
     "add_export",
     "applying",
     "brings",
+    "brought_by",
     "build_types",
     "class_names",
+    "closes_a_cycle",
+    "dependency_place",
     "distributions_of",
     "drop_element",
     "drop_lines",
@@ -135,11 +151,14 @@ __all__ = [
     "install_line",
     "install_place",
     "installs_nothing",
+    "is_aside",
     "is_asked_for",
     "is_ignored",
+    "is_left_out",
     "is_nested",
     "is_of_ros",
     "is_program",
+    "is_to_be_had",
     "is_written",
     "knowledge",
     "landings",
@@ -156,6 +175,9 @@ __all__ = [
     "own_classes",
     "pinned",
     "place",
+    "plugins_in_parameters",
+    "plugins_in_yaml",
+    "provided",
     "reaches",
     "registers_otherwise",
     "registrations",
@@ -164,5 +186,6 @@ __all__ = [
     "set_attribute",
     "set_text",
     "uninstalled",
+    "used_by_launch_files",
     "word",
 ]

@@ -258,7 +258,7 @@ OTHERS: tuple[Row, ...] = (
     Row(
         OWN,
         ("comments of package.xml, and launch files with placeholders (`$NAME$`)",),
-        "undeclared-launch-dependency of the packages in them",
+        "undeclared-launch-dependency and undeclared-plugin-dependency of the packages in them",
         Origin.HEAD,
         _PAGES,
     ),

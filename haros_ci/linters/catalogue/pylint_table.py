@@ -242,7 +242,7 @@ GROUPS: tuple[Group, ...] = (
             ("bad-chained-comparison", "RW", "Chained comparison of unrelated operators."),
             (
                 "cell-var-from-loop",
-                "RW",
+                "SW",
                 "Loop variable captured by a function created in the loop.",
             ),
             ("comparison-of-constants", "RR", "Comparison of two constants."),

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages of plug-ins that parameters name, and that the package of the parameters does not depend on."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from haros_ci.api import Check, Finding, Level, Location, Project, System
+from haros_ci.api.launch import FileUse, PackageUse, ParameterFileUse, owner
+from haros_ci.api.packages import (
+    Package,
+    PluginUse,
+    brought_by,
+    closes_a_cycle,
+    dependency_place,
+    is_aside,
+    is_left_out,
+    plugins_in_parameters,
+    plugins_in_yaml,
+    provided,
+    used_by_launch_files,
+)
+
+#: Descriptions that only say how to talk to a controller, and plug-ins of tools with a window.
+_OTHER = re.compile(
+    r"moveit_ros_control_interface::ControllerHandleAllocator|(?:rviz\w*|rqt\w*|qt_gui\w*|moveit_setup)::.*"
+)
+_ASIDE = re.compile(r"(?:^|/)(?:tests?|examples?|doc|docs)/")
+
+
+@dataclass(frozen=True, slots=True)
+class _Named:
+    """A plug-in that is named in a parameter, and the launch files that read it there."""
+
+    plugin: PluginUse
+    launches: tuple[Location, ...]
+
+
+def check(project: Project) -> Iterator[Finding]:
+    system = next(iter(project.systems), None)
+    if system is None:
+        return
+    exported = {
+        name: package.name
+        for package in reversed(project.packages)
+        for each in package.build.plugins
+        for name in (each.name, each.type)
+    }
+    uses = _used(project)
+    got: dict[str, tuple[frozenset[str], bool]] = {}
+    for named in _named(project):
+        place = named.plugin.location
+        package = owner(system, place)
+        if package is None or _ASIDE.search(place.path):
+            continue
+        needed = _package_of(named.plugin, package.ros, project, exported)
+        if needed is None or needed == package.name or needed in uses.get(package.name, ()):
+            continue  # a package that a launch file uses is of undeclared-launch-dependency
+        use = _use(needed, place)
+        if any(needed in found for found, _ in _got(package, named, uses, system, got)):
+            continue
+        if is_left_out(package, use, system) or closes_a_cycle(package.name, needed, system, uses):
+            continue
+        aside = is_aside(use, system) or all(is_aside(_use(needed, each), system) for each in named.launches)
+        is_whole = got[package.name][1] and not aside
+        yield _finding(package, needed, named, Level.WARNING if is_whole else Level.NOTE)
+
+
+def _use(needed: str, place: Location) -> PackageUse:
+    return PackageUse(location=place, kind="plugin", package=needed, is_here=False)
+
+
+def _finding(package: Package, needed: str, named: _Named, level: Level) -> Finding:
+    tag = "exec_depend" if package.format > 1 else "run_depend"
+    plugin = named.plugin
+    return Finding(
+        at=dependency_place(package),
+        message=f"a parameter of {package.name} names the plug-in {plugin.name} of {needed}, but package.xml does not declare "
+        f"{needed}: on a machine without it the node cannot load the plug-in; add <{tag}>{needed}</{tag}>",
+        about=(package.name, needed),
+        related=((plugin.location, f"needs {needed}"),),
+        apart=(needed,),
+        level=level,
+    )
+
+
+def _named(project: Project) -> Iterator[_Named]:
+    """The plug-ins of the YAML files that launch files name, and those that launch files set in parameters."""
+    files: dict[str, dict[Location, None]] = {}
+    for system in project.systems:
+        uses = [(use.path, use.location) for use in system.facts(FileUse)]
+        uses += [(use.path, use.location) for use in system.facts(ParameterFileUse)]
+        for path, at in uses:
+            if path is not None and path.endswith((".yaml", ".yml")) and not _ASIDE.search(at.path):
+                files.setdefault(path, {})[at] = None
+    for path, places in sorted(files.items()):
+        for plugin in plugins_in_yaml(path, project.text(path)):
+            yield _Named(plugin, tuple(places))
+    for plugin in plugins_in_parameters(project.systems):
+        yield _Named(plugin, (plugin.location,))
+
+
+def _used(project: Project) -> Mapping[str, frozenset[str]]:
+    """By package what the launch files of all systems use."""
+    found: dict[str, frozenset[str]] = {}
+    for system in project.systems:
+        for name, names in used_by_launch_files(system).items():
+            found[name] = found.get(name, frozenset()) | names
+    return found
+
+
+def _got(
+    package: Package,
+    named: _Named,
+    uses: Mapping[str, frozenset[str]],
+    system: System,
+    got: dict[str, tuple[frozenset[str], bool]],
+) -> list[tuple[frozenset[str], bool]]:
+    """What *package* gets, the packages whose launch files read the parameter, and those whose nodes these start."""
+    packages = {each.name: each for place in named.launches if (each := owner(system, place)) is not None}
+    packages[package.name] = package
+    found = []
+    for each in packages.values():
+        if each.name not in got:
+            names, is_whole = provided(each, system)
+            further, is_all = brought_by(uses.get(each.name, ()), each.ros, system)
+            got[each.name] = names | further, is_whole and is_all
+        found.append(got[each.name])
+    return found
+
+
+def _package_of(plugin: PluginUse, ros: int | None, project: Project, exported: Mapping[str, str]) -> str | None:
+    """The package that surely exports *plugin*; None where that is not known, or several do.
+
+    By what the workspace exports, then by what released packages do, then by the look-up name, which begins with the package's
+    name by convention (pluginlib): this only below a key that always names a plug-in.
+    """
+    if plugin.name in exported:
+        return exported[plugin.name]
+    space = re.split("::|/", plugin.name)[0]
+    if project.package(space) is not None:
+        return space if plugin.is_sure else None
+    released = project.knowledge.plugins(plugin.name)
+    if released is not None:
+        owners = {package for package, base in released if not _OTHER.fullmatch(base)}
+        owners = {each for each in owners if project.knowledge.is_in(each, ros)}
+        return next(iter(owners)) if len(owners) == 1 else None
+    if not plugin.is_sure or project.knowledge.is_metapackage(space, ros) or not project.knowledge.is_package(space):
+        return None
+    return space
+
+
+CHECK = Check(
+    id="undeclared-plugin-dependency",
+    summary="Package of a plug-in named in parameters that package.xml does not declare.",
+    level=Level.WARNING,
+    tags=("parameters", "packages", "plugins"),
+    project=check,
+)
