@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, System
+from haros_ci.api import Check, Finding, Level, Location, Project, System, listed
 from haros_ci.api.launch import FileUse, PackageUse, ParameterFileUse, owner
 from haros_ci.api.packages import (
     Package,
@@ -27,6 +27,8 @@ from haros_ci.api.packages import (
 _OTHER = re.compile(
     r"moveit_ros_control_interface::ControllerHandleAllocator|(?:rviz\w*|rqt\w*|qt_gui\w*|moveit_setup)::.*"
 )
+#: So many places of one package are related.
+_SHOWN = 3
 _ASIDE = re.compile(r"(?:^|/)(?:tests?|examples?|doc|docs)/")
 
 
@@ -50,6 +52,7 @@ def check(project: Project) -> Iterator[Finding]:
     }
     uses = _used(project)
     got: dict[str, tuple[frozenset[str], bool]] = {}
+    groups: dict[tuple[str, Level], tuple[Package, dict[str, list[PluginUse]]]] = {}
     for named in _named(project):
         place = named.plugin.location
         package = owner(system, place)
@@ -64,24 +67,28 @@ def check(project: Project) -> Iterator[Finding]:
         if is_left_out(package, use, system) or closes_a_cycle(package.name, needed, system, uses):
             continue
         aside = is_aside(use, system) or all(is_aside(_use(needed, each), system) for each in named.launches)
-        is_whole = got[package.name][1] and not aside
-        yield _finding(package, needed, named, Level.WARNING if is_whole else Level.NOTE)
+        level = Level.WARNING if got[package.name][1] and not aside else Level.NOTE
+        groups.setdefault((package.name, level), (package, {}))[1].setdefault(needed, []).append(named.plugin)
+    yield from (_finding(package, lacking, level) for (_, level), (package, lacking) in groups.items())
 
 
 def _use(needed: str, place: Location) -> PackageUse:
     return PackageUse(location=place, kind="plugin", package=needed, is_here=False)
 
 
-def _finding(package: Package, needed: str, named: _Named, level: Level) -> Finding:
+def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Level) -> Finding:
+    """One for a manifest: *lacking* are the packages that it does not declare, with the places that name their plug-ins."""
     tag = "exec_depend" if package.format > 1 else "run_depend"
-    plugin = named.plugin
+    named = listed([f"{plugins[0].name} of {name}" for name, plugins in lacking.items()])
+    one = len(lacking) == 1
     return Finding(
         at=dependency_place(package),
-        message=f"a parameter of {package.name} names the plug-in {plugin.name} of {needed}, but package.xml does not declare "
-        f"{needed}: on a machine without it the node cannot load the plug-in; add <{tag}>{needed}</{tag}>",
-        about=(package.name, needed),
-        related=((plugin.location, f"needs {needed}"),),
-        apart=(needed,),
+        message=f"parameters of {package.name} name the plug-in{'' if one else 's'} {named}, but package.xml does not declare "
+        f"{'this package' if one else 'these packages'}: on a machine without {'it' if one else 'them'} the node cannot load the "
+        f"plug-in; add {listed([f'<{tag}>{name}</{tag}>' for name in lacking])}",
+        about=(package.name, *lacking),
+        related=tuple((each.location, f"needs {name}") for name, plugins in lacking.items() for each in plugins[:_SHOWN]),
+        apart=tuple(lacking),
         level=level,
     )
 

@@ -98,6 +98,8 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
         if not each.read or source.package is None or not _is_plain(code, each.owner):
             continue
         family = [classes[name] for name in sorted(related[key]) if name in classes]
+        if any(_is(above, name) for name in related[key] for above, _ in parents.get(name, ())):
+            continue  # a class that is called like the one that it inherits, which comes from elsewhere
         libraries = {name for member in related[key] for above, name in parents.get(member, ()) if above is None}
         if len(family) < len(related[key]) or not libraries <= {*_PLAIN, *_KNOWN}:
             continue
@@ -196,6 +198,10 @@ def _rest(target: Expression) -> Iterator[Expression]:
             yield target[1]
     else:
         yield target
+
+
+def _is(owner: Owner | None, key: tuple[str, str]) -> bool:
+    return owner is not None and (owner[0].path, owner[1].name) == key
 
 
 def _related(
