@@ -105,7 +105,7 @@ def _finding(code: Codebase, every: list[tuple[Reached, Call, float]]) -> Findin
     ros2 = each.callback.ros == 2
     others = "no other callback of the node's default group runs" if ros2 else "the spinner runs no other callback"
     threads = (
-        "put it into a separate callback group, with a multi-threaded executor"
+        "put the callback into a separate callback group, with a multi-threaded executor"
         if ros2
         else "spin with several threads (ros::AsyncSpinner)"
     )

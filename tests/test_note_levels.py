@@ -113,8 +113,8 @@ def test_sleeps_that_hold_nothing_up(made: str, on_message: str, move: str, expe
 @pytest.mark.parametrize(
     ("made", "advice"),
     [
-        (SERVICE, "lost; put it into a separate callback group, with a multi-threaded executor"),
-        (SUBSCRIPTION, "lost; use a timer, or put it into a separate callback group, with a multi-threaded executor"),
+        (SERVICE, "lost; put the callback into a separate callback group, with a multi-threaded executor"),
+        (SUBSCRIPTION, "lost; use a timer, or put the callback into a separate callback group, with a multi-threaded executor"),
     ],
 )
 def test_what_to_do_about_a_sleep(made: str, advice: str, tmp_path: Path) -> None:
