@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two nodes of one system under the same full name."""
+"""Two nodes of one system, or of one process, under the same full name."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System, SystemNode, line_of, together
+from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, line_of, together
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -17,6 +17,9 @@ def check(system: System) -> Iterator[Finding]:
         pair = _pair(nodes)
         if pair is not None:
             yield _finding(*pair)
+    for node in system.nodes:
+        if len(node.raw.twins) == 2:
+            yield _of_one_process(node, *node.raw.twins)
 
 
 def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:
@@ -43,6 +46,16 @@ def _finding(first: SystemNode, second: SystemNode) -> Finding:
         about=(first, second),
         related=((first.location, f"the other {first.name}"),),
         level=Level.ERROR if second.ros == 1 else None,
+    )
+
+
+def _of_one_process(node: SystemNode, first: Location, second: Location) -> Finding:
+    return Finding(
+        at=second,
+        message=f"{node.type} makes two nodes named {node.name} in one process: their parameters and services have the same "
+        f"names; give one of them another name or namespace; the other node is made at {line_of(first)}",
+        about=(node,),
+        related=((first, f"the other {node.name}"),),
     )
 
 

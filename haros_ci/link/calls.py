@@ -24,6 +24,7 @@ from haros_ci.link import (
     methods,
     partials,
     static_types,
+    twins,
 )
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, is_type, pointee
@@ -52,6 +53,7 @@ def call(run: Run, frame: Frame, expression: Expression) -> Value:
     receiver: Value | None = None
     receiver_cell: Cell | None = None
     name = ""
+    twins.called(run, callee)
     if callee[0] == "field":
         name = callee[2]
         receiver_cell = expressions.cell_of(run, frame, callee[1]) if callee[1][0] in call_arguments.LVALUES else None

@@ -22,6 +22,7 @@ from haros_ci.link.relevance import Relevance
 from haros_ci.link.ros2_process import RosNode
 from haros_ci.link.run import Made
 from haros_ci.link.trace import XML_FILES, YAML_FILES, Trace
+from haros_ci.link.twins import Twin
 from haros_ci.link.values import Value
 from haros_ci.model.location import Location
 from haros_ci.model.program import Function, Program
@@ -41,6 +42,7 @@ class Followed:
     gaps: Mapping[str, Location]
     asked: Mapping[str, Value | None]
     nodes: tuple[RosNode, ...] = ()
+    twins: tuple[Twin, ...] = ()
     consulted: Consulted | None = None
 
 
@@ -248,7 +250,8 @@ def _written(each: Followed) -> list[Any]:
     asked = [[name, to_json(value)] for name, value in each.asked.items()]
     gaps = [[said, to_json(where)] for said, where in each.gaps.items()]
     problems = [[problem.path, problem.message, problem.line] for problem in each.problems]
-    return [to_json(tuple(table)), len(each.nodes), made, asked, gaps, to_json(each.names), problems]
+    twins = [[twin.name, to_json(twin.first), to_json(twin.second)] for twin in each.twins]
+    return [to_json(tuple(table)), len(each.nodes), made, asked, gaps, to_json(each.names), problems, twins]
 
 
 def read(data: Any) -> Record | None:
@@ -262,7 +265,7 @@ def read(data: Any) -> Record | None:
             for numbers, names, scanned, roots in traces
         ]
         followed = []
-        for trace, key, table, count, made, asked, gaps, names, problems in items:
+        for trace, key, table, count, made, asked, gaps, names, problems, twins in items:
             nodes = from_json(table)
             if not isinstance(nodes, tuple) or not all(node.__class__ is RosNode for node in nodes):
                 return None
@@ -276,6 +279,7 @@ def read(data: Any) -> Record | None:
                         gaps={_text(said): _location(from_json(where)) for said, where in gaps},
                         asked={_text(name): from_json(value) for name, value in asked},
                         nodes=nodes[: _count(count)],
+                        twins=tuple(_twin(each) for each in twins),
                         consulted=consulted[_index(trace, consulted)],
                     ),
                 )
@@ -288,6 +292,11 @@ def read(data: Any) -> Record | None:
 def _problem(data: Any) -> Problem:
     path, message, line = data
     return Problem(_text(path), _text(message), _count(line) if line is not None else None)
+
+
+def _twin(data: Any) -> Twin:
+    name, first, second = data
+    return Twin(_text(name), _location(from_json(first)), _location(from_json(second)))
 
 
 def _made(data: Any, nodes: tuple[RosNode, ...]) -> Made:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from haros_ci.link import twins
 from haros_ci.link.names import pattern
 from haros_ci.link.parameters import Perhaps
 from haros_ci.link.ros2_process import Arguments, Parameters, RosNode, Rule, from_arguments, named, ros_arguments
@@ -154,6 +155,8 @@ def made(
         why=unknown,
         options=switches,
     )
+    if not is_open and not is_contained:
+        twins.made(run, target, full, named(text, above, local.rules)[0], location)
     if not run.quiet:
         known = next((n for n in run.nodes if (n.name, n.location) == (full, location)), None)
         if known is None:

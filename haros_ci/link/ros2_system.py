@@ -191,6 +191,7 @@ def nodes_of(
     found: list[Node] = []
     groups = grouped(followed)
     main = followed.nodes[0]
+    twins = {twin.name: (twin.first, twin.second) for twin in followed.twins}
     for each in followed.nodes:
         made = groups.get(each.name, ())
         if each is not main and each.name in (other.name for other in found):
@@ -213,6 +214,7 @@ def nodes_of(
                 location=node.location if node.source == "launch" and each is main else each.location,
                 source=node.source if each is main else "source",
                 unknowns=tuple(own),
+                twins=twins.get(each.name, ()),
                 takes_undeclared=each.options.get(UNDECLARED, False),
                 endpoints=_sorted((*ends, *_implicit(each, kind, started, ends))),
             )

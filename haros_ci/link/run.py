@@ -14,6 +14,7 @@ from haros_ci.link.index import Index, Source
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.ros2_process import Process, RosNode
 from haros_ci.link.state import State
+from haros_ci.link.twins import Standing, Twin
 from haros_ci.link.types import NO_TYPE, resolve_type
 from haros_ci.link.values import NONE, Callable, Cell, Known, Object, Opaque, Value, join
 from haros_ci.link.xml_files import Reader
@@ -262,6 +263,10 @@ class Run:
     names: list[tuple[Value, bool]] = field(default_factory=list)
     #: The nodes of a ROS 2 process, in the order in which they are made.
     nodes: list[RosNode] = field(default_factory=list)
+    #: Those that are made whatever happens; by name two that there are at the same time; whether one may be gone by now.
+    standing: list[Standing] = field(default_factory=list)
+    twins: dict[str, Twin] = field(default_factory=dict)
+    has_ended: bool = False
     #: The place of the ``if`` that each ``else`` belongs to.
     pairs: dict[Location, Location] = field(default_factory=dict)
     loops: list[Loop] = field(default_factory=list)

@@ -372,7 +372,9 @@ def _followed_in(
         trace.is_whole = False
     trace.names.update(relevance.asked())
     made, nodes = tuple(run.made.values()), tuple(run.nodes)
-    followed = Followed(made, problems, tuple(run.names), run.gaps, asked, nodes, small(trace))
+    followed = Followed(
+        made, problems, tuple(run.names), run.gaps, asked, nodes, tuple(run.twins.values()), small(trace)
+    )
     types.fresh.append((key, followed))
     return followed
 

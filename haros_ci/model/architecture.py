@@ -158,6 +158,8 @@ class Node:
     #: Under which launch arguments it is there.
     presence: Presence = ()
     takes_undeclared: bool = False
+    #: Where its process makes two nodes of this name that there are at the same time; () if none are known.
+    twins: tuple[Location, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
