@@ -20,7 +20,7 @@ from haros_ci.model.architecture import (
     Parameter,
     Qos,
 )
-from haros_ci.model.launch_facts import ConstructUse
+from haros_ci.model.launch_facts import ConstructUse, LaunchFact
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.presence import Presence, together
@@ -289,7 +289,8 @@ class System:
 
     @property
     def ros(self) -> int:
-        return next((node.ros for node in self.nodes), 1)
+        """That of its nodes; of launch files that start none what the evaluation of the launched file tells."""
+        return next((node.ros for node in self.nodes), next((fact.ros for fact in self.facts(LaunchFact)), 1))
 
     @property
     def arguments(self) -> Mapping[str, str]:
