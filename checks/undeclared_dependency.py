@@ -46,19 +46,29 @@ def check(project: Project) -> Iterator[Finding]:
         missing: dict[frozenset[str], list[Need]] = {}
         for need in needs:
             if provided is not None and provisions.lacks(provided, need.providers):
-                missing.setdefault(need.providers, []).append(need)
-        for uses in missing.values():
-            yield _finding(package, uses)
+                _put(missing, need)
+        for providers, uses in missing.items():
+            yield _finding(package, providers, uses)
         if provided is not None and not provided.is_open and not _has_environment(package, provisions):
             yield from _environment(package)
 
 
-def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
-    tested = sorted(uses[0].providers & package.declared)
+def _put(missing: dict[frozenset[str], list[Need]], need: Need) -> None:
+    """Put *need* to those that one package meets together with it: a header and the CMake package of one library."""
+    for providers in missing:
+        if common := providers & need.providers:
+            uses = missing.pop(providers)
+            missing.setdefault(common, []).extend((*uses, need))
+            return
+    missing[need.providers] = [need]
+
+
+def _finding(package: ProjectPackage, providers: frozenset[str], uses: list[Need]) -> Finding:
+    tested = sorted(providers & package.declared)
     if tested:
         return _only_tested(package, tested[0], uses)
-    name = first_provider(uses[0].providers, package)
-    others = others_of(uses[0].providers, name, package)
+    name = first_provider(providers, package)
+    others = others_of(providers, name, package)
     is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
     kind = "buildtool_depend" if is_tool else "depend"
     is_certain = not others and is_of_ros(name, package.project)

@@ -21,6 +21,8 @@ _OWN_ONLY = ("test_depend", "doc_depend")
 _SHOWN = 3
 #: Packages that are looked at for what others bring, in all; a thousand packages that need each other have a million.
 MAX_STEPS = 3_000_000
+#: Packages that only distributions before Melodic have; rosdep has the library (libopencv-dev) for all.
+_PAST = frozenset(("opencv2", "opencv3"))
 #: Keys that bring what others bring parts of.
 _WHOLE = frozenset(("libqt4-dev", "qtbase5-dev", "qt6-base-dev"))
 _INTERFACES = ("_msgs", "_interfaces", "_srvs")
@@ -155,6 +157,7 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
         usable,
         key=lambda n: (
             not exists(frozenset((n,)), package),
+            n in _PAST,
             not is_of_ros(n, project),
             bool(families) and _family(n) not in {"", *families},
             n.endswith("_cmake_module"),  # brings a Find module, and the thing itself by another package
