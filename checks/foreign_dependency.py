@@ -7,41 +7,8 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import Dependency, holds, is_nested
+from haros_ci.api.packages import COUNTERPARTS, Dependency, holds, is_nested
 
-#: Packages that are the other ROS itself, so that nobody has a port of that name, with what takes their place ("" for none).
-CORE = {
-    2: {
-        "roscpp": "rclcpp",
-        "rospy": "rclpy",
-        "roslib": "ament_index_cpp",
-        "rosconsole": "rcutils",
-        "message_generation": "rosidl_default_generators",
-        "message_runtime": "rosidl_default_runtime",
-        "nodelet": "rclcpp_components",
-        "roslaunch": "launch_ros",
-        "rostest": "launch_testing_ros",
-        "rosunit": "ament_cmake_gtest",
-        "dynamic_reconfigure": "",
-        "tf": "tf2_ros",
-        "actionlib": "rclcpp_action",
-        "rosbag": "rosbag2",
-        "roslint": "ament_lint_auto",
-    },
-    1: {
-        "rclcpp": "roscpp",
-        "rclpy": "rospy",
-        "rclcpp_action": "actionlib",
-        "rclcpp_components": "nodelet",
-        "rclcpp_lifecycle": "",
-        "rosidl_default_generators": "message_generation",
-        "rosidl_default_runtime": "message_runtime",
-        "launch_ros": "roslaunch",
-        "ament_index_cpp": "roslib",
-        "ament_index_python": "rospkg",
-        "builtin_interfaces": "std_msgs",
-    },
-}
 #: What builds a package; of another one wrong-build-type tells.
 _TOOLS = ("buildtool_depend", "buildtool_export_depend", "doc_depend")
 _SHOWN = 5
@@ -64,7 +31,7 @@ def check(project: Project) -> Iterator[Finding]:
         found: dict[str, Dependency] = {}
         for need in package.raw.dependencies:
             if need.kind not in _TOOLS and _is_foreign(package, need):
-                if need.name in CORE[package.ros] or not brings_sources:
+                if need.name in COUNTERPARTS[package.ros] or not brings_sources:
                     found.setdefault(need.name, need)
         if found:
             yield _finding(package, package.ros, list(found.values()))
@@ -86,7 +53,7 @@ def _without_condition(package: ProjectPackage) -> Iterator[Finding]:
     if {each[1] for each in _VERSION.finditer(told)} != {"1", "2"}:
         return
     for need in package.raw.dependencies:
-        ros = next((ros for ros in (1, 2) if need.name in CORE[ros]), None)
+        ros = next((ros for ros in (1, 2) if need.name in COUNTERPARTS[ros]), None)
         if ros is None or need.condition is not None or need.kind in _TOOLS:
             continue
         if package.project.package(need.name) is not None or package.project.knowledge.is_in(need.name, ros):
@@ -111,10 +78,10 @@ def _is_foreign(package: ProjectPackage, need: Dependency) -> bool:
 
 
 def _finding(package: ProjectPackage, ros: int, found: list[Dependency]) -> Finding:
-    found.sort(key=lambda need: (need.name not in CORE[ros], need.line or 0))
+    found.sort(key=lambda need: (need.name not in COUNTERPARTS[ros], need.line or 0))
     names = [need.name for need in found]
     more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
-    instead = [f"{CORE[ros][name]} for {name}" for name in names[:_SHOWN] if CORE[ros].get(name)]
+    instead = [f"{COUNTERPARTS[ros][name]} for {name}" for name in names[:_SHOWN] if COUNTERPARTS[ros].get(name)]
     remedy = (
         f"; write {', '.join(instead)}"
         if instead
@@ -126,7 +93,7 @@ def _finding(package: ProjectPackage, ros: int, found: list[Dependency]) -> Find
         f"{ros} distribution has: rosdep stops here{remedy}",
         about=(package.name,),
         related=tuple((_at(package, need), f"depends on {need.name}, too") for need in found[1:20]),
-        level=None if names[0] in CORE[ros] else Level.WARNING,
+        level=None if names[0] in COUNTERPARTS[ros] else Level.WARNING,
     )
 
 

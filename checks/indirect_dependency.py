@@ -12,6 +12,7 @@ from haros_ci.api.packages import (
     Provisions,
     Sources,
     add_dependency,
+    dependency_tags,
     imports_of,
     is_of_ros,
     last_dependency,
@@ -49,7 +50,7 @@ def _finding(package: ProjectPackage, name: str, uses: list[Need], is_test: bool
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} uses {name} ({uses[0].what}), but has it only as a dependency of a dependency: the build "
-        f"breaks when that one drops it; add <{kind}>{name}</{kind}>",
+        f"breaks when that one drops it; add {dependency_tags(package, kind, name)}",
         about=(package.name, name),
         related=tuple((use.location, f"uses {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import EXPORTED, CMakeCommand, brings, insert_line, needs
+from haros_ci.api.packages import EXPORTED, CMakeCommand, brings, dependency_tags, insert_line, needs
 
 #: Commands that may find packages besides find_package(), and those of such names that do not.
 _FINDING = re.compile(r"find|depend|package|auto|catkin_simple|import|require|setup|common")
@@ -164,7 +164,7 @@ def _included(
 
 def _remedy(package: ProjectPackage, name: str) -> str:
     return f"add find_package({name} REQUIRED)" + (
-        "" if name in package.declared else f", and <depend>{name}</depend> in package.xml"
+        "" if name in package.declared else f", and {dependency_tags(package, 'depend', name)} in package.xml"
     )
 
 

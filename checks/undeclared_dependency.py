@@ -8,10 +8,12 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 from haros_ci.api.packages import (
+    COUNTERPARTS,
     Need,
     Provisions,
     Sources,
     add_dependency,
+    dependency_tags,
     first_provider,
     is_of_ros,
     last_dependency,
@@ -28,6 +30,7 @@ _TOOLS = (
     "cmake_modules",
     "eigen3_cmake_module",
 )
+_GENERATORS = ("rosidl_default_generators", "message_generation")
 _SHOWN = 3
 #: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
 _ENVIRONMENT = "ros_environment"
@@ -48,9 +51,17 @@ def check(project: Project) -> Iterator[Finding]:
             if provided is not None and provisions.lacks(provided, need.providers):
                 _put(missing, need)
         for providers, uses in missing.items():
-            yield _finding(package, providers, uses)
+            if not _is_said(package, providers):
+                yield _finding(package, providers, uses)
         if provided is not None and not provided.is_open and not _has_environment(package, provisions):
             yield from _environment(package)
+
+
+def _is_said(package: ProjectPackage, providers: frozenset[str]) -> bool:
+    """Whether another check has it declared: foreign-dependency for one of the other ROS, incomplete-interface-package for a generator."""
+    instead = {COUNTERPARTS[package.ros].get(name) for name in package.declared} if package.ros in COUNTERPARTS else set()
+    generates = package.commands("rosidl_generate_interfaces", "generate_messages")
+    return bool(providers & instead) or (bool(generates) and not providers.isdisjoint(_GENERATORS))
 
 
 def _put(missing: dict[frozenset[str], list[Need]], need: Need) -> None:
@@ -77,7 +88,7 @@ def _finding(package: ProjectPackage, providers: frozenset[str], uses: list[Need
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {name} to build ({uses[0].what}), but package.xml does not declare it: the build "
-        f"fails on a machine without {name}; add <{kind}>{name}</{kind}>{alternative}",
+        f"fails on a machine without {name}; add {dependency_tags(package, kind, name)}{alternative}",
         about=(package.name, name),
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),
@@ -119,7 +130,7 @@ def _environment(package: ProjectPackage) -> Iterator[Finding]:
         yield Finding(
             at=last_dependency(package),
             message=f"{package.name} decides by $ENV{{{found[1]}}} (line {at.line} of {path}), which {_ENVIRONMENT} sets, but package.xml does not "
-            f"declare it: the variable is empty on a build farm; add <{kind}>{_ENVIRONMENT}</{kind}>",
+            f"declare it: the variable is empty on a build farm; add {dependency_tags(package, kind, _ENVIRONMENT)}",
             about=(package.name, _ENVIRONMENT),
             level=Level.NOTE,
             related=((at, f"reads $ENV{{{found[1]}}}"),),
@@ -131,12 +142,11 @@ def _environment(package: ProjectPackage) -> Iterator[Finding]:
 
 def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
     """What the manifest has for tests alone, and more than tests use."""
-    kind = "depend"
     line = next((each.line for each in package.raw.dependencies if each.name == name), None)
     return Finding(
         at=Location(package.manifest_path, line or 1),
         message=f"{package.name} needs {name} to build ({uses[0].what}), but declares it for tests only: a build without "
-        f"tests may lack it; write <{kind}>{name}</{kind}>",
+        f"tests may lack it; write {dependency_tags(package, 'depend', name)}",
         about=(package.name, name),
         level=Level.WARNING,
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),

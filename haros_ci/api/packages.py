@@ -5,10 +5,12 @@ from __future__ import annotations
 
 from haros_ci.checking.appearing import is_ignored, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
+from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.editing import (
     add_dependency,
     add_element,
     add_export,
+    dependency_tags,
     drop_element,
     drop_lines,
     insert_line,
@@ -127,7 +129,9 @@ __all__ = [
     "Target",
     "Uninstalled",
     "Using",
+    "COUNTERPARTS",
     "add_dependency",
+    "dependency_tags",
     "add_element",
     "add_export",
     "applying",

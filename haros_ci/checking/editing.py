@@ -83,6 +83,12 @@ def add_dependency(package: ProjectPackage, kind: str, name: str) -> Fix | None:
     return Fix(description, edits) if edits and None not in parts else None
 
 
+def dependency_tags(package: ProjectPackage, kind: str, name: str) -> str:
+    """The tags that :func:`add_dependency` writes, as a message shows them: in format 1 ``depend`` is two."""
+    kinds = _FORMAT_1.get(kind, (kind,)) if package.raw.format < 2 else (kind,)
+    return " and ".join(f"<{each}>{name}</{each}>" for each in kinds)
+
+
 def rename_element(package: ProjectPackage, element: Element, tag: str, description: str) -> Fix | None:
     """*element* of the manifest becomes one of *tag*, its attributes and content as they are."""
     outline = _outline(package)
