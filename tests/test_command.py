@@ -15,7 +15,9 @@ MANIFEST = """<package format="3">
 </package>
 """
 #: What else is installed differs from machine to machine.
-DEFAULT_TOOLS = {"haros.yaml": "linters: {ruff: false, clang-tidy: false, catkin_lint: false}\n"}
+DEFAULT_TOOLS = {
+    "haros.yaml": "linters: {ruff: false, clang-tidy: false, catkin_lint: false}\nselect: [dangerous-default-value]\n"
+}
 BAD = '"""Doors."""\n\n\ndef close(doors=[]):\n    """Close them."""\n    return doors\n'
 GOOD = '"""Doors."""\n\n\ndef close(doors):\n    """Close them."""\n    return doors\n'
 UNDEFINED = '"""Cabin."""\n\n\ndef move():\n    """Move."""\n    return flor\n'
@@ -53,7 +55,7 @@ def test_a_finding_fails_the_run(lift: Path) -> None:
         (["--require-baseline"], 3),
         (["--baseline-rev", "HEAD", "--require-baseline"], 3),
         (["--baseline-rev", "HEAD"], 2),
-        (["--baseline-rev", "HEAD", "--no-require-baseline"], 1),
+        (["--baseline-rev", "HEAD", "--no-require-baseline", "--select", "dangerous-default-value"], 1),
         (["--profile", "rosy"], 2),
         (["--select", "unused-imprt"], 2),
         (["--fail-on", "always"], 2),
@@ -276,7 +278,8 @@ class TestPullRequest:
         assert (done.returncode, done.stdout) == (2, "")
         assert done.stderr.startswith("error: no baseline, so nothing is reported: unknown revision 'nowhere'")
         assert "--no-require-baseline" in done.stderr
-        done = haros("check", "--baseline-rev", "nowhere", "--no-require-baseline", cwd=lift)
+        loose = ("--no-require-baseline", "--select", "dangerous-default-value")  # settings of the change do not count
+        done = haros("check", "--baseline-rev", "nowhere", *loose, cwd=lift)
         assert done.returncode == 1 and "No baseline: " in done.stdout
         done = haros("check", "--baseline-rev", "nowhere", "--require-baseline", cwd=lift)
         assert (done.returncode, done.stdout) == (3, "")

@@ -43,7 +43,8 @@ OF_A_FILE = frozenset(("pylint:invalid-all-object",))
 #: A finding names no more other places than this; the rest of a cause follows in another finding.
 MOST = 40
 
-_NAME = re.compile(r"'(\w+)'|: ([\w.>-]+)$")
+#: A variable in a message: in quotes, or after the colon at the end, where a full stop may follow.
+_NAME = re.compile(r"'(\w+)'|: ([\w.>-]*[\w>-])\.?$")
 
 
 def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Result, ...]:

@@ -189,6 +189,7 @@ def test_layout_is_only_for_google() -> None:
         ("mypy", "arg-type", "ros"),
         ("mypy", "no-untyped-def", "strict"),
         ("vulture", "unused-import", "ros"),
+        ("pylint", "dangerous-default-value", "strict"),
     ],
 )
 def test_in_profile(tool: str, identifier: str, profile: str) -> None:

@@ -47,6 +47,29 @@ def test_findings_of_one_cause(results: list[Result], expected: list[list[int | 
     assert lines(results) == expected
 
 
+@pytest.mark.parametrize(
+    ("places", "expected"),
+    [
+        ([(3, "check"), (5, "check"), (9, "check")], [[3, 5, 9]]),
+        ([(3, "goal.x"), (5, "goal.x")], [[3, 5]]),
+        ([(3, "goal->x"), (5, "goal->x")], [[3, 5]]),
+        ([(3, "check"), (5, "checked")], [[3], [5]]),
+        ([(3, "goal.x"), (5, "goal.y")], [[3], [5]]),
+        ([(3, "goal.x"), (5, "x")], [[3], [5]]),
+        ([(3, "check"), (SECOND, "check")], [[3], [SECOND]]),  # another function's variable
+        ([(500, "check"), (501, "check")], [[500], [501]]),  # in no function
+    ],
+)
+@pytest.mark.parametrize("end", ["", "."])
+def test_a_variable_without_a_value(places: list[tuple[int, str]], expected: list[list[int]], end: str) -> None:
+    message = "Uninitialized variable: {}" + end
+    given = [
+        Result("cppcheck", "uninitvar", Level.ERROR, message.format(name), Location("a.cpp", line, 1))
+        for line, name in places
+    ]
+    assert lines(given) == expected
+
+
 def test_the_worst_level_is_kept_and_the_others_are_quoted() -> None:
     (only,) = one_cause([found(3, "p"), found(5, "p", level=Level.ERROR)], lambda path: TEXT)
     assert only.level is Level.ERROR and only.related[0].message.startswith("Of the same cause: Out of bounds")

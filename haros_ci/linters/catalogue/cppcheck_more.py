@@ -69,7 +69,7 @@ GROUPS: tuple[Group, ...] = (
         " rethrow with `throw;`, let destructors and noexcept functions handle their own.",
         ("correctness", "exceptions"),
         (
-            ("catchExceptionByValue", "Rs", "Exception caught by value."),
+            ("catchExceptionByValue", "Ss", "Exception caught by value."),
             ("exceptRethrowCopy", "Rs", "Rethrown copy of an exception."),
             ("exceptThrowInDestructor", "Bw", "Exception thrown in a destructor."),
             ("rethrowNoCurrentException", "Be", "`throw;` without a current exception."),

@@ -200,7 +200,7 @@ GROUPS: tuple[Group, ...] = (
         "The code does not do what it looks like: one of the two readings is a slip. Write the one that is meant.",
         ("correctness", "suspicious"),
         (
-            ("assertWithSideEffect", "Bw", "assert that calls a function with side effects."),
+            ("assertWithSideEffect", "Sw", "assert that calls a function with side effects."),
             ("assignBoolToPointer", "Be", "bool assigned to a pointer."),
             ("assignIfError", "Rs", "Comparison that is always false after an assignment."),
             ("assignmentInAssert", "Bw", "Assignment inside assert."),
@@ -282,7 +282,7 @@ GROUPS: tuple[Group, ...] = (
             ("thisSubtraction", "Bw", "`this-x` instead of `this->x`."),
             ("unreachableCode", "Rs", "Unreachable statement."),
             ("unreachableSwitchCase", "Rs", "Unreachable case of a switch."),
-            ("unsignedLessThanZero", "Rs", "Unsigned value tested for a negative value."),
+            ("unsignedLessThanZero", "Ss", "Unsigned value tested for a negative value."),
             ("unsignedPositive", "Ss", "Unsigned value tested for at least zero."),
             ("unusedLabelSwitch", "Bw", "Label instead of a case in a switch."),
             ("unusedScopedObject", "Rs", "Unnamed guard or lock, destroyed at once."),

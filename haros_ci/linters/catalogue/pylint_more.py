@@ -16,7 +16,7 @@ GROUPS: tuple[Group, ...] = (
             ("deprecated-attribute", "RW", "Deprecated attribute."),
             ("deprecated-class", "RW", "Deprecated class."),
             ("deprecated-decorator", "RW", "Deprecated decorator."),
-            ("deprecated-method", "RW", "Deprecated method."),
+            ("deprecated-method", "SW", "Deprecated method."),
             ("deprecated-module", "RW", "Deprecated module."),
         ),
     ),

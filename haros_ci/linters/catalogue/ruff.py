@@ -14,7 +14,7 @@ ROWS: tuple[tuple[str, str, str], ...] = (
     ("B002", "B", "Nonexistent operator ++."),
     ("B003", "R", "Replaced os.environ."),
     ("B005", "R", "Duplicate character in a strip argument."),
-    ("B006", "R", "Mutable default argument, shared by all calls."),
+    ("B006", "S", "Mutable default argument, shared by all calls."),
     ("B008", "S", "Function call in a default argument."),
     ("B012", "R", "return, break or continue in a finally block."),
     ("B015", "R", "Unused result of a comparison."),
