@@ -48,10 +48,18 @@ def test_paths_of_credentials(path: str, expected: Level, tmp_path: Path) -> Non
     ("dockerfile", "tag", "expected"),
     [
         ("", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
-        ("FROM ros:humble\nCOPY . /sim_ws/\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.NOTE),
+        (
+            "FROM ros:humble\nCOPY . /sim_ws/\n",
+            '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>',
+            Level.NOTE,
+        ),
         ('COPY ["a b", "/sim_ws"]\n', '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.NOTE),
         ("WORKDIR '/sim_ws'\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.NOTE),
-        ("RUN a && \\\n  mkdir -p /sim_ws/maps\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/a.yaml"/>', Level.NOTE),
+        (
+            "RUN a && \\\n  mkdir -p /sim_ws/maps\n",
+            '<node pkg="demo" exec="n" args="-f /sim_ws/maps/a.yaml"/>',
+            Level.NOTE,
+        ),
         ("COPY /sim_ws/a /opt/b\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
         ("COPY . /\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
         ("COPY . /sim\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
@@ -145,7 +153,10 @@ def test_sleeps_that_hold_nothing_up(made: str, on_message: str, move: str, expe
     ("made", "advice"),
     [
         (SERVICE, "lost; put the callback into a separate callback group, with a multi-threaded executor"),
-        (SUBSCRIPTION, "lost; use a timer, or put the callback into a separate callback group, with a multi-threaded executor"),
+        (
+            SUBSCRIPTION,
+            "lost; use a timer, or put the callback into a separate callback group, with a multi-threaded executor",
+        ),
     ],
 )
 def test_what_to_do_about_a_sleep(made: str, advice: str, tmp_path: Path) -> None:
