@@ -38,7 +38,7 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _below(key: str, node: SystemNode) -> str:
-    """The one parameter that ends with the plain name *key* below a prefix, though it is read elsewhere, too; "" if there is none."""
+    """The one parameter that ends with the plain name *key* below a prefix, read elsewhere or not; "" if there is none."""
     found = sorted(name for name in node.names.declared if "?" not in name and name.endswith(f".{key}"))
     return found[0] if len(found) == 1 and "." not in key else ""
 

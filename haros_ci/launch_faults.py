@@ -23,7 +23,7 @@ _LIMITS = ("more than ", "nested deeper ")
 _FOUND = re.compile(r"(?m)^[ \t]*find_package[ \t]*\([ \t\n]*([\w.-]+)", re.I)
 #: How packages end that depend on launch to test themselves, or hold launch files alone.
 _NO_EXTENSION = ("_msgs", "_interfaces", "launch_testing_ament_cmake", "_bringup", "_description")
-#: What a package needs that registers tags: it depends on one of these, which have none of their own besides those that are known.
+#: A package that registers tags depends on one of these, whose own tags are all known.
 _OF_LAUNCH = frozenset(
     ("launch", "launch_ros", "launch_xml", "launch_yaml", "launch_testing", "launch_testing_ros", "ros2launch")
 )

@@ -215,8 +215,8 @@ def misplaced(given: Given) -> tuple[str, str] | None:
 def is_mentioned(system: System, node: SystemNode, name: str) -> bool:
     """Whether the source of *node* has the text *name*, though nothing in it is seen to declare it: then something may.
 
-    The files are those of its package and of the packages in which it declares parameters; launch files are none of them. Of a name
-    with dots the last part may stand there alone, with its dot, as in ``prefix + ".name"``.
+    The files are those of its package and of the packages in which it declares parameters; launch files are none of them. Of a
+    name with dots the last part may stand there alone, with its dot, as in ``prefix + ".name"``.
     """
     if system.workspace is None:
         return False
