@@ -5,7 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from haros_ci.api import Check, Finding, Given, Level, System, SystemNode, is_mentioned, is_slip, misplaced, near
+from haros_ci.api import (
+    Check,
+    Finding,
+    Given,
+    Level,
+    System,
+    SystemNode,
+    is_mentioned,
+    is_read_besides,
+    is_slip,
+    misplaced,
+    near,
+)
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -13,9 +25,8 @@ def check(system: System) -> Iterator[Finding]:
     for each in system.given:
         if each.place not in system.taken and each.place not in system.whole.taken and misplaced(each) is None:
             section = _section(each)
-            if not (section and _is_spare(each.node, section)) and not is_mentioned(
-                system, each.node, section or each.key
-            ):
+            is_spare = bool(section) and _is_spare(each.node, section)
+            if not (is_spare or is_mentioned(system, each.node, section or each.key) or is_read_besides(system, each)):
                 name = "" if section else _meant(each) or (each.key if "." not in each.key else "")
                 groups.setdefault(
                     (each.node.name, each.at.path, section or each.key.rpartition(".")[0], name), []

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System, near
+from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System, SystemNode, near
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -15,7 +15,9 @@ def check(system: System) -> Iterator[Finding]:
         for key, ends in node.names.read.items():
             if "?" in key or node.names.has(key) is not False:
                 continue
-            meant = near(key, (name for name in node.names.declared if name not in node.names.read))
+            meant = near(key, (name for name in node.names.declared if name not in node.names.read)) or _below(
+                key, node
+            )
             for end in ends:
                 if end.implicit or end.raw.source == "known-node" or _is_guarded(end):
                     continue
@@ -33,6 +35,12 @@ def check(system: System) -> Iterator[Finding]:
                     about=(end, key),
                     level=None if end.raw.is_strict else Level.WARNING,
                 )
+
+
+def _below(key: str, node: SystemNode) -> str:
+    """The one parameter that ends with the plain name *key* below a prefix, read elsewhere or not; "" if there is none."""
+    found = sorted(name for name in node.names.declared if "?" not in name and name.endswith(f".{key}"))
+    return found[0] if len(found) == 1 and "." not in key else ""
 
 
 def _is_guarded(end: End) -> bool:

@@ -19,6 +19,14 @@ _PYTHON = (".launch.py", "_launch.py", "-launch.py")
 _EXPOSED = re.compile(r"\bexpose_action\(\s*[\"']([\w-]+)[\"']")
 #: How sentences on limits of ours begin.
 _LIMITS = ("more than ", "nested deeper ")
+#: Packages that CMake is told to find.
+_FOUND = re.compile(r"(?m)^[ \t]*find_package[ \t]*\([ \t\n]*([\w.-]+)", re.I)
+#: How packages end that depend on launch to test themselves, or hold launch files alone.
+_NO_EXTENSION = ("_msgs", "_interfaces", "launch_testing_ament_cmake", "_bringup", "_description")
+#: A package that registers tags depends on one of these, whose own tags are all known.
+_OF_LAUNCH = frozenset(
+    ("launch", "launch_ros", "launch_xml", "launch_yaml", "launch_testing", "launch_testing_ros", "ros2launch")
+)
 #: roslaunch's xmlloader.py, ``reqd_attrs``.
 _REQUIRED = {
     "node": ("pkg", "type", "name"),
@@ -46,6 +54,7 @@ def refused(workspace: Workspace) -> Iterator[Problem]:
     of_ros2 = is_ros2_file(workspace)
     own_tags: frozenset[str] | None = None
     ros = {package.name: package.ros for package in workspace.packages}
+    extended: dict[str, bool] = {}
     for file in workspace.files:
         if "template" in file.path.lower():
             continue
@@ -55,6 +64,11 @@ def refused(workspace: Workspace) -> Iterator[Problem]:
                 if not problem.is_certain:
                     own_tags = _registered(workspace) if own_tags is None else own_tags
                     if any(f"<{tag}>" in problem.message for tag in own_tags):
+                        continue
+                    owner = file.package or ""
+                    if owner not in extended:
+                        extended[owner] = _may_be_extended(workspace, owner)
+                    if extended[owner]:
                         continue
                 yield problem
         elif file.language == "python" and file.path.endswith(_PYTHON) and ros.get(file.package or "") == 2:
@@ -100,6 +114,32 @@ def _registered(workspace: Workspace) -> frozenset[str]:
     """The tags that Python code of the workspace registers with launch's front ends."""
     texts = (workspace.text(file.path) for file in workspace.files if file.language == "python")
     return frozenset(match[1] for text in texts if "expose_action" in text for match in _EXPOSED.finditer(text))
+
+
+def _may_be_extended(workspace: Workspace, name: str) -> bool:
+    """Whether the package *name* declares, or finds in its CMakeLists.txt, a package from elsewhere that may register tags.
+
+    One that registers tags depends on launch, so a package from elsewhere may unless its dependencies are known and launch is not
+    among them. Keys of rosdep, packages of launch itself and what the workspace holds do not.
+    """
+    from haros_ci.knowledge.knowledge import knowledge
+
+    known = knowledge()
+    here = {package.name for package in workspace.packages}
+    names: set[str] = set()
+    for package in workspace.packages:
+        if package.name == name:
+            names.update(each.name for each in package.dependencies)
+            listed = f"{package.path}/CMakeLists.txt" if package.path not in ("", ".") else "CMakeLists.txt"
+            found = {match[1] for match in _FOUND.finditer(workspace.text(listed))}
+            names.update(each for each in found if known.is_package(each))
+    for each in sorted(names - here - _OF_LAUNCH):
+        needs = known.depends(each, 2)
+        if needs is None and not known.is_key(each) and "-" not in each:
+            return True
+        if needs is not None and not _OF_LAUNCH.isdisjoint(needs) and not each.endswith(_NO_EXTENSION):
+            return True
+    return False
 
 
 def _of_ros1(path: str, element: LaunchElement) -> Iterator[Problem]:

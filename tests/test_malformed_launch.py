@@ -105,6 +105,29 @@ def test_a_tag_that_an_extension_of_launch_may_have(tag: str, code: str, expecte
     assert [r.level for r in report.results if r.rule == "malformed-launch-file"] == expected
 
 
+@pytest.mark.parametrize(
+    ("manifest", "cmake", "expected"),
+    [
+        ("<test_depend>catch_ros2</test_depend>", "", []),
+        ("<exec_depend>ros_gz_sim</exec_depend>", "", []),
+        ("<exec_depend>firm_launch_tags</exec_depend>", "", []),
+        ("", "find_package(\n  catch_ros2 REQUIRED)\n", []),
+        ("", "# find_package(catch_ros2 REQUIRED)\nfind_package(Eigen3)\n", [Level.WARNING]),
+        ("<depend>rclcpp</depend><depend>std_msgs</depend><depend>eigen</depend>", "", [Level.WARNING]),
+        ("<exec_depend>launch_ros</exec_depend><exec_depend>ros2launch</exec_depend>", "", [Level.WARNING]),
+        ("<exec_depend>python3-numpy</exec_depend>", "", [Level.WARNING]),
+    ],
+)
+def test_a_tag_that_a_declared_package_may_have(
+    manifest: str, cmake: str, expected: list[Level], tmp_path: Path
+) -> None:
+    found(tmp_path, "a.launch.xml", "<launch>\n<blink_lights/>\n</launch>\n")
+    (tmp_path / "package.xml").write_text(MANIFEST.replace("<export>", f"{manifest}<export>"), encoding="utf-8")
+    (tmp_path / "CMakeLists.txt").write_text(cmake, encoding="utf-8")
+    report, _ = analyse(Settings(root=tmp_path, profile="architecture"), MemoryCache())
+    assert [r.level for r in report.results if r.rule == "malformed-launch-file"] == expected
+
+
 NODE = '<node pkg="p" type="t" name="n"/>'
 
 

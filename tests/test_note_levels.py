@@ -32,7 +32,7 @@ from haros_ci.results.rule import Level
     ],
 )
 def test_paths_of_credentials(path: str, expected: Level, tmp_path: Path) -> None:
-    launch = f'<launch><arg name="x" default="{path}"/><node pkg="demo" exec="n" args="$(var x)"/></launch>\n'
+    launch = f'<launch><node pkg="demo" exec="n" args="-f {path}"/></launch>\n'
     files = {
         "package.xml": ROS2,
         "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)"),
@@ -42,6 +42,45 @@ def test_paths_of_credentials(path: str, expected: Level, tmp_path: Path) -> Non
     (result,) = said(check, Example("", True, files), tmp_path)
     assert result.level == expected
     assert ("find-pkg-share" in result.message) == (expected is Level.WARNING)
+
+
+@pytest.mark.parametrize(
+    ("dockerfile", "tag", "expected"),
+    [
+        ("", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
+        (
+            "FROM ros:humble\nCOPY . /sim_ws/\n",
+            '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>',
+            Level.NOTE,
+        ),
+        ('COPY ["a b", "/sim_ws"]\n', '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.NOTE),
+        ("WORKDIR '/sim_ws'\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.NOTE),
+        (
+            "RUN a && \\\n  mkdir -p /sim_ws/maps\n",
+            '<node pkg="demo" exec="n" args="-f /sim_ws/maps/a.yaml"/>',
+            Level.NOTE,
+        ),
+        ("COPY /sim_ws/a /opt/b\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
+        ("COPY . /\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
+        ("COPY . /sim\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
+        ("# COPY . /sim_ws\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
+        ("", '<arg name="x" default="/maps/hall.yaml"/><node pkg="demo" exec="n" args="$(var x)"/>', Level.NOTE),
+        ("", '<arg name="x" default="1"/><node pkg="demo" exec="n" args="/maps/hall.yaml $(var x)"/>', Level.WARNING),
+        ("", '<let name="x" value="/maps/hall.yaml"/><node pkg="demo" exec="n" args="$(var x)"/>', Level.WARNING),
+    ],
+)
+def test_paths_that_users_can_give_or_a_container_has(
+    dockerfile: str, tag: str, expected: Level, tmp_path: Path
+) -> None:
+    files = {
+        "package.xml": ROS2,
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)"),
+        "launch/a.launch.xml": f"<launch>{tag}</launch>\n",
+        "docker/Dockerfile": dockerfile,
+    }
+    check = next(check for check in checks() if check.id == "machine-specific-path")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level == expected
 
 
 NODE = """#!/usr/bin/env python3
@@ -114,7 +153,10 @@ def test_sleeps_that_hold_nothing_up(made: str, on_message: str, move: str, expe
     ("made", "advice"),
     [
         (SERVICE, "lost; put the callback into a separate callback group, with a multi-threaded executor"),
-        (SUBSCRIPTION, "lost; use a timer, or put the callback into a separate callback group, with a multi-threaded executor"),
+        (
+            SUBSCRIPTION,
+            "lost; use a timer, or put the callback into a separate callback group, with a multi-threaded executor",
+        ),
     ],
 )
 def test_what_to_do_about_a_sleep(made: str, advice: str, tmp_path: Path) -> None:

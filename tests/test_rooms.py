@@ -58,7 +58,7 @@ DOORS: dict[str, set[str]] = {
     "knowledge": set(),
     "baselines": {"config", "errors", "model", "results", "workspace"},
     "brought": {"config", "model", "results", "workspace"},
-    "launch_faults": {"architecture", "extract", "link", "model"},
+    "launch_faults": {"architecture", "extract", "knowledge", "link", "model"},
     "unmodelled": {"model", "report"},
     "inspection": {
         "architecture",

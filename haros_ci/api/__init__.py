@@ -31,6 +31,7 @@ from haros_ci.checking.system import (
 from haros_ci.checking.whole import Whole
 from haros_ci.checking.whole_graph import WholeGraph, is_opaque
 from haros_ci.checking.wording import line_of, listed
+from haros_ci.checking.yaml_readers import is_read_besides
 from haros_ci.model.architecture import (
     Condition,
     Endpoint,
@@ -79,6 +80,7 @@ __all__ = [
     "incompatible",
     "is_idle",
     "is_mentioned",
+    "is_read_besides",
     "is_moved",
     "is_opaque",
     "is_slip",

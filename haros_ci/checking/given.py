@@ -177,10 +177,9 @@ def near(key: str, known: Iterable[str], *, dot: str = ".") -> str | None:
     if _plain(key) in plain:
         return plain[_plain(key)]
     last = key.rpartition(dot)[2]
-    if len(last) > 3:
-        same = [name for name in names if name.rpartition(dot)[2] == last]
-        if len(same) == 1:
-            return same[0]
+    same = [name for name in names if name.rpartition(dot)[2] == last]
+    if len(same) == 1 and (len(last) > 3 or last == key):  # a short name alone: x0 for robot.x0, not a.x for b.x
+        return same[0]
     if len(key) > 3:
         found = get_close_matches(key[:200], names[:1000], n=1, cutoff=0.84)
         return found[0] if found else None
@@ -216,7 +215,8 @@ def misplaced(given: Given) -> tuple[str, str] | None:
 def is_mentioned(system: System, node: SystemNode, name: str) -> bool:
     """Whether the source of *node* has the text *name*, though nothing in it is seen to declare it: then something may.
 
-    The files are those of its package and of the packages in which it declares parameters; launch files are none of them.
+    The files are those of its package and of the packages in which it declares parameters; launch files are none of them. Of a
+    name with dots the last part may stand there alone, with its dot, as in ``prefix + ".name"``.
     """
     if system.workspace is None:
         return False
@@ -228,4 +228,10 @@ def is_mentioned(system: System, node: SystemNode, name: str) -> bool:
     if any(is_in(path, folder) for path in system.whole.declared.get(name, ()) for folder in folders):
         return False
     texts = (text for folder in sorted(folders) for text in system.whole.sources(folder, system))
-    return any(f'"{name}{end}' in text or f"'{name}{end}" in text for text in texts for end in ('"', "'", "."))
+    above, dot, last = name.rpartition(".")
+    pieces = tuple(f"{start}.{last}{end}" for start in ('"', "'", "}", "%s") for end in "\"'") if above and dot else ()
+    return any(
+        any(f'"{name}{end}' in text or f"'{name}{end}" in text for end in ('"', "'", "."))
+        or any(piece in text for piece in pieces)
+        for text in texts
+    )

@@ -149,6 +149,13 @@ class Whole:
         return self._workspace.text(path) if self._workspace is not None else ""
 
     @cached_property
+    def yaml_readers(self) -> tuple[tuple[bool, str], ...]:
+        """The texts of files that load YAML themselves (haros_ci/checking/yaml_readers.py)."""
+        from haros_ci.checking.yaml_readers import readers
+
+        return readers(self.systems[0]) if self.systems else ()
+
+    @cached_property
     def names(self) -> Mapping[str, frozenset[str]]:
         """The last parts of the names that the nodes of a program have, by ``package/executable``."""
         found: dict[str, set[str]] = {}

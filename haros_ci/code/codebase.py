@@ -172,16 +172,18 @@ class Codebase:
         return ROSSERIAL in included and ROSCPP not in included
 
     def ros_of(self, source: Source) -> int | None:
-        """1 or 2: what the manifest of its package says, else what it includes or imports."""
-        found = self.ros.get(source.package or "")
-        if found is not None:
-            return found
+        """1 or 2: what a Python file imports, for a package of one ROS may keep scripts for the other; else what the manifest of
+        its package says, else what a C++ file includes.
+        """
         program = source.program
+        found = self.ros.get(source.package or "")
+        if found is not None and program.language != "python":
+            return found
         heads = {each.strip('<>"').partition("/")[0] for each in program.includes}
         heads |= {alias.type[0].partition(".")[0] for alias in program.aliases if program.language == "python"}
         either = {1: heads & {"ros", "rospy"}, 2: heads & {"rclcpp", "rclpy", "rclcpp_components"}}
         versions = [version for version, names in either.items() if names]
-        return versions[0] if len(versions) == 1 else None
+        return versions[0] if len(versions) == 1 else found
 
     def end_line(self, routine: Routine) -> int:
         """A line that the text of a routine surely ends before: the next one's first, or the file's end."""
