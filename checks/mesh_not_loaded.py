@@ -16,7 +16,10 @@ def check(project: Project) -> Iterator[Finding]:
     meshes = [path for path in project.workspace.names if path.lower().endswith(_SUFFIXES)]
     disguised: set[str] = set()
     for description in descriptions(project):
+        again: dict[tuple[str, str | None], list[Mesh]] = {}  # a visual and a collision, by file and mesh
         for mesh in description.robot.meshes:
+            again.setdefault((mesh.location.path, mesh.filename), []).append(mesh)
+        for mesh, *others in again.values():
             said = fault(mesh, project, meshes) if mesh.filename else ""
             if said and mesh.path is not None and not mesh.is_missing:
                 if mesh.path in disguised:  # several robots may have the one file
@@ -27,6 +30,7 @@ def check(project: Project) -> Iterator[Finding]:
                     at=mesh.location,
                     message=said,
                     about=(description.package or description.robot.path, mesh.filename or ""),
+                    related=tuple((each.location, "here, too") for each in others if each.location != mesh.location),
                     flow=lead(description, mesh.way),
                     apart=(mesh.filename or "",),
                     level=Level.NOTE if not mesh.is_missing else Level.ERROR if mesh.certain else None,

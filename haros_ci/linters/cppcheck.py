@@ -45,7 +45,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"4 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
+    return f"5 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -69,7 +69,8 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     around: dict[str | None, set[str]] = {}  # a header is searched for as the source that includes it says
     for path, file in files.items():
         around.setdefault(file.package, set()).update(search[path])
-    needs = includes.needs(directives, {path: sorted(around[file.package]) for path, file in files.items()})
+    read = {path: names for path, names in directives.items() if not files[path].is_bulk}
+    needs = includes.needs(read, {path: sorted(around[file.package]) for path, file in files.items()})
     macros = ros_macros.names(ros_macros.told(workspace, files.values(), store))
     asked = cppcheck_libraries.by_file(workspace, files.values(), directives, store)
     without = cppcheck_libraries.switched_off(workspace)
@@ -77,7 +78,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     seen: set[str] = set()
     # Sources first, then headers that nobody includes; what is left includes itself in a circle.
     for path in sorted(files, key=lambda p: (not _is_source(p), p in included, p)):
-        if not _is_source(path) and path in seen:
+        if path not in read or (not _is_source(path) and path in seen):
             continue
         headers = tuple(sorted(includes.closure(path, direct)))
         seen.update(headers)

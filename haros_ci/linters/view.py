@@ -78,7 +78,8 @@ class _Layer:
         self._root = root
         self._directories = {""}
         sources = {path: path for path in needed}
-        sources.update((file.path, file.path) for file in workspace.files if file.language in kind.languages)
+        seen = (file for file in workspace.files if file.language in kind.languages and not file.is_bulk)
+        sources.update((file.path, file.path) for file in seen)
         sources.update(list(_by_links(workspace, sources))[:MOST_BY_LINKS])
         #: For each path in the view the file that it is a copy of.
         self._sources = sources

@@ -53,6 +53,10 @@ class Package:
     is_metapackage: bool = False
 
 
+#: Lines of a long file.
+LONG = 2_000
+
+
 @dataclass(frozen=True, slots=True)
 class SourceFile:
     """One file that can be analysed.
@@ -73,6 +77,15 @@ class SourceFile:
     has_directive: bool = True
     is_generated: bool = False
     third_party: str = ""
+
+    @property
+    def is_bulk(self) -> bool:
+        """Whether it is a long C++ source that a program has written: a solver, for which a linter takes minutes.
+
+        Files that include it (a plug-in its solver) are read without it.
+        """
+        is_source = self.path.endswith((".c", ".cc", ".cpp", ".cxx", ".c++"))
+        return self.is_generated and is_source and self.lines > LONG
 
     @property
     def is_linted(self) -> bool:
