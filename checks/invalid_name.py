@@ -100,5 +100,6 @@ CHECK = Check(
     level=Level.ERROR,
     catalogue="G15",
     tags=("names",),
+    profiles=("strict",),
     run=check,
 )

@@ -169,7 +169,7 @@ def test_layout_is_only_for_google() -> None:
         ("ruff", "F821", "bugs-only"),
         ("ruff", "E902", "bugs-only"),
         ("clang-tidy", "clang-analyzer-core.NullDereference", "bugs-only"),
-        ("catkin_lint", "missing_depend", "ros"),
+        ("catkin_lint", "missing_find", "ros"),
         ("clang-format", "formatting", "ros"),
         ("flawfinder", "FF1001", "ros"),
         ("hadolint", "DL3023", "bugs-only"),
