@@ -34,9 +34,13 @@ class ThirdParty:
         return self._of(_directory(path))
 
     def _of(self, directory: str) -> str:
-        if directory not in self._known:
-            above = _directory(directory)
-            self._known[directory] = self._of(above) or (directory if self._is_one(directory) else "")
+        way = []
+        while directory not in self._known:  # a path may be deeper than Python's stack
+            way.append(directory)
+            directory = _directory(directory)
+        for inside in reversed(way):
+            self._known[inside] = self._known[directory] or (inside if self._is_one(inside) else "")
+            directory = inside
         return self._known[directory]
 
     def _is_one(self, directory: str) -> bool:
