@@ -10,7 +10,8 @@ from collections.abc import Collection, Iterable
 NAMES = frozenset(
     "third_party thirdparty third-party 3rdparty 3rd_party 3rd-party vendor vendored external externals extern deps".split()
 )
-_LICENCE = re.compile(r"(?:licen[cs]e|copying|unlicense)(?:[-._](?!(?:py|js|c|cc|cpp|cxx|h|hh|hpp|hxx)$)[\w-]+)*", re.IGNORECASE)
+_LICENCE = re.compile(r"(?:licen[cs]e|copying|unlicense)(?:[-._][\w.-]+)?", re.IGNORECASE)
+_CODE = (".py", ".js", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx")
 
 
 class ThirdParty:
@@ -21,7 +22,7 @@ class ThirdParty:
     """
 
     def __init__(self, names: Iterable[str], packages: Collection[str], asked: Iterable[str] = ()) -> None:
-        self._licensed = {_directory(name) for name in names if _LICENCE.fullmatch(name.rpartition("/")[2])}
+        self._licensed = {_directory(name) for name in names if _is_licence(name.rpartition("/")[2])}
         self._packages = frozenset(packages)
         self._known: dict[str, str] = {".": ""}
         for directory in asked:
@@ -52,6 +53,10 @@ class ThirdParty:
         while directory != "." and directory not in self._packages:
             directory = _directory(directory)
         return directory in self._packages
+
+
+def _is_licence(name: str) -> bool:
+    return _LICENCE.fullmatch(name) is not None and not name.lower().endswith(_CODE)
 
 
 def around(path: str, directories: Collection[str]) -> str:

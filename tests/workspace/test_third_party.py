@@ -48,6 +48,13 @@ def test_is_none(path: str, others: tuple[str, ...], asked: tuple[str, ...]) -> 
     assert ThirdParty((path, *others), PACKAGES, asked).directory(path) == ""
 
 
+@pytest.mark.parametrize("sign", "-_.a")
+def test_long_names_take_no_time(sign: str) -> None:
+    """A pattern that goes back over its steps would not end."""
+    for name in (f"LICENSE{sign * 5000}!", f"LICENSE{(sign + 'a') * 2500}!"):
+        assert ThirdParty((f"src/demo/lib/{name}",), PACKAGES).directory("src/demo/lib/a.cpp") == ""
+
+
 def test_around() -> None:
     assert around("a/b/c/d.cpp", {"a/b", "x"}) == "a/b"
     assert around("a/bc/d.cpp", {"a/b"}) == around("a", {"a"}) == ""
