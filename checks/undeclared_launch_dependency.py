@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, System, listed
 from haros_ci.api.launch import PackageUse, included_by, is_optional, owner
-from haros_ci.api.packages import Package, dependency_place, is_to_be_had, provided
+from haros_ci.api.packages import Package, closes_a_cycle, dependency_place, is_left_out, is_to_be_had, provided
 
 #: Tools that people start while they make or watch a robot.
 _TOOLS = frozenset(
@@ -19,9 +18,6 @@ _TOOLS = frozenset(
 _MANY = 3
 #: So many places of one package are related.
 _SHOWN = 3
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
-#: Places that a script fills in when it copies the file: ``$NAME$``, ``@NAME@``, ``{{ name }}``.
-_BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w+ ?\}\})")
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +42,9 @@ def check(system: System) -> Iterator[Finding]:
             if name in found or not is_to_be_had(name, package.ros, system):
                 continue
             needing = tuple(use for use in uses if not is_optional(use, system))
-            if not needing or _is_left_out(package, name, needing, system):
+            if not needing or all(is_left_out(package, use, system) for use in needing):
                 continue
-            if _closes_a_cycle(package.name, name, system, names):
+            if closes_a_cycle(package.name, name, system, names):
                 continue
             is_sure = is_whole and len(needing) == len(uses)  # another launch file asks: it is meant to be optional
             is_sure = is_sure and not _is_generated(package, system) and not _is_aside(needing, system)
@@ -95,35 +91,7 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
 
 def _declarable(name: str, packages: Iterable[str], system: System) -> frozenset[str]:
     """Those of the *packages* that the launch files of the package *name* use which do not need *name* by their manifests."""
-    return frozenset(each for each in packages if not _closes_a_cycle(name, each, system, {}))
-
-
-def _closes_a_cycle(name: str, used: str, system: System, uses: Mapping[str, frozenset[str]]) -> bool:
-    """Whether the package *used* needs the package *name* itself, or its launch files do; *uses* are those that can be declared.
-
-    With the dependency declared in both packages colcon and catkin stop, because they can order neither first.
-    """
-    todo, seen = [used], {used}
-    while todo:
-        inner = system.packages.get(todo.pop())
-        if inner is None:
-            continue
-        further = {dependency.name for dependency in inner.dependencies} | uses.get(inner.name, frozenset())
-        if name in further:
-            return True
-        todo += further - seen
-        seen |= further
-    return False
-
-
-def _is_left_out(package: Package, name: str, uses: Iterable[PackageUse], system: System) -> bool:
-    """Whether the manifest has the dependency in a comment, or the launch files are templates that are yet to be filled in."""
-    if system.workspace is None:
-        return False
-    comments = _COMMENT.findall(system.workspace.text(dependency_place(package).path))
-    if any(re.search(rf">\s*{re.escape(name)}\s*<", comment) for comment in comments):
-        return True
-    return all(_BLANK.search(system.workspace.text(use.location.path)) is not None for use in uses)
+    return frozenset(each for each in packages if not closes_a_cycle(name, each, system, {}))
 
 
 def _is_generated(package: Package, system: System) -> bool:
