@@ -8,14 +8,16 @@ from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, System, listed
 from haros_ci.api.launch import PackageUse, included_by, is_optional, owner
-from haros_ci.api.packages import Package, closes_a_cycle, dependency_place, is_left_out, is_to_be_had, provided
-
-#: Tools that people start while they make or watch a robot.
-_TOOLS = frozenset(
-    ("moveit_setup_assistant", "moveit_ros_benchmarks", "plotjuggler", "plotjuggler_ros", "rosbag", "ros2bag")
+from haros_ci.api.packages import (
+    Package,
+    closes_a_cycle,
+    dependency_place,
+    is_aside,
+    is_left_out,
+    is_to_be_had,
+    provided,
 )
-#: So many packages with a launch file of one name have it from a generator.
-_MANY = 3
+
 #: So many places of one package are related.
 _SHOWN = 3
 
@@ -47,7 +49,7 @@ def check(system: System) -> Iterator[Finding]:
             if closes_a_cycle(package.name, name, system, names):
                 continue
             is_sure = is_whole and len(needing) == len(uses)  # another launch file asks: it is meant to be optional
-            is_sure = is_sure and not _is_generated(package, system) and not _is_aside(needing, system)
+            is_sure = is_sure and not _is_generated(package, system) and not all(is_aside(use, system) for use in needing)
             groups.setdefault(None if is_sure else Level.NOTE, []).append(_Missing(name, needing))
         yield from (_finding(package, group, level) for level, group in groups.items())
 
@@ -98,31 +100,6 @@ def _is_generated(package: Package, system: System) -> bool:
     """Whether MoveIt's setup assistant has written the package: few of its launch files are ever started."""
     folder = "" if package.path == "." else f"{package.path}/"
     return system.workspace is not None and f"{folder}.setup_assistant" in system.workspace.names
-
-
-def _is_aside(uses: Iterable[PackageUse], system: System) -> bool:
-    """Whether all *uses* of a package are such that nobody need declare it."""
-    return all(_is_tool(use.package) or _is_of_some(use, system) for use in uses)
-
-
-def _is_tool(name: str) -> bool:
-    return name in _TOOLS or name.startswith("rqt")
-
-
-def _is_of_some(use: PackageUse, system: System) -> bool:
-    """Whether it is of a launch file that a user chooses by an argument or that several packages have.
-
-    None of these may declare it. What is chosen is installed by who chooses it.
-
-    Files of one name in several packages come from a generator, and packages ship without what few of their users want.
-    """
-    file = use.location.path.rpartition("/")[2]
-    if any(each.fullmatch(file) for each, _ in system.whole.chosen_files):
-        return True
-    alike = system.whole.files_by_name.get(file, ())
-    owners = {each.name: each for path in alike if (each := owner(system, Location(path, 1))) is not None}
-    declared = {dependency.name for each in owners.values() for dependency in each.dependencies}
-    return len(owners) >= _MANY and use.package not in declared
 
 
 CHECK = Check(

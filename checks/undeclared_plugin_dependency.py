@@ -12,6 +12,7 @@ from haros_ci.api.launch import FileUse, PackageUse, ParameterFileUse, owner
 from haros_ci.api.packages import (
     Package,
     PluginUse,
+    asks_what_is_installed,
     brought_by,
     closes_a_cycle,
     dependency_place,
@@ -66,10 +67,14 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if is_left_out(package, use, system) or closes_a_cycle(package.name, needed, system, uses):
             continue
-        aside = is_aside(use, system) or all(is_aside(_use(needed, each), system) for each in named.launches)
+        aside = _is_aside(use, system) or all(_is_aside(_use(needed, each), system) for each in named.launches)
         level = Level.WARNING if got[package.name][1] and not aside else Level.NOTE
         groups.setdefault((package.name, level), (package, {}))[1].setdefault(needed, []).append(named.plugin)
     yield from (_finding(package, lacking, level) for (_, level), (package, lacking) in groups.items())
+
+
+def _is_aside(use: PackageUse, system: System) -> bool:
+    return is_aside(use, system) or asks_what_is_installed(use.location.path, system)
 
 
 def _use(needed: str, place: Location) -> PackageUse:

@@ -63,6 +63,7 @@ from haros_ci.checking.provision import (
 from haros_ci.checking.requirements import distributions_of, normal, pinned
 from haros_ci.checking.unbuilt import SUFFIXES, loose
 from haros_ci.checking.undeclared import (
+    asks_what_is_installed,
     brought_by,
     closes_a_cycle,
     dependency_place,
@@ -135,6 +136,7 @@ __all__ = [
     "add_element",
     "add_export",
     "applying",
+    "asks_what_is_installed",
     "brings",
     "brought_by",
     "build_types",

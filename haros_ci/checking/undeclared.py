@@ -120,7 +120,7 @@ def is_left_out(package: Package, use: PackageUse, system: System) -> bool:
 
 
 def is_aside(use: PackageUse, system: System) -> bool:
-    """Whether it is a tool for developers, or of a launch file that a user chooses by an argument, that several packages have, or that asks what is installed.
+    """Whether it is a tool for developers, or of a launch file that a user chooses by an argument or that several packages have.
 
     None of these may declare it. What is chosen is installed by who chooses it.
 
@@ -128,16 +128,18 @@ def is_aside(use: PackageUse, system: System) -> bool:
     """
     if use.package in _TOOLS or use.package.startswith("rqt"):
         return True
-    path = use.location.path
-    if path.endswith(".py") and system.workspace is not None and _ASKS.search(system.workspace.text(path)):
-        return True
-    file = path.rpartition("/")[2]
+    file = use.location.path.rpartition("/")[2]
     if any(each.fullmatch(file) for each, _ in system.whole.chosen_files):
         return True
     alike = system.whole.files_by_name.get(file, ())
     owners = {each.name: each for one in alike if (each := owner(system, Location(one, 1))) is not None}
     declared = {dependency.name for each in owners.values() for dependency in each.dependencies}
     return len(owners) >= _MANY and use.package not in declared
+
+
+def asks_what_is_installed(path: str, system: System) -> bool:
+    """Whether the file at *path* is a launch file in Python that asks for packages that need not be there."""
+    return path.endswith(".py") and system.workspace is not None and bool(_ASKS.search(system.workspace.text(path)))
 
 
 def dependency_place(package: Package) -> Location:
