@@ -21,6 +21,7 @@ from haros_ci.results.rule import Level
 from haros_ci.workspace.files import TooLarge, read_regular
 from haros_ci.workspace.git import BaselineUnavailable
 from haros_ci.workspace.third_party import around
+from haros_ci.workspace.unused import Unused
 
 if TYPE_CHECKING:
     from haros_ci.results.known import Known, Sides
@@ -113,6 +114,18 @@ def _as_known_before(workspace: Workspace, base: Base | BaselineUnavailable) -> 
         return replace(file, is_generated=file.is_generated and file.path in generated, third_party=copy)
 
     return replace(workspace, files=tuple(map(known, workspace.files)))
+
+
+def unused_code(workspace: Workspace, settings: Settings, base: Base | BaselineUnavailable | None) -> Unused:
+    """What tells which files of *workspace* nothing uses, and nothing used in *base* either.
+
+    Else a change could keep linters out of a file by taking it from its target.
+    """
+    if base is None or settings.trust_config:
+        return Unused(workspace)
+    if isinstance(base, BaselineUnavailable):
+        return Unused(workspace, is_known=False)
+    return Unused(workspace, Unused(base.workspace), base.renames)
 
 
 def compare(

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from itertools import islice
 
@@ -12,6 +12,7 @@ from haros_ci.config.selection import Selection
 from haros_ci.config.selector import is_glob
 from haros_ci.config.settings import Settings
 from haros_ci.inspection import asks
+from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files
 from haros_ci.linters.recorded import Testimony
@@ -57,6 +58,40 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
         is_given=lambda result: selection.given_level(result.tool, result.rule, result.location.path) is not None,
         is_loaded=lambda path: path.rpartition("/")[2] in loaded(),
     )
+
+
+def worthwhile(
+    results: Iterable[Result],
+    workspace: Workspace,
+    selection: Selection,
+    unused: Callable[[Collection[str]], Collection[str]],
+) -> tuple[Result, ...]:
+    """*results* without those of linters that nobody mends where they are; who asks for every finding, or for the rule, has them.
+
+    They are in code that nothing uses, of which *unused* tells, in tests, or of what is deprecated in no Python of ROS 1.
+    """
+    ros = {package.name: package.ros for package in reversed(workspace.packages)}
+    package_of = cache(workspace.package_finder())
+
+    def is_extra(result: Result) -> bool:
+        return is_of_linter(result) and not selection.is_asked_for(result.tool, result.rule, result.location.path)
+
+    kept: list[tuple[Result, bool]] = []
+    for result in results:
+        extra = is_extra(result)
+        if not extra or not is_idle(result, ros.get(package_of(result.location.path) or "")):
+            kept.append((result, extra))
+    left = unused({result.location.path for result, extra in kept if extra})
+    return tuple(result for result, extra in kept if not extra or result.location.path not in left)
+
+
+def heard(tool: str, path: str, selection: Selection) -> Iterable[str]:
+    """The rules of *tool* whose findings in the file at *path* are reported, those aside that are of no use in a test."""
+    of_test = is_test(path)
+    for rule in selection.rules(tool):
+        is_left = of_test and f"{tool}:{rule}" in IN_TESTS and not selection.is_asked_for(tool, rule, path)
+        if selection.wants(tool, rule, path) and not is_left:
+            yield rule
 
 
 def named(settings: Settings, known: Registry) -> frozenset[str]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from haros_ci import PROJECT_URL, __version__
-from haros_ci.baselines import at_base, compare, read_input, sarif_runs, settled
+from haros_ci.baselines import at_base, compare, read_input, sarif_runs, settled, unused_code
 from haros_ci.brought import before, notices, silenced
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors, slip_finder
@@ -24,7 +24,7 @@ from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
 from haros_ci.linters.settings_changes import notifications as changed_settings
-from haros_ci.linting import MEASURED_BY, METRICS, confinement, contradictions, lint_options, with_names, with_queries
+from haros_ci.linting import MEASURED_BY, METRICS, confinement, contradictions, heard, lint_options, with_names, with_queries, worthwhile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
 from haros_ci.results import own
@@ -37,6 +37,7 @@ from haros_ci.results.suppress import suppress
 from haros_ci.workspace.base import Base
 from haros_ci.workspace.discover import discover
 from haros_ci.workspace.git import provenance
+from haros_ci.workspace.unused import Unused
 
 Progress = Callable[[str], None]
 
@@ -64,7 +65,8 @@ def analyse(
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if told is None else told(workspace, past)
-        runs = examine(workspace, selection, architectures, progress, past, head)
+        unused = unused_code(workspace, settings, base)
+        runs = examine(workspace, selection, architectures, progress, past, head, unused)
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
         compared = compare(
             runs,
@@ -93,7 +95,7 @@ def analyse(
             *notices(workspace, silence),
         ),
         baseline=compared.baseline,
-        coverage=coverage(workspace, confinement(runs, settings, head)),
+        coverage=coverage(workspace, confinement(runs, settings, head), unused.found),
         artifacts=tuple(Artifact(f.path, f.digest, f.size, f.language) for f in workspace.files),
         provenance=provenance(workspace.root),
         fail_on=settings.fail_on,
@@ -155,11 +157,14 @@ def examine(
     progress: Progress | None,
     base: Base | None = None,
     told: Testimony | None = None,
+    unused: Unused | None = None,
 ) -> tuple[Run, ...]:
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline.
 
-    With *base*, the revision before, they also say what has changed. What was *told* is not found out anew.
+    With *base*, the revision before, they also say what has changed. What was *told* is not found out anew; *unused* tells which
+    files nothing uses.
     """
+    unused = unused or Unused(workspace)
     known, store = architectures.registry, architectures.store
     options = lint_options(architectures.settings, known)
     raw = lint(workspace, known.linters, options, store, selection.wants, progress, told.lint if told else None)
@@ -171,16 +176,17 @@ def examine(
     if has_structure(workspace, selection):
         raw = (*raw, structured(workspace, architectures, progress) if told is None else told.whole(STRUCTURE))
     runs = (own_one, *with_metrics(raw))
-    results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace)
+    results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace, unused)
     results = with_names(results, workspace, selection)
     of_plugins = hosted(workspace, selection, architectures, results, progress)
-    runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace))
+    runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace, unused))
     merged = merge_same_defects(keep_worst_band(one_cause(results, workspace.text)))
     return finished(
         distribute(runs, said_once(merged, workspace.package_finder())),
         workspace,
         selection,
         architectures.settings,
+        frozenset(unused.found),
     )
 
 
@@ -225,8 +231,14 @@ def imported(settings: Settings, workspace: Workspace, selection: Selection) -> 
     return finished(tuple(runs), workspace, selection, settings)
 
 
-def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection, settings: Settings) -> tuple[Run, ...]:
-    """The last steps before comparison: suppressions, and an identity for each result."""
+def finished(
+    runs: tuple[Run, ...],
+    workspace: Workspace,
+    selection: Selection,
+    settings: Settings,
+    left_out: frozenset[str] = frozenset(),
+) -> tuple[Run, ...]:
+    """The last steps before comparison: suppressions, and an identity for each result; a comment in a file that is *left_out* is no idle one."""
     files = {file.path: file for file in workspace.files}
 
     def language(path: str) -> str:
@@ -237,7 +249,7 @@ def finished(runs: tuple[Run, ...], workspace: Workspace, selection: Selection, 
         workspace.text,
         language,
         selection.matches,
-        enabled=lambda tool, path: (rule for rule in selection.rules(tool) if selection.wants(tool, rule, path)),
+        enabled=lambda tool, path: heard(tool, path, selection) if path not in left_out else (),
         mentions=lambda path: path in files and files[path].has_directive,
         slip=selection.slip,
     )
@@ -264,12 +276,14 @@ def idle_entries(runs: tuple[Run, ...], workspace: Workspace, settings: Settings
     return notes
 
 
-def selected(results: Iterable[Result], selection: Selection, workspace: Workspace) -> tuple[Result, ...]:
+def selected(
+    results: Iterable[Result], selection: Selection, workspace: Workspace, unused: Unused | None = None
+) -> tuple[Result, ...]:
     """Those results whose rule is on for their file, at the level that the settings give them.
 
     Where they give none, a check's finding keeps its own level: it may weigh less or more than the check as a rule. So
     does what a tool says that weighs each finding, and a declared one, whose rules nobody has weighed. Copies of other
-    projects have none: who has the copy does not mend it.
+    projects have none: who has the copy does not mend it. Nor does anyone what linters say of code that is *unused*.
     """
     third_party = {file.path for file in workspace.files if file.third_party}
     kept = []
@@ -280,7 +294,7 @@ def selected(results: Iterable[Result], selection: Selection, workspace: Workspa
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
-    return tuple(kept)
+    return worthwhile(kept, workspace, selection, unused.among if unused else lambda paths: ())
 
 
 def results_of(runs: Iterable[Run]) -> tuple[Result, ...]:

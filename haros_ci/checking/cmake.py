@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from haros_ci.model.build import CMakeCommand, Target
+from haros_ci.model.unbuilt import is_whole
 
 if TYPE_CHECKING:
     from haros_ci.checking.project import ProjectPackage
@@ -74,13 +75,6 @@ _BESIDE = frozenset(
         *("ament_environment_hooks", "ament_python_install_package", "target_precompile_headers"),
     )
 )
-#: Beginnings of what the evaluator says where a part of the build is not seen.
-_UNSEEN = re.compile(r"add_subdirectory\(|include\(|\w+\(\) is not known; what it builds|the name of this |its CMake ")
-#: Without one of them a package is built in another way: for the other ROS, or by itself as an external project.
-_LAST = {
-    1: frozenset(("catkin_package", "catkin_metapackage", "cs_export")),
-    2: frozenset(("ament_package", "ament_auto_package", "autoware_ament_auto_package")),
-}
 _ARTEFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PUBLIC_HEADER", "PRIVATE_HEADER")
 _SCOPES = ("PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES")
 _WORDS = ("debug", "optimized", "general", "SYSTEM", "BEFORE", "AFTER")
@@ -135,10 +129,7 @@ class CMake:
     @cached_property
     def is_whole(self) -> bool:
         """Whether all files and commands that may make something were followed, to the command that ends a package's CMake."""
-        last = _LAST.get(self.package.ros or 0, frozenset())
-        is_ended = self.package.raw.build_type == "cmake" or any(command.name in last for command in self.commands)
-        problems = self.package.build.problems
-        return bool(self.commands) and is_ended and not any(_UNSEEN.match(problem.message) for problem in problems)
+        return is_whole(self.package.build, self.package.raw)
 
     @cached_property
     def mentioned(self) -> frozenset[str]:

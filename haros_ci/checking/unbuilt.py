@@ -4,24 +4,13 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from typing import TYPE_CHECKING
+
+from haros_ci.model.unbuilt import SUFFIXES as SUFFIXES
+from haros_ci.model.unbuilt import is_cmake, not_included, uncompiled
 
 if TYPE_CHECKING:
     from haros_ci.checking.project import Project, ProjectPackage
-
-SUFFIXES = (".cpp", ".cc", ".cxx", ".c++")
-#: Commands that may compile files that they do not name.
-_FETCHING = (
-    "aux_source_directory",
-    "externalproject_add",
-    "fetchcontent_declare",
-    "ament_vendor",
-    "include_external_msproject",
-)
-#: What stands behind ``#`` at the start of a word, in brackets or to the end of its line.
-_COMMENT = re.compile(r"(?<![^\s()])#(?:\[(=*)\[.*?\]\1\]|[^\n]*)", re.DOTALL)
-_NAME = re.compile(r"[\w.+-]+")
 
 
 def unbuilt(project: Project) -> frozenset[str]:
@@ -34,35 +23,11 @@ def loose(package: ProjectPackage) -> list[str]:
 
     None where something of its CMake files is unknown, or a command may compile what it does not name. A comment names nothing.
     """
-    if not package.cmake.is_whole or package.commands(*_FETCHING):
-        return []
-    compiled = {path for target in package.build.targets for path in (*target.sources, *target.conditional_sources)}
-    left = [file.path for file in package.files if file.path.endswith(SUFFIXES) and file.path not in compiled]
-    if not left:
-        return []
-    named, included = _named(package), _included(package)
-    return [
-        path
-        for path in left
-        if not {posixpath.basename(path), _stem(path)} & named and posixpath.basename(path) not in included
-    ]
-
-
-def _named(package: ProjectPackage) -> set[str]:
-    """The last parts of the paths in the package's CMake files, also in branches that are not followed.
-
-    A word without an end counts as a name only where a variable makes names: ``${name}.cpp``.
-    """
     inside = "" if package.path == "." else f"{package.path}/"
-    files = (name for name in package.project.workspace.names if name.startswith(inside))
-    texts = (package.project.text(name) for name in files if name.endswith(("CMakeLists.txt", ".cmake")))
-    text = "\n".join(_COMMENT.sub(" ", each) for each in texts)
-    words = set(_NAME.findall(text))
-    return words if "}.c" in text else {word for word in words if word.endswith(SUFFIXES)}
-
-
-def _stem(path: str) -> str:
-    return posixpath.splitext(posixpath.basename(path))[0]
+    files = (name for name in package.project.workspace.names if name.startswith(inside) and is_cmake(name))
+    texts = (package.project.text(name) for name in files)
+    left = uncompiled(package.build, package.raw, (file.path for file in package.files), texts)
+    return not_included(left, _included(package)) if left else []
 
 
 def _included(package: ProjectPackage) -> set[str]:

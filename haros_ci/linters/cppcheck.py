@@ -10,6 +10,7 @@ from functools import lru_cache, partial
 from posixpath import join, relpath
 
 from haros_ci.linters import compile_db, cppcheck_libraries, includes, installed, ros_macros
+from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.tool_xml import Element, elements
@@ -45,7 +46,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return f"5 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
+    return f"6 {ros_macros.header((), ros_macros.FRAMEWORKS)}"
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -191,13 +192,18 @@ def _result(error: Element, workspace: Workspace) -> Result:
     return Result(
         NAME,
         error.attributes["id"],
-        Level.NOTE
-        if error.attributes.get("inconclusive") == "true"
-        else LEVELS.get(error.attributes["severity"], Level.NOTE),
+        _level(error),
         error.attributes["msg"],
         first,
         related=tuple(Related(place, text) for place, text in zip(others, told, strict=True)),
     )
+
+
+def _level(error: Element) -> Level:
+    if error.attributes.get("inconclusive") == "true":
+        return Level.NOTE
+    level = LEVELS.get(error.attributes["severity"], Level.NOTE)
+    return Level.WARNING if level is Level.ERROR and error.attributes["id"] in UNSURE else level
 
 
 def _location(place: dict[str, str], workspace: Workspace) -> Location:

@@ -37,6 +37,20 @@ _SWITCH = re.compile(r"[^\n{}]{0,200}\bswitch\s*\([^{};]{0,300}\)\s*\{")
 _DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|ifdef|ifndef|endif|define)\b[ \t]*(\w*)")
 
 
+#: The last statement of a function that does not go on behind it: a call of what the standard library declares so.
+_ENDING = re.compile(
+    r"\s*(?:std\s*::\s*)?(?:rethrow_exception|throw_with_nested|terminate|abort|exit|quick_exit|_Exit|unreachable|longjmp)"
+    r"\s*\([^;]{0,300};[\s}]*"
+)
+#: Macros of GoogleTest, Catch2, doctest and Boost.Test around what is run to see what it throws, or how it ends.
+_PROVOKED = re.compile(
+    r"\b(?:(?:EXPECT|ASSERT)_(?:ANY_|NO_)?THROW|(?:EXPECT|ASSERT)_(?:THAT_)?(?:DEATH|EXIT|DEBUG_DEATH)\w*|(?:EXPECT|ASSERT)_THROW_\w+"
+    r"|(?:REQUIRE|CHECK)_(?:THROWS|NOTHROW)\w*|BOOST_(?:CHECK|REQUIRE|WARN)_(?:THROW|NO_THROW|EXCEPTION))\s*\("
+)
+_OF_PROVOKED = frozenset({"ignoredReturnValue", "unusedScopedObject", "constStatement", "leakReturnValNotUsed"})
+_LOOP = re.compile(r"\bfor\s*\(\s*\w+\s*;")
+
+
 def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     """Whether the *text* refutes what cppcheck says by *rule* at *line*, counted from 1.
 
@@ -53,7 +67,11 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         returned = rf"\s*return\s+{member[1]}\s*;"
         return 0 < line <= len(lines) and re.match(returned, lines[line - 1]) is not None
     if rule == "missingReturn":
-        return _is_exhaustive(line, text)
+        return _is_exhaustive(line, text) or _ends(line, text)
+    if rule == "constStatement" and _LOOP.search(_line(text, line)):  # ``for (i; …)`` where i is set before
+        return True
+    if rule in _OF_PROVOKED:
+        return _is_provoked(line, text)
     subject = _SUBJECT.search(message) if rule in _OF_UNUSED else None
     return subject is not None and _is_used(subject[1] or subject[2], line, text)
 
@@ -70,6 +88,34 @@ def _is_used(subject: str, line: int, text: str) -> bool:
         return True
     word = re.compile(rf"\b{subject}\b")
     return any(word.search(part) for part in (*_switched(line, text), *_commented_out(line, text)))
+
+
+def _line(text: str, line: int) -> str:
+    lines = text.split("\n")
+    return lines[line - 1] if 0 < line <= len(lines) else ""
+
+
+def _is_provoked(line: int, text: str) -> bool:
+    """Whether the statement at *line* is inside a macro that waits for what it throws."""
+    lines = text.split("\n")
+    before = "\n".join(lines[max(line - 12, 0) : line])
+    last = None
+    for last in _PROVOKED.finditer(before):
+        pass
+    if last is None:
+        return False
+    depth = 1
+    for bracket in re.finditer(r"[()]", before[last.end() : before.rfind("\n") + 1]):
+        depth += 1 if bracket[0] == "(" else -1
+        if depth == 0:
+            return False
+    return True
+
+
+def _ends(line: int, text: str) -> bool:
+    """Whether the path without a return ends in a call that never comes back: cppcheck gives the place of its last statement."""
+    lines = text.split("\n")
+    return 0 < line <= len(lines) and _ENDING.match("\n".join(lines[line - 1 : line + 5])) is not None
 
 
 def _is_exhaustive(line: int, text: str) -> bool:

@@ -20,6 +20,9 @@ _AT_THE_END = "cpplint:readability/fn_size"
 
 #: pylint reports a mutable default at the head of its function, once; ruff each where it stands.
 _DEFAULT, _OF_FUNCTION = "ruff:B006", "pylint:dangerous-default-value"
+#: pylint reports a key that a dict has twice at the brace that begins the dict; ruff and flake8 where it stands again.
+_KEY, _AGAIN = "pylint:duplicate-key", frozenset(("ruff:F601", "flake8:F601"))
+_QUOTED = re.compile(r"(['\"])([^'\"]*)\1")
 #: The head of a function is no longer than so many lines.
 _HEAD = 30
 
@@ -91,9 +94,17 @@ def _lines(given: Sequence[Result]) -> list[int]:
     for result in given:
         if result.full_id == _OF_FUNCTION and result.location.line:
             functions.setdefault(result.location.path, []).append(result.location.line)
+    keys: dict[tuple[str, str], list[int]] = {}
+    for result in given:
+        if result.full_id in _AGAIN and result.location.line:
+            keys.setdefault((result.location.path, _key(result)), []).append(result.location.line)
     lines = []
     for result in given:
         line = result.location.line or 0
+        if result.full_id == _KEY:
+            last = result.location.end_line or line
+            again = keys.get((result.location.path, _key(result)), ())
+            line = min((each for each in again if line <= each <= last), default=line)
         if result.full_id == _DEFAULT:
             above = [head for head in functions.get(result.location.path, ()) if line - _HEAD <= head <= line]
             line = max(above, default=line)
@@ -102,3 +113,9 @@ def _lines(given: Sequence[Result]) -> list[int]:
             line = max((head for head in heads.get((result.location.path, name), ()) if head <= line), default=line)
         lines.append(line)
     return lines
+
+
+def _key(result: Result) -> str:
+    """The key that a message quotes, in whatever quotes."""
+    quoted = _QUOTED.search(result.message)
+    return quoted[2] if quoted else ""

@@ -29,8 +29,16 @@ RULES = frozenset(
 #: Rules that speak once of each argument of a call, each name of an import, or each backslash of a string: those of one line have one cause.
 OF_A_LINE = frozenset(
     """
-    pylint:no-value-for-parameter pylint:unexpected-keyword-arg pylint:reimported ruff:F811 ruff:F507 flake8:F811
+    pylint:no-value-for-parameter pylint:unexpected-keyword-arg pylint:missing-kwoa pylint:reimported ruff:F811 ruff:F507 flake8:F811
     pylint:anomalous-backslash-in-string ruff:W605 flake8:W605
+    """.split()
+)
+
+#: Rules that speak once of each call of a function whose parameters are others: those of one function in one file have one cause.
+OF_A_CALL = frozenset(
+    """
+    pylint:no-value-for-parameter pylint:too-many-function-args pylint:unexpected-keyword-arg pylint:missing-kwoa
+    pylint:redundant-keyword-arg
     """.split()
 )
 
@@ -42,6 +50,12 @@ OF_A_FILE = frozenset(("pylint:invalid-all-object",))
 
 #: A finding names no more other places than this; the rest of a cause follows in another finding.
 MOST = 40
+
+_BRACKET = re.compile(r"[()\[\]{}]")
+_STRING = re.compile(r"'[^'\n]*'|\"[^\"\n]*\"")
+_CALLEE = re.compile(r"(\w+)\s*$")
+#: Lines of a call, and characters before its bracket, that are looked at.
+_LONGEST = 200
 
 #: A variable in a message: in quotes, or after the colon at the end, where a full stop may follow.
 _NAME = re.compile(r"'(\w+)'|: ([\w.>-]*[\w>-])\.?$")
@@ -63,7 +77,10 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
     dropped: set[int] = set()
     lines: dict[tuple[str, str, object], list[int]] = defaultdict(list)
     for i, result in enumerate(given):
-        if result.full_id in OF_A_LINE and result.location.line:
+        called = _called(result, text) if result.full_id in OF_A_CALL else ""
+        if called:
+            lines[result.full_id, result.location.path, called].append(i)
+        elif result.full_id in OF_A_LINE and result.location.line:
             lines[result.full_id, result.location.path, result.location.line].append(i)
         elif result.full_id in OF_A_NAME:
             lines[result.full_id, result.location.path, result.message].append(i)
@@ -81,6 +98,29 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
                 merged[first] = _joined(given[first], [given[i] for i in others])
                 dropped.update(others)
     return tuple(merged.get(i, result) for i, result in enumerate(given) if i not in dropped)
+
+
+def _called(result: Result, text: Callable[[str], str]) -> str:
+    """The name of the function whose call *result* is about; "" where it is not seen, or is one that each class has its own of."""
+    at = result.location
+    if not at.line or not at.column or not at.end_line or not at.end_column or at.end_line - at.line > _LONGEST:
+        return ""
+    lines = text(at.path).split("\n")[at.line - 1 : at.end_line]
+    if len(lines) <= at.end_line - at.line:
+        return ""
+    lines[-1] = lines[-1][: at.end_column - 1]
+    lines[0] = lines[0][at.column - 1 :]
+    call = _STRING.sub(lambda text: " " * len(text[0]), "\n".join(lines))
+    if not call.endswith(")"):
+        return ""
+    depth, start = 0, 0
+    for bracket in reversed(list(_BRACKET.finditer(call))):
+        depth += 1 if bracket[0] in ")]}" else -1
+        if depth == 0:
+            start = bracket.start()
+            break
+    name = _CALLEE.search(call[max(start - _LONGEST, 0) : start])
+    return "" if name is None or name[1].startswith("__") else name[1]
 
 
 def _groups(given: Sequence[Result], indexes: list[int], text: str) -> Iterator[list[int]]:

@@ -34,6 +34,9 @@ _NEAR = 40
 _LONGEST = 400
 _NAME = re.compile(r"[A-Za-z_][\w.]*")
 _OF_SHAPES = re.compile(r"\.(?:reshape|transpose|resize)[ \t]*\(")
+#: ``[call(x) for x in them]``, over several lines, too.
+_COMPREHENSION = re.compile(r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s")
+_UNWRITTEN = re.compile(r"raise[ \t]+(?:NotImplementedError|NotImplemented)\b")
 _BRANCH = re.compile(r"\s*(?:if|elif|else)\b")
 _PLATFORM = re.compile(r"\s*(?:if|elif)\b.*\b(?:sys\.platform|platform\.system|os\.name|platform)\b")
 _MAIN = re.compile(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
@@ -44,7 +47,11 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     if rule == "no-value-for-parameter":
         return _is_decorated(text, line, column)
     if rule in ("pointless-statement", "expression-not-assigned"):
-        return _is_on_purpose(text, line)
+        return _is_on_purpose(text, line) or (rule == "expression-not-assigned" and _is_loop(text, line, column))
+    if rule == "unreachable":
+        return _is_unwritten(text, line)
+    if rule == "trailing-comma-tuple":
+        return _has_items(text, line)
     if rule == "dangerous-default-value":
         return is_only_read(text, line)
     if (
@@ -54,6 +61,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return 0 < line <= len(lines) and _OF_SHAPES.search(lines[line - 1], column) is not None
     if rule == "not-callable":
         return _is_tested(text, line, column)
+    if rule in ("undefined-variable", "used-before-assignment"):
+        return _is_global_of_main(text, line, column)
     if rule == "possibly-used-before-assignment":
         return _is_of_main(text, line, column) or _is_module(text, line, column) or _is_of_platforms(text, line, column)
     if rule == "no-self-argument":
@@ -61,6 +70,45 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     if rule == "anomalous-backslash-in-string":  # Python 2 says nothing of it
         return runs_only_on_python2(text)
     return False
+
+
+def _is_loop(text: str, line: int, column: int) -> bool:
+    """Whether a comprehension stands there for what its calls do: a loop, only shorter."""
+    start = "\n".join(text.split("\n")[max(line - 1, 0) : line + 6])[column : column + _LONGEST]
+    return _COMPREHENSION.match(start) is not None
+
+
+def _is_unwritten(text: str, line: int) -> bool:
+    """Whether the statement before *line* says that the rest is still to be written."""
+    lines = text.split("\n")
+    here = lines[line - 1] if 0 < line <= len(lines) else ""
+    indent = len(here) - len(here.lstrip())
+    for above in reversed(lines[max(line - 1 - _NEAR, 0) : max(line - 1, 0)]):
+        bare = above.strip()
+        if bare and not bare.startswith(("#", ")")) and len(above) - len(above.lstrip()) <= indent:
+            return _UNWRITTEN.match(bare) is not None
+    return False
+
+
+def _has_items(text: str, line: int) -> bool:
+    """Whether the comma at the end of *line* is the last of several: who unpacks so, or lists so, means a tuple."""
+    lines = text.split("\n")
+    here = lines[line - 1][:_LONGEST].partition("#")[0].rstrip() if 0 < line <= len(lines) else ""
+    bare = re.sub(r"'[^']*'|\"[^\"]*\"", "", here)
+    for _ in range(5):
+        bare = re.sub(r"[(\[{][^()\[\]{}]*[)\]}]", "", bare)
+    return bare.rpartition("=")[2].count(",") > 1
+
+
+def _is_global_of_main(text: str, line: int, column: int) -> bool:
+    """Whether a ``global`` statement names what is used there, and the main block of the script sets it before it calls."""
+    lines = text.split("\n")
+    used = _NAME.match(lines[line - 1], column) if 0 < line <= len(lines) else None
+    if used is None:
+        return False
+    name = re.escape(used[0].partition(".")[0])
+    named = re.compile(rf"[ \t]*global[ \t][\w, \t]*\b{name}\b")
+    return any(named.match(each[:_LONGEST]) for each in lines) and _is_of_main(text, line, column)
 
 
 def _is_of_platforms(text: str, line: int, column: int) -> bool:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -25,6 +26,9 @@ COST = 0.1
 
 MARKS = {".ruff.toml": (), "ruff.toml": (), "pyproject.toml": ("[tool.ruff",)}
 SYNTAX = "invalid-syntax"
+_REDEFINED = re.compile(r"Redefinition of unused `(\w+)`")
+#: What a package of interfaces holds; to import it is to load it.
+_SUBMODULES = ("msg", "srv", "action")
 
 
 def locate(options: LintOptions) -> Program | None:
@@ -32,7 +36,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["3", sorted(ruff_config.LEFT_OUT)])
+    return json.dumps(["4", sorted(ruff_config.LEFT_OUT)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -87,6 +91,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if path is None or path in old or (path in broken and rule != SYNTAX):
             continue  # what ruff makes of the rest of a file that it cannot parse is a guess
         start, end = said["location"], said["end_location"]
+        if rule == "F811" and _loads_submodules(said["message"], batch.workspace.text(path)):
+            continue
         if _is_refuted(rule, start["row"], start["column"] - 1, batch.workspace.text(path)):
             continue
         place = Location(path, start["row"], start["column"], end["row"], end["column"])
@@ -96,6 +102,17 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
 
 def _is_syntax(said: Mapping[str, Any]) -> bool:
     return (said["code"] or SYNTAX) == SYNTAX
+
+
+def _loads_submodules(message: str, text: str) -> bool:
+    """Whether imports of one name from several packages are there to load ``msg`` and ``srv`` of each, which code uses by its package."""
+    name = _REDEFINED.match(message)
+    if name is None or name[1] not in _SUBMODULES:
+        return False
+    packages = set(re.findall(rf"^[ \t]*from[ \t]+(\w+)[ \t]+import[ \t][^\n#]*\b{name[1]}\b", text, re.MULTILINE))
+    imported = dict(re.findall(r"^[ \t]*import[ \t]+(\w+)(?:[ \t]+as[ \t]+(\w+))?[ \t]*(?:#.*)?$", text, re.MULTILINE))
+    by_package = {imported.get(package) or package for package in packages}
+    return len(packages) > 1 and any(re.search(rf"(?<![\w.]){each}\.{name[1]}\b", text) for each in by_package)
 
 
 def _is_refuted(rule: str, line: int, column: int, text: str) -> bool:

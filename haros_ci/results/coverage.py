@@ -14,8 +14,11 @@ from haros_ci.results.result import Coverage
 _NAMED = 3
 
 
-def coverage(workspace: Workspace, ways: Collection[str] = ()) -> Coverage:
-    """What was looked at, and in whole sentences what was not; *ways* are those in which linters were confined."""
+def coverage(workspace: Workspace, ways: Collection[str] = (), unused: Sequence[str] = ()) -> Coverage:
+    """What was looked at, and in whole sentences what was not.
+
+    *ways* are those in which linters were confined, *unused* the files whose findings were left out as nothing uses them.
+    """
     unseen = []
     if not workspace.packages:
         unseen.append("No package.xml was found: files are analysed one by one, nothing is known of packages.")
@@ -28,6 +31,8 @@ def coverage(workspace: Workspace, ways: Collection[str] = ()) -> Coverage:
         unseen.append(_generated(generated))
     if copies := [file.third_party for file in reported if file.third_party]:
         unseen.append(_third_party(copies))
+    if unused:
+        unseen.append(_unused(unused))
     return Coverage(
         packages=len(workspace.packages),
         files=len(workspace.files),
@@ -44,6 +49,13 @@ def _third_party(directories: Sequence[str]) -> str:
     if len(directories) == 1:
         return f"1 file has no findings, because it is in a copy of another project: {named}."
     return f"{len(directories)} files have no findings, because they are in copies of other projects: {named}."
+
+
+def _unused(paths: Sequence[str]) -> str:
+    named = _named(paths)
+    if len(paths) == 1:
+        return f"What linters say of 1 file was left out, because nothing compiles, starts or imports it: {named}."
+    return f"What linters say of {len(paths)} files was left out, because nothing compiles, starts or imports them: {named}."
 
 
 def _named(paths: Sequence[str]) -> str:

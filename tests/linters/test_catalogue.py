@@ -155,7 +155,7 @@ def test_layout_is_only_for_google() -> None:
 @pytest.mark.parametrize(
     ("tool", "identifier", "profile"),
     [
-        ("cppcheck", "uninitvar", "bugs-only"),
+        ("cppcheck", "doubleFree", "bugs-only"),
         ("cppcheck", "nullPointer", "bugs-only"),
         ("cppcheck", "variableScope", "strict"),
         ("cppcheck", "uninitMemberVar", "strict"),
@@ -205,7 +205,8 @@ def test_in_profile(tool: str, identifier: str, profile: str) -> None:
         ("pylint", "literal-comparison", Level.NOTE),  # a refactor message, which no table raises
         ("pylint", "possibly-used-before-assignment", Level.WARNING),
         ("pylint", "missing-module-docstring", Level.NOTE),
-        ("cppcheck", "nullPointer", Level.ERROR),
+        ("cppcheck", "doubleFree", Level.ERROR),
+        ("cppcheck", "nullPointer", Level.WARNING),
         ("cppcheck", "uninitMemberVar", Level.WARNING),
         ("cppcheck", "unreadVariable", Level.NOTE),
         ("cppcheck", "variableScope", Level.NOTE),

@@ -38,7 +38,23 @@ REFUTED += [
     ("missingReturn", EXIT, SWITCH.replace(")\n{", ") {")),
     ("missingReturn", EXIT, SWITCH.replace("Kind::", "robot::Kind::")),
 ]
+THROWN = "Return value of function std::string().at() is not used."
+REFUTED += [
+    ("missingReturn", EXIT, "std::rethrow_exception(e);\n  }\n"),
+    ("missingReturn", EXIT, "    std::abort();\n}\n"),
+    ("missingReturn", EXIT, "  rethrow_exception(\n    std::current_exception());\n}\n"),
+    ("ignoredReturnValue", THROWN, "EXPECT_THROW(text.at(1), std::out_of_range);\n"),
+    ("unusedScopedObject", "Instance of 'A' object is destroyed", "ASSERT_THROW(A(1), std::runtime_error);\n"),
+    ("constStatement", "Unused variable value 'i'.", "  for (i; i < 3; ++i) {\n"),
+]
 STANDS = [
+    ("missingReturn", EXIT, "store_exception(e);\n}\n"),
+    ("missingReturn", EXIT, "std::rethrow_if_nested(e);\n}\n"),
+    ("missingReturn", EXIT, "my_abort();\n}\n"),
+    ("ignoredReturnValue", THROWN, "text.at(1);\n"),
+    ("ignoredReturnValue", THROWN, "MY_THROW(text.at(1));\n"),
+    ("constStatement", "Unused variable value 'i'.", "  i;\n"),
+    ("constStatement", "Unused variable value 'i'.", "  for (i = 0; i < 3; ++i) { j; }\n"),
     ("uninitvar", COST, "return made.cost;\n"),
     ("uninitvar", COST, "return other;\n"),
     ("uninitvar", COST, "return made + 1;\n"),

@@ -144,3 +144,18 @@ def test_defaults_of_one_function_are_one() -> None:
         ("ruff:B006", 90),
         ("pylint:dangerous-default-value", 20),
     ]
+
+
+def test_a_key_that_stands_twice_is_one_finding() -> None:
+    """pylint gives the place of the dict, ruff that of the key."""
+    twice = Result("pylint", "duplicate-key", Level.WARNING, "Duplicate key 'x' in dictionary", Location("a", 1, 5, 5, 2))
+    again = result("ruff:F601", 4, message='Dictionary key literal `"x"` repeated')
+    for order in ([twice, again], [again, twice]):
+        (left,) = merge_same_defects(order)
+        assert (left.full_id, left.also) == ("pylint:duplicate-key", ("ruff:F601",))
+    for other in (
+        result("ruff:F601", 4, message='Dictionary key literal `"y"` repeated'),
+        result("ruff:F601", 7, message='Dictionary key literal `"x"` repeated'),
+        result("ruff:F601", 4, path="b", message='Dictionary key literal `"x"` repeated'),
+    ):
+        assert len(merge_same_defects([twice, other])) == 2

@@ -70,6 +70,47 @@ def test_a_variable_without_a_value(places: list[tuple[int, str]], expected: lis
     assert lines(given) == expected
 
 
+CALLS = """
+role.update()
+self.role.update()
+team.role(1).update(
+    (a, b), ')',
+)
+other.update_all()
+Role(update=update())
+super().__init__()
+Base.__init__()
+"""
+
+
+def called(rule: str, line: int, column: int, end: tuple[int, int]) -> Result:
+    place = Location("a.py", line, column, *end)
+    return Result("pylint", rule, Level.ERROR, "No value for argument 'ball' in method call", place)
+
+
+NO_VALUE = [("no-value-for-parameter", 2, 1, (2, 14)), ("no-value-for-parameter", 3, 1, (3, 19))]
+
+
+@pytest.mark.parametrize(
+    ("calls", "expected"),
+    [
+        (NO_VALUE, [[2, 3]]),
+        ([*NO_VALUE, ("no-value-for-parameter", 4, 1, (6, 2))], [[2, 3, 4]]),
+        ([*NO_VALUE, ("no-value-for-parameter", 8, 13, (8, 21))], [[2, 3, 8]]),
+        ([("too-many-function-args", *NO_VALUE[0][1:]), ("too-many-function-args", *NO_VALUE[1][1:])], [[2, 3]]),
+        ([("unexpected-keyword-arg", *NO_VALUE[0][1:]), ("unexpected-keyword-arg", *NO_VALUE[1][1:])], [[2, 3]]),
+        ([NO_VALUE[0], ("no-value-for-parameter", 7, 1, (7, 19))], [[2], [7]]),  # another function
+        ([NO_VALUE[0], ("unexpected-keyword-arg", *NO_VALUE[1][1:])], [[2], [3]]),  # another fault
+        ([NO_VALUE[0], ("no-value-for-parameter", 8, 1, (8, 22))], [[2], [8]]),
+        ([("no-value-for-parameter", 9, 1, (9, 19)), ("no-value-for-parameter", 10, 1, (10, 16))], [[9], [10]]),
+        ([NO_VALUE[0], ("no-value-for-parameter", 30, 1, (30, 19))], [[2], [30]]),  # a line that is not there
+    ],
+)
+def test_calls_of_one_function(calls: list[tuple[str, int, int, tuple[int, int]]], expected: list[list[int]]) -> None:
+    found = one_cause([called(*each) for each in calls], lambda path: CALLS)
+    assert [[r.location.line, *(n.location.line for n in r.related)] for r in found] == expected
+
+
 def test_the_worst_level_is_kept_and_the_others_are_quoted() -> None:
     (only,) = one_cause([found(3, "p"), found(5, "p", level=Level.ERROR)], lambda path: TEXT)
     assert only.level is Level.ERROR and only.related[0].message.startswith("Of the same cause: Out of bounds")

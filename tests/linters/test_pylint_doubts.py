@@ -64,7 +64,36 @@ REFUTED += [
     ("anomalous-backslash-in-string", "#!/usr/bin/env python2\nre.sub('\\(', k)\n", "'\\("),
     ("anomalous-backslash-in-string", "import urllib2\nre.sub('\\(', k)\n", "'\\("),
 ]
+GLOBAL = """def tick():
+    global total
+    use(total)
+
+if __name__ == '__main__':
+    total = 0
+    tick()
+"""
+REFUTED += [
+    ("undefined-variable", GLOBAL, "total)"),
+    ("used-before-assignment", GLOBAL, "total)"),
+    ("expression-not-assigned", "[show(label) for label in labels]\n", "[show"),
+    ("expression-not-assigned", "[\n    label.show()\n    for label in labels\n]\n", "["),
+    ("unreachable", "    raise NotImplementedError('later')\n    return 1\n", "return 1"),
+    ("unreachable", "    raise NotImplementedError(\n        'later'\n    )\n\n    # so\n    return 1\n", "return 1"),
+    ("trailing-comma-tuple", "a = 1, 2, 3,\n", "a"),
+]
 STANDS = [
+    ("undefined-variable", GLOBAL.replace("    global total\n", ""), "total)"),
+    ("undefined-variable", GLOBAL.replace("total = 0", "totals = 0"), "total)"),
+    ("undefined-variable", GLOBAL.replace("if __name__ == '__main__'", "def main()"), "total)"),
+    ("expression-not-assigned", "[1, 2]\n", "["),
+    ("expression-not-assigned", "[label for label in labels]\n", "["),
+    ("expression-not-assigned", "speed(3) == 4\n", "speed"),
+    ("unreachable", "    raise ValueError('never')\n    return 1\n", "return 1"),
+    ("unreachable", "    if a:\n        raise NotImplementedError\n    return 0\n    return 1\n", "return 1"),
+    ("trailing-comma-tuple", "a = 1,\n", "a"),
+    ("trailing-comma-tuple", "a = f(1, 2),\n", "a"),
+    ("trailing-comma-tuple", "a = '1, 2',\n", "a"),
+    ("trailing-comma-tuple", "a = b[1, 2],  # so, so\n", "a"),
     ("no-self-argument", VALIDATED.replace("    @root_validator\n", ""), "def check"),
     ("no-self-argument", VALIDATED.replace("root_validator", "log").replace("cls", "values"), "def check"),
     ("no-self-argument", "def (:\n" + VALIDATED, "def check"),

@@ -25,7 +25,7 @@ GROUPS: tuple[Group, ...] = (
             ("missing_catkin_depend", "Sw", "Exported dependency missing in CATKIN_DEPENDS."),
             ("missing_depend", "Se", "Used package that package.xml does not declare."),
             ("missing_find", "Re", "Used package without find_package()."),
-            ("missing_required", "Rw", "Dependency found without REQUIRED."),
+            ("missing_required", "Sw", "Dependency found without REQUIRED."),
             ("plugin_depend", "Sw", "Plug-in without a dependency on its host package."),
             ("system_as_catkin_depend", "Re", "System package under CATKIN_DEPENDS of catkin_package()."),
             ("unconfigured_build_depend", "Sw", "Build dependency that CMakeLists.txt does not use."),

@@ -15,6 +15,14 @@ CATCH_ALL = "haros_plugin_cppcheck:cppcheckRule"
 
 LEVELS = {"e": Level.ERROR, "w": Level.WARNING, "s": Level.NOTE}
 
+#: Checks that Cppcheck calls errors, and that hold only if it is right about a value, or do harm once a process ends.
+UNSURE = frozenset(
+    """
+    bufferAccessOutOfBounds ctuArrayIndex ctuPointerArith ctunullpointer ctuuninitvar memleak memleakOnRealloc missingReturn
+    negativeIndex nullPointer zerodiv
+    """.split()
+)
+
 #: Checks in no profile but ``all``: they hold only with every header or the whole program at hand, are a matter of
 #: taste, or say that Cppcheck itself gave up. (The severity letter, then ids.)
 QUIET: tuple[tuple[str, str], ...] = (

@@ -17,7 +17,7 @@ GROUPS: tuple[Group, ...] = (
             ("ignoredReturnErrorCode", "Ss", "Ignored error code."),
             ("ignoredReturnValue", "Rw", "Ignored result of a function without side effects."),
             ("incompatibleFileOpen", "Rw", "File open for reading and writing at once."),
-            ("invalidFunctionArg", "Be", "Invalid value of a function argument."),
+            ("invalidFunctionArg", "Se", "Invalid value of a function argument."),
             ("invalidFunctionArgBool", "Be", "bool passed where a number is expected."),
             ("invalidFunctionArgStr", "Be", "String argument without a terminating null."),
             ("invalidLengthModifierError", "Bw", "Length modifier without a conversion."),

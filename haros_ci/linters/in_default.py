@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Findings of linters that are right and that nobody mends, by where they are: those who want every finding see them."""
+
+from __future__ import annotations
+
+import re
+
+from haros_ci.linters.catalogue import TOOLS
+from haros_ci.results.result import Result
+
+#: What a test does on purpose, or what does no harm in one; what is certain to be wrong there, too, is not here.
+IN_TESTS = frozenset(
+    """
+    cppcheck:accessMoved cppcheck:assertWithSideEffect cppcheck:comparisonFunctionIsAlwaysTrueOrFalse cppcheck:constStatement
+    cppcheck:duplicateExpression cppcheck:duplicateExpressionTernary cppcheck:exceptThrowInDestructor
+    cppcheck:identicalConditionAfterEarlyExit cppcheck:identicalInnerCondition cppcheck:ignoredReturnValue
+    cppcheck:knownEmptyContainer cppcheck:memleak cppcheck:moduloofone cppcheck:nanInArithmeticExpression cppcheck:negativeIndex
+    cppcheck:nullPointer cppcheck:oppositeExpression cppcheck:redundantCopy cppcheck:resourceLeak cppcheck:sameIteratorExpression
+    cppcheck:selfAssignment cppcheck:staticStringCompare cppcheck:stringCompare cppcheck:unreachableCode
+    cppcheck:unusedAllocatedMemory cppcheck:unusedScopedObject cppcheck:uselessCallsCompare cppcheck:uselessCallsSwap
+    cppcheck:zerodiv
+    pylint:abstract-class-instantiated pylint:anomalous-backslash-in-string pylint:assert-on-string-literal
+    pylint:assignment-from-no-return pylint:comparison-of-constants pylint:comparison-with-callable pylint:comparison-with-itself
+    pylint:condition-evals-to-constant pylint:expression-not-assigned pylint:literal-comparison pylint:nan-comparison
+    pylint:no-method-argument pylint:no-self-argument pylint:pointless-statement pylint:redundant-unittest-assert
+    pylint:self-assigning-variable pylint:unreachable
+    ruff:B015 ruff:B018 ruff:F632 ruff:W605
+    """.split()
+)
+_TEST = re.compile(
+    r"(?:^|/)(?:tests?|unit_?tests?|integration_?tests?|\w+_tests?|test_\w+)/|(?:^|/)(?:test_[^/]*|[^/]*_(?:test|tests|unittest|spec))\.\w+$"
+    r"|(?:^|/)conftest\.py$"
+)
+#: What is deprecated goes with a later Python than any distribution of ROS 1 has (REP 3: 3.8 at most).
+_DEPRECATION = re.compile(r"pylint:deprecated-(?:argument|attribute|class|decorator|method|module)")
+#: Objects that are made for what they do until their scope ends, or that somebody forgot to throw.
+_GUARD = re.compile(r"(?:lock|guard|scoped|mutex|exception|error)", re.IGNORECASE)
+
+
+def is_test(path: str) -> bool:
+    """Whether the file at *path* is code for tests, by its name or the name of a directory."""
+    return _TEST.search(path) is not None
+
+
+def is_of_linter(result: Result) -> bool:
+    """Whether a linter says it: not a check of ours, not a number of the metrics, not a tool of somebody else."""
+    return result.tool in TOOLS and result.tool != "metrics"
+
+
+def is_idle(result: Result, ros: int | None) -> bool:
+    """Whether nobody mends what *result* says, as it is in a test or in a package of *ros*, 1 or 2."""
+    rule = result.full_id
+    if rule in IN_TESTS and is_test(result.location.path):
+        return True
+    if ros == 1 and _DEPRECATION.fullmatch(rule):
+        return True
+    if rule == "cppcheck:unusedScopedObject":  # of other objects the constructor alone may be meant
+        return not _GUARD.search(result.message)
+    # Where no condition of the code says so, cppcheck takes values that a loop or another object never gives.
+    return rule == "cppcheck:negativeIndex" and not result.message.startswith("Either the condition")

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Code that nothing uses: C++ sources that no target compiles, Python modules that nothing imports, starts or names."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+import re
+import warnings
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping
+from functools import cached_property
+
+from haros_ci.model.package import SourceFile
+from haros_ci.model.unbuilt import SUFFIXES, is_cmake, not_included, uncompiled
+from haros_ci.model.workspace import Workspace
+from haros_ci.workspace.build import build_of
+
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)", re.MULTILINE)
+#: Builds other than CMake, in whose directory, or below it, nothing is known.
+_OTHER_BUILDS = ("makefile", "gnumakefile", "platformio.ini", "build", "build.bazel", "meson.build", "sconstruct")
+_OTHER_PROJECTS = (".pro", ".ino", ".vcxproj", ".mk", ".bazel", ".gyp")
+#: Names of Python files that tools find by their names.
+_FOUND = re.compile(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test_.*|.*_test|.*\.launch|launch_.*)")
+_OF_TOOLS = frozenset("test tests launch cfg doc docs plugins plugin".split())
+#: A superseded copy: ``pick_old.py`` beside ``pick.py``, or beside ``pick_fast.py``.
+_SUPERSEDED = re.compile(
+    r"(?P<a>.+?)[_-](?:old|backup|bak|copy|orig|original|deprecated|unused|obsolete|legacy)\d*"
+    r"|(?:old|backup|bak|deprecated|unused|obsolete)[_-](?P<b>.+)"
+)
+#: What imports modules whose names stand nowhere.
+_DYNAMIC = re.compile(
+    r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\biter_modules\b|\bspec_from_file_location\b|\bload_source\s*\("
+    r"|\bSourceFileLoader\b|\brun_path\s*\(|\brunpy\b|\bexecfile\s*\(|\*\.py\b|\blistdir\s*\(\s*os\.path\.dirname"
+)
+_MAIN = re.compile(r"__name__\s*==\s*['\"]__main__['\"]|['\"]__main__['\"]\s*==\s*__name__")
+#: What names a module comes first: most modules are named by one of a few files.
+_ORDER = {language: place for place, language in enumerate(("setup", "cmake", "launch", "package", "xml", "python"))}
+
+
+class Unused:
+    """Which files of *workspace* nothing uses, as far as its own text tells; found out for those that are asked about.
+
+    Where a change is examined, a file counts as unused only if it was so *before* the change, too: *renames* maps paths of
+    then to those of now. None does where nothing *is_known* of the time before.
+    """
+
+    def __init__(
+        self,
+        workspace: Workspace,
+        before: Unused | None = None,
+        renames: Mapping[str, str] | None = None,
+        *,
+        is_known: bool = True,
+    ) -> None:
+        self._workspace = workspace
+        self._is_known = is_known
+        self._before = before
+        self._olds = {new: old for old, new in (renames or {}).items()}
+        self._known: dict[str, bool] = {}
+
+    @property
+    def found(self) -> tuple[str, ...]:
+        """The unused ones among all that were asked about."""
+        return tuple(sorted(path for path, is_one in self._known.items() if is_one))
+
+    def among(self, paths: Collection[str]) -> frozenset[str]:
+        """Those of *paths* that nothing uses."""
+        asked = sorted(set(paths) - self._known.keys())
+        files = [self._files[path] for path in asked if path in self._files] if self._is_known else []
+        left = {*self._uncompiled(files), *self._unnamed(files)} if files else set()
+        if left and self._before is not None:
+            olds = {path: self._olds.get(path, path) for path in left}
+            known = self._before.among(olds.values())
+            left = {path for path in left if olds[path] in known}
+        self._known.update((path, path in left) for path in asked)
+        return frozenset(path for path in paths if self._known[path])
+
+    @cached_property
+    def _files(self) -> dict[str, SourceFile]:
+        return {file.path: file for file in self._workspace.files}
+
+    def _uncompiled(self, files: Iterable[SourceFile]) -> list[str]:
+        asked: dict[str, list[str]] = defaultdict(list)
+        for file in files:
+            if file.package and file.path.endswith(SUFFIXES):
+                asked[file.package].append(file.path)
+        packages = {package.name: package for package in reversed(self._workspace.packages)}
+        left: list[str] = []
+        for name, paths in asked.items():
+            package = packages[name]
+            inside = "" if package.path == "." else f"{package.path}/"
+            own = [path for path in self._workspace.names if path.startswith(inside)]
+            around = {_directory(path) for path in own if _is_other_build(path)}
+            mine = [path for path in paths if path.startswith(inside) and around.isdisjoint(_above(path))]
+            if mine:
+                texts = [self._workspace.text(path) for path in own if is_cmake(path)]
+                left += uncompiled(build_of(self._workspace, package), package, mine, texts)
+        return not_included(left, self._included) if left else []
+
+    @cached_property
+    def _included(self) -> frozenset[str]:
+        """The last parts of all names that C++ files of the workspace include."""
+        texts = (self._workspace.text(file.path) for file in self._workspace.files if file.language == "cpp")
+        return frozenset(posixpath.basename(name.strip()) for text in texts for name in _INCLUDE.findall(text))
+
+    def _unnamed(self, files: Iterable[SourceFile]) -> list[str]:
+        """The Python modules among *files* that only their own files name, and that are no program, or a superseded one."""
+        asked = [file for file in files if file.language == "python" and self._may_be_left(file)]
+        stems = {file.path: _stem(file.path) for file in asked}
+        for other in self._by_order if stems else ():
+            text = self._workspace.text(other.path)
+            if other.language in ("python", "launch") and _DYNAMIC.search(text):
+                stems = {path: stem for path, stem in stems.items() if self._files[path].package != other.package}
+            for path, stem in tuple(stems.items()):
+                if other.path != path and stem in text and re.search(rf"(?<!\w){re.escape(stem)}(?!\w)", text):
+                    del stems[path]
+            if not stems:
+                break
+        return list(stems)
+
+    @cached_property
+    def _by_order(self) -> list[SourceFile]:
+        return sorted(self._workspace.files, key=lambda file: (_ORDER.get(file.language, len(_ORDER)), file.path))
+
+    def _may_be_left(self, file: SourceFile) -> bool:
+        """Whether a Python file is none that somebody starts or imports from elsewhere; a superseded copy is neither."""
+        stem, directory = _stem(file.path), _directory(file.path)
+        if not file.path.endswith(".py") or _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
+            return False
+        if self._is_superseded(stem, directory):
+            return True
+        names = self._workspace.names
+        is_imported = f"{directory}/__init__.py" in names or (directory == "." and "__init__.py" in names)
+        is_started = file.path in (self._workspace.executables or ())
+        return not is_imported and not is_started and _only_defines(self._workspace.text(file.path))
+
+    def _is_superseded(self, stem: str, directory: str) -> bool:
+        found = _SUPERSEDED.fullmatch(stem)
+        if found is None:
+            return False
+        base = found["a"] or found["b"]
+        beside = (_stem(path) for path in self._beside.get(directory, ()))
+        return any(name == base or (name != stem and name.startswith(f"{base}_")) for name in beside)
+
+    @cached_property
+    def _beside(self) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = defaultdict(list)
+        for path in self._workspace.names:
+            if path.endswith(".py"):
+                found[_directory(path)].append(path)
+        return found
+
+
+def _only_defines(text: str) -> bool:
+    """Whether the module *text* does nothing but define names: to start it does nothing."""
+    if text.startswith("#!") or _MAIN.search(text):
+        return False
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    plain = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Assign, ast.AnnAssign)
+    defines = any(isinstance(node, plain[:3]) for node in tree.body)
+    return defines and all(
+        isinstance(node, plain) or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
+        for node in tree.body
+    )
+
+
+def _is_other_build(path: str) -> bool:
+    name = path.rpartition("/")[2].lower()
+    return name in _OTHER_BUILDS or name.endswith(_OTHER_PROJECTS)
+
+
+def _above(path: str) -> Iterable[str]:
+    """The directories around the file at *path*, the innermost first."""
+    while path != ".":
+        path = _directory(path)
+        yield path
+
+
+def _stem(path: str) -> str:
+    return posixpath.splitext(posixpath.basename(path))[0]
+
+
+def _directory(path: str) -> str:
+    return path.rpartition("/")[0] or "."

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the default profile leaves out of what linters say, by where it is."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.linters import catalogue
+from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
+from haros_ci.model.location import Location
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+
+def result(name: str, path: str = "src/a.cpp", message: str = "said") -> Result:
+    tool, _, rule = name.partition(":")
+    return Result(tool, rule, Level.WARNING, message, Location(path, 3))
+
+
+OBJECT = "Instance of '{}' object is destroyed immediately."
+INDEX = "Array 'parts[3]' accessed at index -1, which is out of bounds."
+IDLE = [
+    (result("cppcheck:duplicateExpression", "demo/test/a.cpp"), 2),
+    (result("cppcheck:ignoredReturnValue", "tests/unit/a.cpp"), 2),
+    (result("cppcheck:selfAssignment", "src/a_test.cpp"), None),
+    (result("pylint:unreachable", "demo/test_walk.py"), 2),
+    (result("pylint:no-self-argument", "demo/conftest.py"), 2),
+    (result("pylint:no-self-argument", "demo_tests/mock.py"), 2),
+    (result("pylint:deprecated-module", "setup.py"), 1),
+    (result("pylint:deprecated-method", "src/a.py"), 1),
+    (result("cppcheck:unusedScopedObject", message=OBJECT.format("Driver")), 2),
+    (result("cppcheck:negativeIndex", message=INDEX), 2),
+]
+STANDS = [
+    (result("cppcheck:duplicateExpression"), 2),
+    (result("cppcheck:duplicateExpression", "src/contest.cpp"), 2),
+    (result("cppcheck:duplicateExpression", "src/attest/a.cpp"), 2),
+    (result("cppcheck:duplicateExpression", "src/latest.cpp"), 2),
+    (result("cppcheck:unusedVariable", "test/a.cpp"), 2),
+    (result("cppcheck:uninitvar", "test/a.cpp"), 2),
+    (result("pylint:no-value-for-parameter", "test/test_a.py"), 2),
+    (result("pylint:unexpected-keyword-arg", "test/test_a.py"), 2),
+    (result("pylint:syntax-error", "test/test_a.py"), 2),
+    (result("pylint:undefined-variable", "test/test_a.py"), 2),
+    (result("ruff:F811", "test/test_a.py"), 2),
+    (result("pylint:deprecated-module", "setup.py"), 2),
+    (result("pylint:deprecated-module", "setup.py"), None),
+    (result("cppcheck:unusedScopedObject", message=OBJECT.format("std::lock_guard<std::mutex>")), 2),
+    (result("cppcheck:unusedScopedObject", message=OBJECT.format("std::runtime_error")), 2),
+    (result("cppcheck:negativeIndex", message=f"Either the condition 'a<1' is redundant or the array {INDEX}"), 2),
+]
+
+
+@pytest.mark.parametrize(("said", "ros"), IDLE)
+def test_left_out(said: Result, ros: int | None) -> None:
+    assert is_idle(said, ros)
+
+
+@pytest.mark.parametrize(("said", "ros"), STANDS)
+def test_stands(said: Result, ros: int | None) -> None:
+    assert not is_idle(said, ros)
+
+
+@pytest.mark.parametrize("path", ["test/a.py", "a/tests/b/c.cpp", "a/a_unittest.cc", "a/b_spec.cpp", "unit_tests/a.cpp"])
+def test_paths_of_tests(path: str) -> None:
+    assert is_test(path)
+
+
+@pytest.mark.parametrize("path", ["a.py", "testing.py", "src/latest/a.cpp", "src/test.cpp", "protest/a.py", "spec/a.cpp"])
+def test_other_paths(path: str) -> None:
+    assert not is_test(path)
+
+
+def test_the_rules_are_known() -> None:
+    for name in IN_TESTS:
+        tool, _, rule = name.partition(":")
+        assert rule in catalogue.rules_of(tool) or tool == "ruff", name
+
+
+def test_what_linters_say() -> None:
+    assert is_of_linter(result("cppcheck:nullPointer"))
+    assert not any(map(is_of_linter, map(result, ("haros-ci:missing-source", "metrics:mi-below-20", "clazy:level0"))))

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which files nothing uses, and which of them was used before."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from haros_ci.workspace.discover import discover
+from haros_ci.workspace.unused import Unused
+
+MANIFEST = (
+    '<package format="3"><name>demo</name><version>1.0.0</version><buildtool_depend>ament_cmake</buildtool_depend>'
+    "<export><build_type>ament_cmake</build_type></export></package>"
+)
+CMAKE = "find_package(ament_cmake REQUIRED)\nadd_executable(walk src/walk.cpp)\n{}\nament_package()\n"
+NODE = "def main():\n    pass\n\nif __name__ == '__main__':\n    main()\n"
+MODULE = '"""Says something."""\nimport os\n\nLIMIT = 3\n\ndef pick():\n    return os.sep\n'
+
+
+def unused(root: Path, path: str, files: dict[str, str]) -> bool:
+    for name, text in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text)
+    return path in Unused(discover(root, (".",))).among([path])
+
+
+def cpp(more: str = "", **files: str) -> dict[str, str]:
+    return {
+        "package.xml": MANIFEST,
+        "CMakeLists.txt": CMAKE.format(more),
+        "src/walk.cpp": "int main() { return 0; }\n",
+        "src/trial.cpp": "int main() { return 1; }\n",
+        **files,
+    }
+
+
+FIRES_CPP = [
+    cpp(),
+    cpp("# add_executable(trial src/trial.cpp)"),
+    cpp("add_executable(other src/other.cpp)"),
+    cpp(**{"Dockerfile": "FROM ros:humble\n", "README.md": "See src/trial.cpp\n"}),
+    cpp(**{"firmware/Makefile": "all:\n"}),
+]
+QUIET_CPP = [
+    cpp("add_executable(trial src/trial.cpp)"),
+    cpp("if(WITH_TRIAL)\n  add_executable(trial src/trial.cpp)\nendif()"),
+    cpp("file(GLOB all src/*.cpp)\nadd_library(all ${all})"),
+    cpp("foreach(each walk trial)\n  add_executable(${each}_node src/${each}.cpp)\nendforeach()"),
+    cpp("some_macro_of_another_package()\ninclude(cmake/more.cmake)"),
+    cpp("add_subdirectory(elsewhere)"),
+    cpp("aux_source_directory(src all)"),
+    cpp(**{"src/more.cpp": '#include "trial.cpp"\n'}),
+    cpp(**{"src/Makefile": "trial: trial.cpp\n"}),
+    cpp(**{"platformio.ini": "[env]\n"}),
+    {"src/trial.cpp": "int main() { return 1; }\n"},
+    {"package.xml": MANIFEST, "src/trial.cpp": "int main() { return 1; }\n"},
+]
+
+
+@pytest.mark.parametrize("files", FIRES_CPP)
+def test_a_source_that_no_target_compiles(tmp_path: Path, files: dict[str, str]) -> None:
+    assert unused(tmp_path, "src/trial.cpp", files)
+
+
+@pytest.mark.parametrize("files", QUIET_CPP)
+def test_a_source_that_may_be_compiled(tmp_path: Path, files: dict[str, str]) -> None:
+    assert not unused(tmp_path, "src/trial.cpp", files)
+
+
+FIRES_PYTHON = [
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "demo/__init__.py": ""}),
+    ("demo/pick_fast_old.py", {"demo/pick_fast_old.py": NODE, "demo/pick_fast.py": NODE}),
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick_fast.py": NODE}),
+    ("demo/pick-backup2.py", {"demo/pick-backup2.py": "#!/usr/bin/env python3\n" + NODE, "demo/pick.py": NODE}),
+    ("demo/old_pick.py", {"demo/old_pick.py": MODULE, "demo/pick.py": MODULE}),
+    ("scripts/chooser.py", {"scripts/chooser.py": MODULE, "scripts/walk.py": NODE}),
+]
+QUIET_PYTHON = [
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": "from demo import pick_old\n"}),
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "setup.py": "x = 'demo.pick_old:main'\n"}),
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "README.md": "Run pick_old.py\n"}),
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "start.sh": "#!/bin/sh\npython3 demo/pick_old.py\n"}),
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "a.launch": "<node type='pick_old.py'/>\n"}),
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/walk.py": NODE}),
+    ("demo/threshold.py", {"demo/threshold.py": NODE, "demo/thresh.py": NODE}),
+    ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": "import importlib\nimportlib.import_module(name)\n"}),
+    ("demo/pick.py", {"demo/pick.py": MODULE, "demo/__init__.py": ""}),
+    ("demo/pick.py", {"demo/pick.py": MODULE + "\npick()\n"}),
+    ("demo/pick.py", {"demo/pick.py": NODE}),
+    ("demo/pick.py", {"demo/pick.py": "#!/usr/bin/env python3\n" + MODULE}),
+    ("demo/pick.py", {"demo/pick.py": MODULE, "demo/walk.py": "from pick import LIMIT\n"}),
+    ("demo/pick.py", {"demo/pick.py": MODULE, "CMakeLists.txt": "install(PROGRAMS demo/pick.py DESTINATION lib)\n"}),
+    ("demo/pick.py", {"demo/pick.py": "def (:\n"}),
+    ("demo/pick.py", {"demo/pick.py": "LIMIT = 3\n"}),
+    ("test/test_pick.py", {"test/test_pick.py": MODULE}),
+    ("test/helper_old.py", {"test/helper_old.py": MODULE, "test/helper.py": MODULE}),
+    ("demo/conftest.py", {"demo/conftest.py": MODULE}),
+    ("launch/pick.launch.py", {"launch/pick.launch.py": MODULE}),
+    ("setup.py", {"setup.py": MODULE}),
+    ("plugins/pick.py", {"plugins/pick.py": MODULE}),
+]
+
+
+@pytest.mark.parametrize(("path", "files"), FIRES_PYTHON)
+def test_a_module_that_nothing_names(tmp_path: Path, path: str, files: dict[str, str]) -> None:
+    assert unused(tmp_path, path, files)
+
+
+@pytest.mark.parametrize(("path", "files"), QUIET_PYTHON)
+def test_a_module_that_something_may_use(tmp_path: Path, path: str, files: dict[str, str]) -> None:
+    assert not unused(tmp_path, path, files)
+
+
+def test_only_what_was_unused_before(tmp_path: Path) -> None:
+    files = {"pick_old.py": NODE, "pick.py": NODE, "walk.py": NODE}
+    for name in ("before", "now"):
+        (tmp_path / name).mkdir()
+        for path, text in files.items():
+            (tmp_path / name / path).write_text(text)
+    before, now = (discover(tmp_path / name, (".",)) for name in ("before", "now"))
+    asked = Unused(now, Unused(before))
+    assert asked.among(["pick_old.py", "walk.py"]) == {"pick_old.py"} == {*asked.found}
+    assert not Unused(now, is_known=False).among(["pick_old.py"])
+    (tmp_path / "before" / "README.md").write_text("Run pick_old.py\n")
+    assert not Unused(now, Unused(discover(tmp_path / "before", (".",)))).among(["pick_old.py"])
+    (tmp_path / "before" / "README.md").unlink()
+    (tmp_path / "before" / "pick_old.py").rename(tmp_path / "before" / "pick_backup.py")
+    before = discover(tmp_path / "before", (".",))
+    assert not Unused(now, Unused(before)).among(["pick_old.py"])
+    assert Unused(now, Unused(before), {"pick_backup.py": "pick_old.py"}).among(["pick_old.py"])
+
+
+def test_a_file_that_is_not_there(tmp_path: Path) -> None:
+    asked = Unused(discover(tmp_path, (".",)))
+    assert not asked.among(["gone.py"]) and asked.found == ()
