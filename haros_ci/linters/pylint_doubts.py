@@ -35,7 +35,9 @@ _LONGEST = 400
 _NAME = re.compile(r"[A-Za-z_][\w.]*")
 _OF_SHAPES = re.compile(r"\.(?:reshape|transpose|resize)[ \t]*\(")
 #: ``[call(x) for x in them]``, over several lines, too.
-_COMPREHENSION = re.compile(r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s")
+_COMPREHENSION = re.compile(
+    r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s"
+)
 _UNWRITTEN = re.compile(r"raise[ \t]+(?:NotImplementedError|NotImplemented)\b")
 _BRANCH = re.compile(r"\s*(?:if|elif|else)\b")
 _PLATFORM = re.compile(r"\s*(?:if|elif)\b.*\b(?:sys\.platform|platform\.system|os\.name|platform)\b")

@@ -204,6 +204,20 @@ OTHERS: tuple[Row, ...] = (
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_directory_third_party",
     ),
     Row(
+        "all linters",
+        ("a C++ source that no target compiles, a Python module that nothing imports, starts or names",),
+        "all that linters report on that file in the profiles `ros` and `bugs-only`",
+        Origin.BASE,
+        "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_takes_a_file_from_its_target",
+    ),
+    Row(
+        "cppcheck, pylint, ruff",
+        ("directories called `test`, `tests` …, files called `test_…` or `…_test`",),
+        "in the profiles `ros` and `bugs-only` what tests do on purpose (unused values and objects, equal operands, unreachable code)",
+        Origin.HEAD,
+        "tests/linters/test_in_default.py",
+    ),
+    Row(
         "cppcheck, clang-tidy",
         ("compile_commands.json",),
         "definitions (`-D`) and include directories; it is made by a build and seldom part of a change",

@@ -13,7 +13,13 @@ from haros_ci.model.package import Package
 SUFFIXES = (".cpp", ".cc", ".cxx", ".c++")
 #: Commands that may compile files that they do not name.
 _FETCHING = frozenset(
-    ("aux_source_directory", "externalproject_add", "fetchcontent_declare", "ament_vendor", "include_external_msproject")
+    (
+        "aux_source_directory",
+        "externalproject_add",
+        "fetchcontent_declare",
+        "ament_vendor",
+        "include_external_msproject",
+    )
 )
 #: Beginnings of what the evaluator says where a part of the build is not seen.
 _UNSEEN = re.compile(r"add_subdirectory\(|include\(|\w+\(\) is not known; what it builds|the name of this |its CMake ")

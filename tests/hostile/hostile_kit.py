@@ -23,7 +23,7 @@ CONTROL_TEXT = (
     b'"""A file like any other."""\n\n\ndef control():\n    """Have one known defect."""\n    return nowhere_defined\n'
 )
 CONTROL_FINDING = (CONTROL, 6, "undefined-variable")
-CHEAP_FINDING = ("control.cpp", 1, "uninitvar")
+CHEAP_FINDING = ("control.cpp", 1, "nullPointer")
 
 #: A driver: the command without the superuser's right to pass over permissions.
 UNPRIVILEGED = """
@@ -95,14 +95,14 @@ class Trap:
         self.write(CONTROL, CONTROL_TEXT)
         name = self.SECRET.replace("-", "_")
         (self.outside / "secret.py").write_text(f'"""Not yours."""\n{name} = undefined_outside\n')
-        (self.outside / "secret.hpp").write_text(f"inline int {name}(int x) {{ int unset; return unset + x; }}\n")
+        (self.outside / "secret.hpp").write_text(f"inline int {name}(int x) {{ int *unset = 0; return *unset + x; }}\n")
         (self.outside / "error.hpp").write_text(f"#error {name}\n")
         (self.outside / "victim.json").write_text(f'{{"victim": "{self.SECRET}"}}')
 
     def use_cheap_control(self) -> None:
         """A control of one tool's that is quick, where what is cached is spoiled: ``CHEAP_FINDING``."""
         (self.root / CONTROL).unlink()
-        self.write(CHEAP_FINDING[0], "int f(int x) { int unset; return unset + x; }\n")
+        self.write(CHEAP_FINDING[0], "int f(int x) { int *unset = 0; return *unset + x; }\n")
         self.write("haros.yaml", "linters: {cpplint: false, pylint: false, lizard: false, radon: false, ruff: false}\n")
 
     def use_filled_cache(self) -> None:

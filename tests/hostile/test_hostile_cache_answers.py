@@ -74,9 +74,9 @@ def test_answers_of_a_wrong_shape(trap: Trap) -> None:
     trap.cache = trap.place / "cache"
     wrong = {f"wrong{number}.cpp": value for number, value in enumerate(WRONG)}
     for name in wrong:
-        trap.write(name, "int f(int x) { int unset; return unset + x; }\n")
+        trap.write(name, "int f(int x) { int *unset = 0; return *unset + x; }\n")
     before = trap.run()
-    assert {(path, 1, "uninitvar") for path in wrong} < before.findings()
+    assert {(path, 1, "nullPointer") for path in wrong} < before.findings()
     planted(trap, wrong)
     outcome = trap.run()
     assert outcome.formats == before.formats and outcome.code == 1

@@ -23,7 +23,7 @@ MODULES = """
 PROGRAMS = "git cppcheck ruff clang-tidy python python3 sh bash env cpplint pylint lizard radon catkin_lint".split()
 
 PYTHON = '"""A module."""\nX = undefined_here\n'
-CPP = "int f(int x) { int unset; return unset + x; }\n"
+CPP = "int f(int x) { int *unset = 0; return *unset + x; }\n"
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ def cpp_settings(directory: str, name: str, text: str) -> Case:
         t.write(f"{directory}/{name}", text.format(payload=t.touch(directory), script=t.root / "evil_plugin.py"))
         t.write(f"{directory}/beside.cpp", CPP)
 
-    return Case(f"{directory}/{name}", build, f"{directory}/beside.cpp", "uninitvar")
+    return Case(f"{directory}/{name}", build, f"{directory}/beside.cpp", "nullPointer")
 
 
 def at_root(name: str, text: str) -> Case:
@@ -99,7 +99,7 @@ def at_root(name: str, text: str) -> Case:
         name,
         lambda t: t.write(name, text.format(payload=t.touch("root"), script=t.root / "evil_plugin.py")),
         "top.cpp",
-        "uninitvar",
+        "nullPointer",
     )
 
 
@@ -110,7 +110,7 @@ def planted(name: str) -> Case:
         for path in (f"bin/{name}", name):
             t.write(path, f"#!/bin/sh\n{t.touch('bin-' + name)}\necho 9.9.9\n").chmod(0o755)
 
-    return Case(f"bin/{name}", build, "top.cpp", "uninitvar")
+    return Case(f"bin/{name}", build, "top.cpp", "nullPointer")
 
 
 def compile_database(entry: dict[str, object] | str) -> Case:
@@ -121,7 +121,7 @@ def compile_database(entry: dict[str, object] | str) -> Case:
         t.write("build/evil.rsp", "-fplugin=evil.so\n")
         t.write("build/compile_commands.json", entry if isinstance(entry, str) else json.dumps([entry]))
 
-    return Case("compile database", build, "top.cpp", "uninitvar")
+    return Case("compile database", build, "top.cpp", "nullPointer")
 
 
 FLAGS = [

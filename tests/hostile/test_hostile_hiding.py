@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import pytest
 from hostile_kit import CHEAP_FINDING, CONTROL, Trap, assert_harmless
 
-SILENT = "ignore: ['*', uninitvar, cppcheck]\nfail-on: never\nexclude: ['**']\nlinters: {cppcheck: false}\n"
+SILENT = "ignore: ['*', nullPointer, cppcheck]\nfail-on: never\nexclude: ['**']\nlinters: {cppcheck: false}\n"
 QUICK = ("--ignore=pylint,cpplint,metrics,ruff,unassignedVariable",)
 USED_INSTEAD = "The defaults and the command line are used"
 
@@ -20,7 +20,7 @@ USED_INSTEAD = "The defaults and the command line are used"
 def change(trap: Trap) -> None:
     """A base with a defect, and a head of another branch; the head's commit is the caller's."""
     (trap.root / CONTROL).unlink()
-    trap.write(CHEAP_FINDING[0], "int f(int x) { int unset; return unset + x; }\n")
+    trap.write(CHEAP_FINDING[0], "int f(int x) { int *unset = 0; return *unset + x; }\n")
     trap.commit()
     trap.git("checkout", "-q", "-b", "head")
 
@@ -102,14 +102,14 @@ def test_nothing_of_the_head_counts(missing: str, brought: str, trap: Trap) -> N
     write, arguments = BROUGHT[brought]
     change(trap)
     write(trap)
-    trap.write("sub/b.cpp", "int g(int x) { int unset; return unset + x; }\n")
+    trap.write("sub/b.cpp", "int g(int x) { int *unset = 0; return *unset + x; }\n")
     trap.commit()
     spoil(trap)
     outcome = trap.run(f"--baseline-rev={rev}", *QUICK, *arguments, "--no-require-baseline")
     assert outcome.code == 1, (outcome.stderr, outcome.notes())
-    expected = {CHEAP_FINDING, ("sub/b.cpp", 1, "uninitvar")}
+    expected = {CHEAP_FINDING, ("sub/b.cpp", 1, "nullPointer")}
     if brought == "a marker" and missing == "no repository":  # nobody knows whose marker it is
-        expected.remove(("sub/b.cpp", 1, "uninitvar"))
+        expected.remove(("sub/b.cpp", 1, "nullPointer"))
     assert expected <= outcome.findings()
     assert outcome.report["baseline"]["available"] is False
     for name, text in outcome.formats.items():
@@ -141,15 +141,15 @@ COUNTS = [
         "a project file from outside of the workspace",
         lambda t: ("--baseline-rev=nowhere", "--no-require-baseline", f"--project={t.outside / 'own.yaml'}"),
         0,
-        lambda t: (t.outside / "own.yaml").write_text("ignore: [uninitvar]\n"),
+        lambda t: (t.outside / "own.yaml").write_text("ignore: [nullPointer]\n"),
     ),
-    Quiet("the command line", lambda t: ("--baseline-rev=nowhere", "--no-require-baseline", "--ignore=uninitvar"), 0),
+    Quiet("the command line", lambda t: ("--baseline-rev=nowhere", "--no-require-baseline", "--ignore=nullPointer"), 0),
     Quiet(
         "a threshold of the command line",
         lambda t: ("--baseline-rev=nowhere", "--no-require-baseline", "--fail-on=never"),
         0,
     ),
-    Quiet("no base asked for", lambda t: (), 0, lambda t: t.write(".haros-ci.yaml", "ignore: [uninitvar]\n")),
+    Quiet("no base asked for", lambda t: (), 0, lambda t: t.write(".haros-ci.yaml", "ignore: [nullPointer]\n")),
     Quiet("no base asked for, a baseline", lambda t: (), 0, lambda t: t.command("baseline", "create", ".", *QUICK)),
     Quiet("no base asked for, and none needed", lambda t: (), 1),
 ]
@@ -199,7 +199,7 @@ def test_a_project_file_beside_the_repository(trap: Trap) -> None:
     inner.parent.mkdir(parents=True)
     trap.root.rename(inner)
     around = inner.parent.parent
-    (around / ".haros-ci.yaml").write_text("levels: {uninitvar: note}\n")
+    (around / ".haros-ci.yaml").write_text("levels: {nullPointer: note}\n")
     trap.root = around
     outcome = trap.run("--baseline-rev=main", *QUICK)
     assert outcome.code == 0 and outcome.report["baseline"]["available"] is True, (outcome.stderr, outcome.notes())
@@ -219,7 +219,7 @@ def test_a_shard_says_it_and_merge_decides(trap: Trap) -> None:
     assert (refused.returncode, refused.stdout) == (3, b"")
     merged = trap.start("merge", "--output=json", *options, "--no-require-baseline", str(shard))
     assert merged.returncode == 1
-    assert [r["rule"] for r in json.loads(merged.stdout)["results"]] == ["uninitvar"]
+    assert [r["rule"] for r in json.loads(merged.stdout)["results"]] == ["nullPointer"]
 
 
 def test_diff_of_histories_without_a_common_commit(trap: Trap) -> None:
@@ -236,4 +236,4 @@ def test_settings_are_shown_as_they_hold(trap: Trap) -> None:
     change(trap)
     trap.write(".haros-ci.yaml", SILENT)
     shown = trap.command("check", "--show-settings", "--baseline-rev=nowhere")
-    assert "unknown revision" in shown and "profile: ros" in shown and "uninitvar" not in shown
+    assert "unknown revision" in shown and "profile: ros" in shown and "nullPointer" not in shown

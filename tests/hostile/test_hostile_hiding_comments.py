@@ -8,7 +8,7 @@ import html
 from hostile_kit import CHEAP_FINDING, CONTROL, Trap, assert_harmless
 
 QUICK = ("--ignore=pylint,cpplint,metrics,ruff,unassignedVariable",)
-DEFECT = "int f(int x) { int unset; return unset + x; }\n"
+DEFECT = "int f(int x) { int *unset = 0; return *unset + x; }\n"
 
 
 def pull_request(trap: Trap, base: dict[str, str], head: dict[str, str]) -> None:
@@ -26,8 +26,8 @@ def pull_request(trap: Trap, base: dict[str, str], head: dict[str, str]) -> None
 
 
 def test_they_are_counted_everywhere(trap: Trap) -> None:
-    own = "int g(int x) { int unset; return unset + x; }  // haros: ignore[uninitvar] hush\n"
-    tools = "int h(int x) {\n  // cppcheck-suppress uninitvar\n  return x;  // NOLINT\n}\n"
+    own = "int g(int x) { int *unset = 0; return *unset + x; }  // haros: ignore[nullPointer] hush\n"
+    tools = "int h(int x) {\n  // cppcheck-suppress nullPointer\n  return x;  // NOLINT\n}\n"
     pull_request(trap, {}, {"a.cpp": own, "b.cpp": tools, "::error::x.py": "import os  # noqa\n"})
     outcome = trap.run("--baseline-rev=main", *QUICK)
     assert outcome.code == 0, outcome.formats["text"]
@@ -56,7 +56,7 @@ def test_they_are_counted_everywhere(trap: Trap) -> None:
 
 
 def test_files_that_moved_bring_nothing(trap: Trap) -> None:
-    text = DEFECT.replace("\n", "  // haros: ignore[uninitvar] old\n") + "int a;  // NOLINT\nint b;\nint c;\n"
+    text = DEFECT.replace("\n", "  // haros: ignore[nullPointer] old\n") + "int a;  // NOLINT\nint b;\nint c;\n"
     pull_request(trap, {"src/old.cpp": text}, {"lib/new.cpp": "\n" + text.replace("int b", "  int bb")})
     outcome = trap.run("--baseline-rev=main", *QUICK)
     assert outcome.report["silenced"] == {"findings": 0, "comments": []}
@@ -93,7 +93,7 @@ def found(trap: Trap, *options: str) -> tuple[set[str], list[str]]:
     outcome = trap.run(*options, *QUICK, "--fail-on=never")
     assert_harmless(trap, outcome)
     results = outcome.report["results"]
-    return {r["path"] for r in results if r["rule"] == "uninitvar"}, outcome.report["coverage"]["unseen"]
+    return {r["path"] for r in results if r["rule"] == "nullPointer"}, outcome.report["coverage"]["unseen"]
 
 
 def test_generated_files_are_not_linted(trap: Trap) -> None:
@@ -161,3 +161,46 @@ def test_without_the_base_revision_nothing_is_third_party(trap: Trap) -> None:
     trap.write("more.cpp", "int more;\n")
     trap.commit()
     assert "vendor/a.cpp" in found(trap, "--baseline-rev=main", "--no-require-baseline")[0]
+
+
+CMAKE = "find_package(ament_cmake REQUIRED)\nadd_executable(a {})\nament_package()\n"
+BUILT = "<package format='3'><name>demo</name><export><build_type>ament_cmake</build_type></export></package>\n"
+
+
+def test_code_that_nothing_uses_has_no_findings_of_linters(trap: Trap) -> None:
+    files = {"demo/package.xml": BUILT, "demo/CMakeLists.txt": CMAKE.format("a.cpp")}
+    pull_request(trap, {}, {**files, "demo/a.cpp": DEFECT, "demo/b.cpp": DEFECT})
+    paths, unseen = found(trap)
+    assert "demo/a.cpp" in paths and "demo/b.cpp" not in paths
+    said = "What linters say of 1 file was left out, because nothing compiles, starts or imports it: demo/b.cpp."
+    assert said in unseen
+    assert "demo/b.cpp" in found(trap, "--profile=strict")[0] and "demo/b.cpp" in found(trap, "--select=nullPointer")[0]
+
+
+def test_a_change_that_takes_a_file_from_its_target(trap: Trap) -> None:
+    """Nor does a new file count as unused, nor one whose copy is called old: they were not so before."""
+    old = "import os\n\n\ndef f():\n    return nowhere + os.sep\n"
+    base = {
+        "demo/package.xml": BUILT,
+        "demo/CMakeLists.txt": CMAKE.format("a.cpp b.cpp"),
+        "demo/a.cpp": "int main() {}\n",
+    }
+    base |= {"demo/b.cpp": "int b;\n", "demo/c.cpp": "int c;\n"}
+    head = {**base, "demo/CMakeLists.txt": CMAKE.format("a.cpp"), "demo/pick.py": "a = 1\n", "demo/pick_old.py": old}
+    head |= {"demo/b.cpp": DEFECT, "demo/c.cpp": DEFECT, "demo/d.cpp": DEFECT}
+    pull_request(trap, base, head)
+    paths, unseen = found(trap, "--baseline-rev=main")
+    assert {"demo/b.cpp", "demo/d.cpp"} <= paths and "demo/c.cpp" not in paths
+    assert any("left out, because nothing compiles, starts or imports it: demo/c.cpp." in each for each in unseen), (
+        unseen
+    )
+
+
+def test_without_the_base_revision_everything_is_used(trap: Trap) -> None:
+    files = {"demo/package.xml": BUILT, "demo/CMakeLists.txt": CMAKE.format("a.cpp"), "demo/a.cpp": "int main() {}\n"}
+    files["demo/b.cpp"] = DEFECT
+    pull_request(trap, files, {**files, "a.cpp": "int a;\n"})
+    trap.git("checkout", "-q", "--orphan", "alone")
+    trap.write("more.cpp", "int more;\n")
+    trap.commit()
+    assert "demo/b.cpp" in found(trap, "--baseline-rev=main", "--no-require-baseline")[0]

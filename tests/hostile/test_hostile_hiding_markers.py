@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 from hostile_kit import CHEAP_FINDING, CONTROL, Outcome, Trap, assert_harmless
 
-QUICK = ("--ignore=pylint,cpplint,metrics,ruff,unassignedVariable", "--select=uninitvar")
-DEFECT = "int f(int x) { int unset; return unset + x; }\n"
+QUICK = ("--ignore=pylint,cpplint,metrics,ruff,unassignedVariable", "--select=nullPointer")
+DEFECT = "int f(int x) { int *unset = 0; return *unset + x; }\n"
 ARM = "src/arm/deep/arm.cpp"
 
 
@@ -168,7 +168,7 @@ def test_a_change_hides_nothing(case: Case, trap: Trap) -> None:
     """The file is analysed, and it is said which marker does not count, with the files below it."""
     pull_request(trap, case.base, case.head)
     outcome = trap.run("--baseline-rev=main", *QUICK)
-    assert (case.path, "uninitvar") in states(outcome), outcome.notes()
+    assert (case.path, "nullPointer") in states(outcome), outcome.notes()
     messages = [f"{path}: {message}" for path, message in outcome.notes()]
     assert not case.says or [m for m in messages if case.says in m], messages
     assert case.says or case.name == "an output beside it" or messages == [], messages
@@ -251,7 +251,7 @@ def test_what_was_left_out_stays_so(case: Quiet, trap: Trap) -> None:
     case.after(trap)
     outcome = trap.run(*case.arguments, *QUICK, "--fail-on=never")
     assert outcome.code == 0, outcome.stderr
-    assert (case.path, "uninitvar") not in states(outcome)
+    assert (case.path, "nullPointer") not in states(outcome)
     assert outcome.notes() == []
 
 
@@ -260,7 +260,7 @@ def test_a_marker_that_goes_away_lets_the_files_in(trap: Trap) -> None:
         trap, lambda t: t.write("src/arm/COLCON_IGNORE", ""), lambda t: (t.root / "src/arm/COLCON_IGNORE").unlink()
     )
     outcome = trap.run("--baseline-rev=main", *QUICK)
-    assert states(outcome)[ARM, "uninitvar"] == "new" and outcome.notes() == []
+    assert states(outcome)[ARM, "nullPointer"] == "new" and outcome.notes() == []
 
 
 def test_a_given_directory_is_entered_and_nothing_is_said(trap: Trap) -> None:
@@ -358,7 +358,7 @@ def test_a_marker_that_a_submodule_brings(trap: Trap) -> None:
     inner = with_submodule(trap)
     pull_request(trap, lambda t: None, lambda t: [inner.write("COLCON_IGNORE", ""), inner.commit()])
     outcome = trap.run("--baseline-rev=main", *QUICK)
-    assert states(outcome)["src/lib/lib.cpp", "uninitvar"] == "unchanged"
+    assert states(outcome)["src/lib/lib.cpp", "nullPointer"] == "unchanged"
     assert outcome.says("src/lib/COLCON_IGNORE does not count")
 
 
@@ -367,7 +367,7 @@ def test_a_marker_of_another_repository_counts(trap: Trap) -> None:
     pull_request(trap, lambda t: t.write(".gitignore", "/src/lib/\n"), lambda t: t.write("readme", ""))
     other(trap, "ws/src/lib", {"lib.cpp": DEFECT, "COLCON_IGNORE": ""})
     outcome = trap.run("--baseline-rev=main", *QUICK)
-    assert ("src/lib/lib.cpp", "uninitvar") not in states(outcome) and not outcome.says("does not count")
+    assert ("src/lib/lib.cpp", "nullPointer") not in states(outcome) and not outcome.says("does not count")
 
 
 def test_a_directory_that_becomes_a_submodule_that_is_not_there(trap: Trap) -> None:

@@ -14,7 +14,7 @@ import pytest
 from hostile_kit import Outcome, Trap, assert_harmless, assert_the_rest_is_analysed
 
 PYTHON = b'"""A module."""\nX = undefined_here\n'
-CPP = b"int f(int x) { int unset; return unset + x; }\n"
+CPP = b"int f(int x) { int *unset = 0; return *unset + x; }\n"
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ def named(name: str, says: str = "") -> Case:
     """A file with one known defect and a hostile name."""
     cpp = name.endswith(".cpp")
     return Case(
-        name, says or ("uninitvar" if cpp else "undefined-variable"), lambda t: t.write(name, CPP if cpp else PYTHON)
+        name, says or ("nullPointer" if cpp else "undefined-variable"), lambda t: t.write(name, CPP if cpp else PYTHON)
     )
 
 
@@ -149,7 +149,7 @@ CONTENTS = [
     holding("latin.py", b"# Andr\xe9\n" + PYTHON, "decoded as Latin-1"),
     holding("declared.py", b"# -*- coding: no-such-codec -*-\n" + PYTHON, "syntax-error"),
     holding("bom.py", b"\xef\xbb\xbf" + PYTHON, "undefined-variable"),
-    holding("bom.cpp", b"\xef\xbb\xbf" + CPP, "uninitvar"),
+    holding("bom.cpp", b"\xef\xbb\xbf" + CPP, "nullPointer"),
     holding("crlf.py", PYTHON.replace(b"\n", b"\r\n"), "undefined-variable"),
     holding("cr.py", PYTHON.replace(b"\n", b"\r"), "undefined-variable"),
     holding("unended.py", PYTHON.rstrip(), "undefined-variable"),
@@ -170,11 +170,11 @@ CONTENTS = [
     holding(
         "passwd.cpp",
         b'#include "/etc/passwd"\n#include </etc/shadow>\n' + CPP,
-        "uninitvar",
+        "nullPointer",
     ),
-    holding("outside.cpp", b'#include "../outside/error.hpp"\n' + CPP, "uninitvar"),
-    holding("beyond.cpp", b'#include "../outside/secret.hpp"\n#include "../../../x.hpp"\n' + CPP, "uninitvar"),
-    holding("itself.cpp", b'#pragma once\n#include "itself.cpp"\n' + CPP, "uninitvar"),
+    holding("outside.cpp", b'#include "../outside/error.hpp"\n' + CPP, "nullPointer"),
+    holding("beyond.cpp", b'#include "../outside/secret.hpp"\n#include "../../../x.hpp"\n' + CPP, "nullPointer"),
+    holding("itself.cpp", b'#pragma once\n#include "itself.cpp"\n' + CPP, "nullPointer"),
     holding("error.cpp", b'#error "::error::x \x1b[31m ##[error]"\n', "cppcheck could not analyse this file"),
     holding("conditions.cpp", b"#if A\n" * 500, ""),
     holding("unclosed.cpp", b"/*" + b"\n" * 100, ""),

@@ -148,7 +148,9 @@ def test_defaults_of_one_function_are_one() -> None:
 
 def test_a_key_that_stands_twice_is_one_finding() -> None:
     """pylint gives the place of the dict, ruff that of the key."""
-    twice = Result("pylint", "duplicate-key", Level.WARNING, "Duplicate key 'x' in dictionary", Location("a", 1, 5, 5, 2))
+    twice = Result(
+        "pylint", "duplicate-key", Level.WARNING, "Duplicate key 'x' in dictionary", Location("a", 1, 5, 5, 2)
+    )
     again = result("ruff:F601", 4, message='Dictionary key literal `"x"` repeated')
     for order in ([twice, again], [again, twice]):
         (left,) = merge_same_defects(order)

@@ -61,12 +61,16 @@ def test_stands(said: Result, ros: int | None) -> None:
     assert not is_idle(said, ros)
 
 
-@pytest.mark.parametrize("path", ["test/a.py", "a/tests/b/c.cpp", "a/a_unittest.cc", "a/b_spec.cpp", "unit_tests/a.cpp"])
+@pytest.mark.parametrize(
+    "path", ["test/a.py", "a/tests/b/c.cpp", "a/a_unittest.cc", "a/b_spec.cpp", "unit_tests/a.cpp"]
+)
 def test_paths_of_tests(path: str) -> None:
     assert is_test(path)
 
 
-@pytest.mark.parametrize("path", ["a.py", "testing.py", "src/latest/a.cpp", "src/test.cpp", "protest/a.py", "spec/a.cpp"])
+@pytest.mark.parametrize(
+    "path", ["a.py", "testing.py", "src/latest/a.cpp", "src/test.cpp", "protest/a.py", "spec/a.cpp"]
+)
 def test_other_paths(path: str) -> None:
     assert not is_test(path)
 

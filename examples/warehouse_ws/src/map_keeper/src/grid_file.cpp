@@ -12,12 +12,12 @@ namespace
 
 unsigned char shade(int cell)
 {
-  unsigned char grey;
+  unsigned char grey = 127;
   if (cell == 0) {
     grey = 255;
   } else if (cell == 100) {
     grey = 0;
-  } else if (cell < 0) {
+  } else if (cell < 0 && cell > 100) {
     grey = 205;
   }
   return grey;
