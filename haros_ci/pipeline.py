@@ -24,17 +24,8 @@ from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
 from haros_ci.linters.settings_changes import notifications as changed_settings
-from haros_ci.linting import (
-    MEASURED_BY,
-    METRICS,
-    confinement,
-    contradictions,
-    heard,
-    lint_options,
-    with_names,
-    with_queries,
-    worthwhile,
-)
+from haros_ci.linting import MEASURED_BY, METRICS, confinement, contradictions, heard, lint_options
+from haros_ci.linting import with_names, with_queries, worthwhile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
 from haros_ci.results import own
