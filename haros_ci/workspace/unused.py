@@ -18,8 +18,12 @@ from haros_ci.workspace.build import build_of
 
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)", re.MULTILINE)
 #: Builds other than CMake, in whose directory, or below it, nothing is known.
-_OTHER_BUILDS = ("makefile", "gnumakefile", "platformio.ini", "build", "build.bazel", "meson.build", "sconstruct")
-_OTHER_PROJECTS = (".pro", ".ino", ".vcxproj", ".mk", ".bazel", ".gyp")
+_OTHER_BUILDS = frozenset(
+    "makefile gnumakefile platformio.ini build build.bazel meson.build sconstruct sdkconfig library.properties .project".split()
+)
+_OTHER_PROJECTS = (".pro", ".ino", ".vcxproj", ".mk", ".bazel", ".gyp", ".ioc", ".ld", ".uvprojx", ".cproject")
+#: Files that may compile a source: a Python extension, a script.
+_BUILDING = ("setup", "python", "shell", "dockerfile", "yaml")
 #: Names of Python files that tools find by their names.
 _FOUND = re.compile(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test_.*|.*_test|.*\.launch|launch_.*)")
 _OF_TOOLS = frozenset("test tests launch cfg doc docs plugins plugin".split())
@@ -96,7 +100,12 @@ class Unused:
             if mine:
                 texts = [self._workspace.text(path) for path in own if is_cmake(path)]
                 left += uncompiled(build_of(self._workspace, package), package, mine, texts)
-        return not_included(left, self._included) if left else []
+        left = not_included(left, self._included) if left else []
+        return [path for path in left if not self._is_named(path.rpartition("/")[2])]
+
+    def _is_named(self, name: str) -> bool:
+        files = (file.path for file in self._workspace.files if file.language in _BUILDING)
+        return any(name in self._workspace.text(path) for path in files)
 
     @cached_property
     def _included(self) -> frozenset[str]:

@@ -54,6 +54,9 @@ QUIET_CPP = [
     cpp(**{"src/more.cpp": '#include "trial.cpp"\n'}),
     cpp(**{"src/Makefile": "trial: trial.cpp\n"}),
     cpp(**{"platformio.ini": "[env]\n"}),
+    cpp(**{"src/board.ioc": "Mcu=1\n"}),
+    cpp(**{"setup.py": "from setuptools import Extension\ne = Extension('demo', ['src/trial.cpp'])\n"}),
+    cpp(**{"build.sh": "#!/bin/sh\ng++ src/trial.cpp\n"}),
     {"src/trial.cpp": "int main() { return 1; }\n"},
     {"package.xml": MANIFEST, "src/trial.cpp": "int main() { return 1; }\n"},
 ]
