@@ -48,6 +48,11 @@ _PROVOKED = re.compile(
     r"|(?:REQUIRE|CHECK)_(?:THROWS|NOTHROW)\w*|BOOST_(?:CHECK|REQUIRE|WARN)_(?:THROW|NO_THROW|EXCEPTION))\s*\("
 )
 _OF_PROVOKED = frozenset({"ignoredReturnValue", "unusedScopedObject", "constStatement", "leakReturnValNotUsed"})
+_LEAKED = re.compile(r": \w*leak\w*", re.IGNORECASE)
+_LEAKS = re.compile(
+    r"\b(?:intentional|deliberate|on purpose|never freed|not freed|let it)\w*[^.]{0,80}\bleak|\bleak\w*[^.]{0,80}\b(?:intentional|deliberate|purpose)",
+    re.IGNORECASE | re.DOTALL,
+)
 _LOOP = re.compile(r"\bfor\s*\(\s*\w+\s*;")
 
 
@@ -70,6 +75,9 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return _is_exhaustive(line, text) or _ends(line, text)
     if rule == "constStatement" and _LOOP.search(_line(text, line)):  # ``for (i; …)`` where i is set before
         return True
+    if rule == "memleak":  # who names it so, or says so just above, means it
+        near = "\n".join(text.split("\n")[max(line - 7, 0) : line])
+        return _LEAKED.search(message) is not None or any(_LEAKS.search(each[0]) for each in _COMMENT.finditer(near))
     if rule in _OF_PROVOKED:
         return _is_provoked(line, text)
     subject = _SUBJECT.search(message) if rule in _OF_UNUSED else None

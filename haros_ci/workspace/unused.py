@@ -119,7 +119,7 @@ class Unused:
         stems = {file.path: _stem(file.path) for file in asked}
         for other in self._by_order if stems else ():
             text = self._workspace.text(other.path)
-            if other.language in ("python", "launch") and _DYNAMIC.search(text):
+            if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
                 stems = {path: stem for path, stem in stems.items() if self._files[path].package != other.package}
             for path, stem in tuple(stems.items()):
                 if other.path != path and stem in text and re.search(rf"(?<!\w){re.escape(stem)}(?!\w)", text):

@@ -46,6 +46,9 @@ REFUTED += [
     ("ignoredReturnValue", THROWN, "EXPECT_THROW(text.at(1), std::out_of_range);\n"),
     ("unusedScopedObject", "Instance of 'A' object is destroyed", "ASSERT_THROW(A(1), std::runtime_error);\n"),
     ("constStatement", "Unused variable value 'i'.", "  for (i; i < 3; ++i) {\n"),
+    ("memleak", "Memory leak: leaked_maps", "leaked_maps);\n"),
+    ("memleak", "Memory leak: maps", "// They leak on purpose: the library frees them twice.\nreturn (void)maps;\n"),
+    ("memleak", "Memory leak: maps", "/* intentionally\n * leaked */\nauto * maps = new Maps;\nreturn (void)maps;\n"),
 ]
 STANDS = [
     ("missingReturn", EXIT, "store_exception(e);\n}\n"),
@@ -54,6 +57,8 @@ STANDS = [
     ("ignoredReturnValue", THROWN, "text.at(1);\n"),
     ("ignoredReturnValue", THROWN, "MY_THROW(text.at(1));\n"),
     ("constStatement", "Unused variable value 'i'.", "  i;\n"),
+    ("memleak", "Memory leak: maps", "return maps->size();\n"),
+    ("memleak", "Memory leak: maps", "// a leak of oil is no reason to stop\nreturn maps->size();\n"),
     ("constStatement", "Unused variable value 'i'.", "  for (i = 0; i < 3; ++i) { j; }\n"),
     ("uninitvar", COST, "return made.cost;\n"),
     ("uninitvar", COST, "return other;\n"),

@@ -96,6 +96,8 @@ QUIET_PYTHON = [
         {"demo/pick_old.py": NODE, "demo/pick.py": "import importlib\nimportlib.import_module(name)\n"},
     ),
     ("demo/pick.py", {"demo/pick.py": MODULE, "demo/__init__.py": ""}),
+    ("bin/pick.py", {"package.xml": MANIFEST, "bin/pick.py": MODULE, "setup.py": "s = glob('bin/*.py')\n"}),
+    ("bin/pick.py", {"package.xml": MANIFEST, "bin/pick.py": MODULE, "CMakeLists.txt": "file(GLOB all bin/*.py)\n"}),
     ("demo/pick.py", {"demo/pick.py": MODULE + "\npick()\n"}),
     ("demo/pick.py", {"demo/pick.py": NODE}),
     ("demo/pick.py", {"demo/pick.py": "#!/usr/bin/env python3\n" + MODULE}),
