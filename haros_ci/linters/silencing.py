@@ -205,7 +205,7 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         "all linters",
-        ("a C++ source that no target compiles, a Python module that nothing imports, starts or names",),
+        ("a C++ source that no target compiles, a superseded Python module (`…_old.py`) that nothing names",),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",
         Origin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_takes_a_file_from_its_target",

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Code that nothing uses: C++ sources that no target compiles, Python modules that nothing imports, starts or names."""
+"""Code that nothing uses: C++ sources that no target compiles, superseded Python modules that nothing names."""
 
 from __future__ import annotations
 
-import ast
 import posixpath
 import re
-import warnings
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 from functools import cached_property
@@ -37,7 +35,6 @@ _DYNAMIC = re.compile(
     r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\biter_modules\b|\bspec_from_file_location\b|\bload_source\s*\("
     r"|\bSourceFileLoader\b|\brun_path\s*\(|\brunpy\b|\bexecfile\s*\(|\*\.py\b|\blistdir\s*\(\s*os\.path\.dirname"
 )
-_MAIN = re.compile(r"__name__\s*==\s*['\"]__main__['\"]|['\"]__main__['\"]\s*==\s*__name__")
 #: What names a module comes first: most modules are named by one of a few files.
 _ORDER = {language: place for place, language in enumerate(("setup", "cmake", "launch", "package", "xml", "python"))}
 
@@ -114,7 +111,7 @@ class Unused:
         return frozenset(posixpath.basename(name.strip()) for text in texts for name in _INCLUDE.findall(text))
 
     def _unnamed(self, files: Iterable[SourceFile]) -> list[str]:
-        """The Python modules among *files* that only their own files name, and that are no program, or a superseded one."""
+        """The Python modules among *files* that are superseded copies and that only their own files name."""
         asked = [file for file in files if file.language == "python" and self._may_be_left(file)]
         stems = {file.path: _stem(file.path) for file in asked}
         for other in self._by_order if stems else ():
@@ -133,16 +130,11 @@ class Unused:
         return sorted(self._workspace.files, key=lambda file: (_ORDER.get(file.language, len(_ORDER)), file.path))
 
     def _may_be_left(self, file: SourceFile) -> bool:
-        """Whether a Python file is none that somebody starts or imports from elsewhere; a superseded copy is neither."""
+        """Whether a Python file is a superseded copy: any other one may be started by hand, or imported from elsewhere."""
         stem, directory = _stem(file.path), _directory(file.path)
         if not file.path.endswith(".py") or _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
             return False
-        if self._is_superseded(stem, directory):
-            return True
-        names = self._workspace.names
-        is_imported = f"{directory}/__init__.py" in names or (directory == "." and "__init__.py" in names)
-        is_started = file.path in (self._workspace.executables or ())
-        return not is_imported and not is_started and _only_defines(self._workspace.text(file.path))
+        return self._is_superseded(stem, directory)
 
     def _is_superseded(self, stem: str, directory: str) -> bool:
         found = _SUPERSEDED.fullmatch(stem)
@@ -159,24 +151,6 @@ class Unused:
             if path.endswith(".py"):
                 found[_directory(path)].append(path)
         return found
-
-
-def _only_defines(text: str) -> bool:
-    """Whether the module *text* does nothing but define names: to start it does nothing."""
-    if text.startswith("#!") or _MAIN.search(text):
-        return False
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    plain = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Assign, ast.AnnAssign)
-    defines = any(isinstance(node, plain[:3]) for node in tree.body)
-    return defines and all(
-        isinstance(node, plain) or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
-        for node in tree.body
-    )
 
 
 def _is_other_build(path: str) -> bool:

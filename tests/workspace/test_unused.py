@@ -78,7 +78,6 @@ FIRES_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick_fast.py": NODE}),
     ("demo/pick-backup2.py", {"demo/pick-backup2.py": "#!/usr/bin/env python3\n" + NODE, "demo/pick.py": NODE}),
     ("demo/old_pick.py", {"demo/old_pick.py": MODULE, "demo/pick.py": MODULE}),
-    ("scripts/chooser.py", {"scripts/chooser.py": MODULE, "scripts/walk.py": NODE}),
 ]
 QUIET_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": "from demo import pick_old\n"}),
@@ -105,6 +104,8 @@ QUIET_PYTHON = [
     ("demo/pick.py", {"demo/pick.py": MODULE, "CMakeLists.txt": "install(PROGRAMS demo/pick.py DESTINATION lib)\n"}),
     ("demo/pick.py", {"demo/pick.py": "def (:\n"}),
     ("demo/pick.py", {"demo/pick.py": "LIMIT = 3\n"}),
+    ("scripts/chooser.py", {"scripts/chooser.py": MODULE, "scripts/walk.py": NODE}),
+    ("control.py", {"control.py": MODULE}),
     ("test/test_pick.py", {"test/test_pick.py": MODULE}),
     ("test/helper_old.py", {"test/helper_old.py": MODULE, "test/helper.py": MODULE}),
     ("demo/conftest.py", {"demo/conftest.py": MODULE}),
