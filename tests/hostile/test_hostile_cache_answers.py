@@ -18,7 +18,7 @@ def row(**changes: object) -> list[object]:
     return list({**fields, **changes}.values())
 
 
-def answer(*rows: object, tool: object = "cppcheck", rule: object = "uninitvar", gave_up: object = ()) -> object:
+def answer(*rows: object, tool: object = "cppcheck", rule: object = "nullPointer", gave_up: object = ()) -> object:
     return {"rules": [[tool, rule, list(rows)]], "gave_up": gave_up}
 
 
