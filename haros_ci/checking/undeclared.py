@@ -129,7 +129,7 @@ def is_aside(use: PackageUse, system: System) -> bool:
     if use.package in _TOOLS or use.package.startswith("rqt"):
         return True
     file = use.location.path.rpartition("/")[2]
-    if any(each.fullmatch(file) for each, _ in system.whole.chosen_files):
+    if any(each.fullmatch(use.location.path) for each, _ in system.whole.chosen_files):
         return True
     alike = system.whole.files_by_name.get(file, ())
     owners = {each.name: each for one in alike if (each := owner(system, Location(one, 1))) is not None}
