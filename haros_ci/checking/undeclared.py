@@ -43,6 +43,10 @@ _TOOLS = frozenset(
 _MANY = 3
 #: What a launch file in Python asks for packages that need not be there.
 _ASKS = re.compile(r"get_packages_with_prefixes|PackageNotFoundError|has_resource|get_resource\b")
+#: How launch files of tests and the directories of these are called.
+_TEST = re.compile(
+    r"(?:^|/)(?:\w+_)?(?:tests?|testing)(?:_\w+)?/|\.test(?:\.\w+)?$|(?:^|[/_.])test(?:[_.][^/]*)?$", re.IGNORECASE
+)
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 #: Places that a script fills in when it copies the file: ``$NAME$``, ``@NAME@``, ``{{ name }}``.
 _BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w+ ?\}\})")
@@ -135,6 +139,12 @@ def is_aside(use: PackageUse, system: System) -> bool:
     owners = {each.name: each for one in alike if (each := owner(system, Location(one, 1))) is not None}
     declared = {dependency.name for each in owners.values() for dependency in each.dependencies}
     return len(owners) >= _MANY and use.package not in declared
+
+
+def is_of_tests(use: PackageUse, package: Package) -> bool:
+    """Whether only tests of *package* start the launch file, by its name or its directory in the package."""
+    path = use.location.path
+    return _TEST.search(path if package.path == "." else path[len(package.path) + 1 :]) is not None
 
 
 def asks_what_is_installed(path: str, system: System) -> bool:
