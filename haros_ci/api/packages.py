@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.appearing import is_ignored, may_appear
+from haros_ci.checking.appearing import is_told_of, is_ignored, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.editing import (
@@ -168,6 +168,7 @@ __all__ = [
     "is_of_ros",
     "is_program",
     "is_to_be_had",
+    "is_told_of",
     "is_written",
     "knowledge",
     "landings",
