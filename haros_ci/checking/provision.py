@@ -26,8 +26,8 @@ _PAST = frozenset(("opencv2", "opencv3"))
 #: Keys that bring what others bring parts of.
 _WHOLE = frozenset(("libqt4-dev", "qtbase5-dev", "qt6-base-dev"))
 #: Commands of CMake that build Python modules.
-_MODULES = ("pybind11_add_module", "nanobind_add_module", "python_add_library", "cython_add_module", "swig_add_library")
-_MODULES += ("ament_python_install_package", "ament_python_install_module")
+_MODULES: tuple[str, ...] = ("pybind11_add_module", "nanobind_add_module", "python_add_library", "cython_add_module")
+_MODULES += ("swig_add_library", "ament_python_install_package", "ament_python_install_module")
 _INTERFACES = ("_msgs", "_interfaces", "_srvs")
 
 

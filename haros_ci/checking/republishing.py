@@ -93,20 +93,20 @@ def _functions(text: str, is_python: bool) -> dict[str, str]:
     """The bodies of functions by name; of those of one name, together."""
     found: dict[str, str] = {}
     if is_python:
-        heads = list(_DEF.finditer(text))
-        for head in heads:
+        for head in _DEF.finditer(text):
             below = re.compile(rf"^[ \t]{{0,{len(head[1])}}}\S", re.MULTILINE)
-            end = below.search(text, head.end())
-            found[head[2]] = found.get(head[2], "") + text[head.end() : end.start() if end is not None else len(text)]
+            next_one = below.search(text, head.end())
+            body = text[head.end() : next_one.start() if next_one is not None else len(text)]
+            found[head[2]] = found.get(head[2], "") + body
         outermost = _OUTERMOST.search(text)  # a script has its loop there
         found[""] = text[outermost.start() :] if outermost is not None else ""
         return found
     at = 0
-    while head := _FUNCTION.search(text, at):
-        at = head.end()
-        if head[1] not in _NO_FUNCTIONS:
+    while opened := _FUNCTION.search(text, at):
+        at = opened.end()
+        if opened[1] not in _NO_FUNCTIONS:
             end = _end(text, at, "{}", len(text))
-            found[head[1]] = found.get(head[1], "") + text[at:end]
+            found[opened[1]] = found.get(opened[1], "") + text[at:end]
             at = end
     return found
 
