@@ -76,7 +76,7 @@ def _brought(
     """Of what is *missing* that of which headers alone are needed, and which another missing package brings, each with that one."""
     found: dict[frozenset[str], frozenset[str]] = {}
     for providers, uses in missing.items():
-        if not all(use.is_header for use in uses) or providers & package.declared:
+        if not all(use.is_header for use in uses) or providers & package.declared or _is_interface(providers):
             continue
         for other in missing:
             if other != providers and other not in found and not other & package.declared:
@@ -84,6 +84,11 @@ def _brought(
                     found[providers] = other
                     break
     return found
+
+
+def _is_interface(providers: frozenset[str]) -> bool:
+    """Whether they are packages of messages, which everybody declares who includes them."""
+    return any(name.endswith(("_msgs", "_interfaces", "_srvs")) for name in providers)
 
 
 def _closure(name: str, ros: int | None, provisions: Provisions) -> frozenset[str]:

@@ -54,12 +54,11 @@ def check(system: System) -> Iterator[Finding]:
                 groups.setdefault((Level.NOTE, True), []).append(_Missing(name, needing))
                 continue
             needing = others
-            is_sure = is_whole and not any(
+            is_asked = any(
                 is_optional(use, system) for use in uses
             )  # another launch file asks: it is meant to be optional
-            is_sure = (
-                is_sure and not _is_generated(package, system) and not all(is_aside(use, system) for use in needing)
-            )
+            is_sure = is_whole and not is_asked and not _is_generated(package, system)
+            is_sure = is_sure and not all(is_aside(use, system) for use in needing)
             groups.setdefault((None if is_sure else Level.NOTE, False), []).append(_Missing(name, needing))
         for (level, is_test), group in groups.items():
             yield _finding(package, group, level, is_test)

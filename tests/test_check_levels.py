@@ -365,7 +365,8 @@ def test_plugins_of_packages_that_are_not_declared(
     [
         (("launch/a.launch",), [Level.WARNING]),
         (("test/a.launch",), [Level.NOTE]),
-        (("test/urdf/a.launch", "launch/test_a.launch"), [Level.NOTE]),
+        (("test/urdf/a.launch", "tests/b.launch"), [Level.NOTE]),
+        (("launch/test_a.launch",), [Level.WARNING]),
         (("test/a.launch", "launch/a.launch"), [Level.WARNING]),
         (("launch/latest.launch",), [Level.WARNING]),
     ],

@@ -43,10 +43,8 @@ _TOOLS = frozenset(
 _MANY = 3
 #: What a launch file in Python asks for packages that need not be there.
 _ASKS = re.compile(r"get_packages_with_prefixes|PackageNotFoundError|has_resource|get_resource\b")
-#: How launch files of tests and the directories of these are called.
-_TEST = re.compile(
-    r"(?:^|/)(?:\w+_)?(?:tests?|testing)(?:_\w+)?/|\.test(?:\.\w+)?$|(?:^|[/_.])test(?:[_.][^/]*)?$", re.IGNORECASE
-)
+#: The directories of launch files for tests, and how those of rostest are called.
+_TEST = re.compile(r"(?:^|/)(?:(?:ros|unit|integration_|system_)?tests?|testing|test_(?:utils|launch|data))/|\.test$")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 #: Places that a script fills in when it copies the file: ``$NAME$``, ``@NAME@``, ``{{ name }}``.
 _BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w+ ?\}\})")
@@ -142,7 +140,7 @@ def is_aside(use: PackageUse, system: System) -> bool:
 
 
 def is_of_tests(use: PackageUse, package: Package) -> bool:
-    """Whether only tests of *package* start the launch file, by its name or its directory in the package."""
+    """Whether only tests of *package* start the launch file, by its directory in the package, or as one of rostest."""
     path = use.location.path
     return _TEST.search(path if package.path == "." else path[len(package.path) + 1 :]) is not None
 
