@@ -49,7 +49,7 @@ def check(system: System) -> Iterator[Finding]:
                 continue
             if closes_a_cycle(package.name, name, system, names):
                 continue
-            others = tuple(use for use in needing if not is_of_tests(use, package))
+            others = tuple(use for use in needing if not is_of_tests(use, package, system))
             if not others:
                 groups.setdefault((Level.NOTE, True), []).append(_Missing(name, needing))
                 continue

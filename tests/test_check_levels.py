@@ -367,6 +367,7 @@ def test_plugins_of_packages_that_are_not_declared(
         (("test/a.launch",), [Level.NOTE]),
         (("test/urdf/a.launch", "tests/b.launch"), [Level.NOTE]),
         (("launch/test_a.launch",), [Level.WARNING]),
+        (("test/a.launch", "README.md"), [Level.WARNING]),
         (("test/a.launch", "launch/a.launch"), [Level.WARNING]),
         (("launch/latest.launch",), [Level.WARNING]),
     ],
@@ -374,6 +375,8 @@ def test_plugins_of_packages_that_are_not_declared(
 def test_a_dependency_of_launch_files_for_tests(places: tuple[str, ...], expected: list[Level], tmp_path: Path) -> None:
     launch = '<launch><node pkg="joy" type="joy_node" name="joy"/></launch>\n'
     files = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, **dict.fromkeys(places, launch)}
+    if "README.md" in files:
+        files["README.md"] = "Start it with `roslaunch demo a.launch`.\n"
     assert levels("undeclared-launch-dependency", files, tmp_path) == expected
 
 

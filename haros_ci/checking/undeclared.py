@@ -139,10 +139,11 @@ def is_aside(use: PackageUse, system: System) -> bool:
     return len(owners) >= _MANY and use.package not in declared
 
 
-def is_of_tests(use: PackageUse, package: Package) -> bool:
-    """Whether only tests of *package* start the launch file, by its directory in the package, or as one of rostest."""
+def is_of_tests(use: PackageUse, package: Package, system: System) -> bool:
+    """Whether only tests of *package* start the launch file, by its directory, or as one of rostest: no page or script names it."""
     path = use.location.path
-    return _TEST.search(path if package.path == "." else path[len(package.path) + 1 :]) is not None
+    inner = path if package.path == "." else path[len(package.path) + 1 :]
+    return _TEST.search(inner) is not None and not system.whole.is_named(path)
 
 
 def asks_what_is_installed(path: str, system: System) -> bool:

@@ -33,6 +33,8 @@ _LITERAL = re.compile(r"[\w-]{2}")
 _MAX_SIGNS = 4
 #: Where commands stand that people and scripts start launch files with, and an argument that one gives.
 _SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
+_READ = (".md", ".rst", ".sh", ".bash")
+_LAUNCHED = re.compile(r"[\w-]+[._]launch(?:\.(?:xml|py|ya?ml))?\b|[\w-]+\.(?:launch|test)\b")
 _URL = re.compile(r"(?:\b(?:https?|ssh|git)://|\bgit@)[^\s\"'`()\[\]<>,;#]{1,300}")
 _SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
 
@@ -135,6 +137,16 @@ class Whole:
         """The launch arguments that pages and scripts of the workspace give: ``rate`` of ``rate:=10``."""
         texts = (self._text(path) for path in self._paths if path.lower().endswith(_SHOWING))
         return frozenset(name for text in texts if ":=" in text for name in _SHOWN.findall(text))
+
+    def is_named(self, path: str) -> bool:
+        """Whether a page or a script of the workspace has the name of the launch file at *path*: then people start it."""
+        return path.rpartition("/")[2] in self._named
+
+    @cached_property
+    def _named(self) -> frozenset[str]:
+        """The names of launch files in pages and scripts, those of CMake aside."""
+        texts = (self._text(path) for path in self._paths if path.lower().endswith(_READ))
+        return frozenset(name for text in texts for name in _LAUNCHED.findall(text))
 
     @cached_property
     def repositories(self) -> frozenset[str]:
