@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import lru_cache
-from itertools import islice
+from itertools import chain, islice
 
 #: What asks for subscribers, or hears of new ones.
 _ASKS = re.compile(
@@ -21,7 +21,7 @@ _AGAIN = re.compile(
 _LOOP = re.compile(r"\bwhile\b[^\n;]{0,200}|\bfor\s*\(\s*;\s*;\s*\)")
 _WAITS = re.compile(r"\b(?:sleep|sleep_for|sleep_until|spin_some|spin_once|spinOnce|wait)\b")
 _PUBLISHER = re.compile(
-    r"(?:([A-Za-z_]\w*)\s*(?:\[[^\]\n]{0,100}\])?\s*(?::[^=\n]{0,100})?=(?!=)\s*|([A-Za-z_]\w*)\s*[({]\s*)"
+    r"\b(?:([A-Za-z_]\w*)\s*(?:\[[^\]\n]{0,100}\])?\s*(?::[\w.\[\], ]{1,100})?=(?!=)\s*|([A-Za-z_]\w*)\s*[({]\s*)"
     r"(?:[\w.>()\[\]:&* -]{0,80}[.>:]\s*)?(?:create_publisher|advertise)\b"
 )
 _FUNCTION = re.compile(r"\b([A-Za-z_]\w*)\s*\([^;{}]{0,400}\)[^;{}()]{0,100}\{")
@@ -50,7 +50,7 @@ def publishes_again(text: str, line: int | None, is_python: bool) -> bool:
         rf"\b{re.escape(name)}\b[^\n;=]{{0,100}}?(?:->|\.)\s*publish\s*\(" if name else r"(?:->|\.)\s*publish\s*\("
     )
     functions = _functions(text, is_python)
-    parts = islice((*_repeated(text), *_loops(functions)), _PARTS)
+    parts = islice(chain(_repeated(text), _loops(functions)), _PARTS)
     return any(_reaches(part, functions, publish) for part in parts)
 
 

@@ -34,7 +34,7 @@ _MAX_SIGNS = 4
 #: Where commands stand that people and scripts start launch files with, and an argument that one gives.
 _SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
 _READ = (".md", ".rst", ".sh", ".bash")
-_LAUNCHED = re.compile(r"[\w-]+[._]launch(?:\.(?:xml|py|ya?ml))?\b|[\w-]+\.(?:launch|test)\b")
+_LAUNCHED = re.compile(r"(?<![\w-])[\w-]+(?:[._]launch(?:\.(?:xml|py|ya?ml))?|\.test)\b")
 _URL = re.compile(r"(?:\b(?:https?|ssh|git)://|\bgit@)[^\s\"'`()\[\]<>,;#]{1,300}")
 _SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
 
