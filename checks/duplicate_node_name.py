@@ -3,15 +3,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, line_of, together
+
+#: Programs of ROS 2 that do one thing and end: nobody sets their parameters or calls their services.
+_ENDING = {
+    "controller_manager": r"(?:un)?spawner(?:\.py)?|hardware_spawner|spawner_.*",
+    "gazebo_ros": r"spawn_entity(?:\.py)?",
+    "ros_gz_sim": r"create|remove",
+    "ros_ign_gazebo": r"create",
+    "nav2_map_server": r"map_saver_cli",
+}
 
 
 def check(system: System) -> Iterator[Finding]:
     by_name: dict[str, list[SystemNode]] = {}
     for node in system.nodes if system.is_launched else ():
-        if node.known and node.is_launched and not node.raw.conditions:
+        if node.known and node.is_launched and not node.raw.conditions and not _ends(node):
             by_name.setdefault(node.name, []).append(node)
     for nodes in by_name.values():
         pair = _pair(nodes)
@@ -20,6 +30,12 @@ def check(system: System) -> Iterator[Finding]:
     for node in system.nodes:
         if len(node.raw.twins) == 2:
             yield _of_one_process(node, *node.raw.twins)
+
+
+def _ends(node: SystemNode) -> bool:
+    """Whether the program ends at once. roslaunch of ROS 1 refuses two of one name all the same."""
+    package, _, program = node.type.partition("/")
+    return node.ros == 2 and package in _ENDING and re.fullmatch(_ENDING[package], program) is not None
 
 
 def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:

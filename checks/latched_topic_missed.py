@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Channel, Check, Decidability, End, Finding, Level, Location, System, can_meet, qos_in_words
+from haros_ci.api.code import publishes_again
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -14,7 +15,7 @@ def check(system: System) -> Iterator[Finding]:
         if any(_durability(end) == "transient_local" for end in topic.publishers):
             for subscriber in topic.subscribers:
                 if _durability(subscriber) == "volatile" and subscriber.in_source and not subscriber.implicit:
-                    publisher = _keeper(topic, subscriber)
+                    publisher = _keeper(topic, subscriber, system)
                     if publisher is not None:
                         found.setdefault(subscriber.location, []).append((topic, publisher, subscriber))
     for place, alike in found.items():
@@ -44,11 +45,22 @@ def _durability(end: End) -> str | None:
     return end.qos.durability if end.qos is not None else None
 
 
-def _keeper(topic: Channel, subscriber: End) -> End | None:
-    """The publisher in another node that keeps its messages, if all that *subscriber* can meet do."""
+def _sends_again(publisher: End, system: System) -> bool:
+    place, workspace = publisher.location, system.workspace
+    if not publisher.in_source or workspace is None:
+        return False
+    return publishes_again(workspace.text(place.path), place.line, place.path.endswith(".py"))
+
+
+def _keeper(topic: Channel, subscriber: End, system: System) -> End | None:
+    """The publisher in another node that keeps its messages, if all that *subscriber* can meet do, and none sends them again."""
     met = [publisher for publisher, _ in can_meet(topic.publishers, (subscriber,))]
     kept = [end for end in met if _durability(end) == "transient_local" and not end.implicit]
-    if len(kept) < len(met) or any(end.node is subscriber.node for end in met):
+    if (
+        any(_sends_again(end, system) for end in met)
+        or len(kept) < len(met)
+        or any(end.node is subscriber.node for end in met)
+    ):
         return None
     if any(
         end.conditions and _durability(end) != "volatile" for end in topic.subscribers if end.node is subscriber.node

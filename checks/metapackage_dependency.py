@@ -8,6 +8,9 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 from haros_ci.api.packages import Dependency, needs, place
 
+#: Dependencies for running alone.
+_RUN = ("run_depend", "exec_depend", "test_depend", "doc_depend")
+
 
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
@@ -18,7 +21,13 @@ def check(project: Project) -> Iterator[Finding]:
             if need.name != package.name and is_metapackage(project, package, need.name):
                 found.setdefault(need.name, []).append(need)
         for name, needed in found.items():
-            yield _finding(project, package, name, needed)
+            if not _is_customary(package, name, needed):
+                yield _finding(project, package, name, needed)
+
+
+def _is_customary(package: ProjectPackage, name: str, needed: list[Dependency]) -> bool:
+    """Whether the package only wants all of the metapackage installed, which packages of ROS 1 do with ros_control and others."""
+    return package.ros == 1 and _found_by(package, name) is None and all(need.kind in _RUN for need in needed)
 
 
 def is_metapackage(project: Project, package: ProjectPackage, name: str) -> bool:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
-from haros_ci.api.packages import CMakeCommand, may_appear
+from haros_ci.api.packages import CMakeCommand, is_told_of, may_appear
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
 #: Words that end what install() and its like are told to install.
@@ -39,6 +39,8 @@ def check(project: Project) -> Iterator[Finding]:
                 if path is None or path in said or project.exists(path) or may_appear(package, path, _QUIET):
                     continue
                 said.add(path)
+                if is_told_of(package, path):
+                    continue
                 yield _finding(project, package, command, word, path)
 
 

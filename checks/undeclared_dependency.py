@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed
 from haros_ci.api.packages import (
     COUNTERPARTS,
     Need,
@@ -50,18 +50,55 @@ def check(project: Project) -> Iterator[Finding]:
         for need in needs:
             if provided is not None and provisions.lacks(provided, need.providers):
                 _put(missing, need)
-        for providers, uses in missing.items():
-            if not _is_said(package, providers):
-                yield _finding(package, providers, uses)
+        said = {providers: uses for providers, uses in missing.items() if not _is_said(package, providers)}
+        brought = _brought(package, said, provisions)
+        for providers, uses in said.items():
+            if providers not in brought:
+                yield _finding(
+                    package, providers, uses, [said[each] for each, by in brought.items() if by == providers]
+                )
         if provided is not None and not provided.is_open and not _has_environment(package, provisions):
             yield from _environment(package)
 
 
 def _is_said(package: ProjectPackage, providers: frozenset[str]) -> bool:
     """Whether another check has it declared: foreign-dependency for one of the other ROS, incomplete-interface-package for a generator."""
-    instead = {COUNTERPARTS[package.ros].get(name) for name in package.declared} if package.ros in COUNTERPARTS else set()
+    instead = (
+        {COUNTERPARTS[package.ros].get(name) for name in package.declared} if package.ros in COUNTERPARTS else set()
+    )
     generates = package.commands("rosidl_generate_interfaces", "generate_messages")
     return bool(providers & instead) or (bool(generates) and not providers.isdisjoint(_GENERATORS))
+
+
+def _brought(
+    package: ProjectPackage, missing: Mapping[frozenset[str], list[Need]], provisions: Provisions
+) -> dict[frozenset[str], frozenset[str]]:
+    """Of what is *missing* that of which headers alone are needed, and which another missing package brings, each with that one."""
+    found: dict[frozenset[str], frozenset[str]] = {}
+    for providers, uses in missing.items():
+        if not all(use.is_header for use in uses) or providers & package.declared or _is_interface(providers):
+            continue
+        for other in missing:
+            if other != providers and other not in found and not other & package.declared:
+                if providers & _closure(first_provider(other, package), package.ros, provisions):
+                    found[providers] = other
+                    break
+    return found
+
+
+def _is_interface(providers: frozenset[str]) -> bool:
+    """Whether they are packages of messages, which everybody declares who includes them."""
+    return any(name.endswith(("_msgs", "_interfaces", "_srvs")) for name in providers)
+
+
+def _closure(name: str, ros: int | None, provisions: Provisions) -> frozenset[str]:
+    """What comes with *name*."""
+    found, todo = {name}, [name]
+    while todo:
+        new = (provisions.brought(todo.pop(), ros) or frozenset()) - found
+        found |= new
+        todo += new
+    return frozenset(found)
 
 
 def _put(missing: dict[frozenset[str], list[Need]], need: Need) -> None:
@@ -74,7 +111,10 @@ def _put(missing: dict[frozenset[str], list[Need]], need: Need) -> None:
     missing[need.providers] = [need]
 
 
-def _finding(package: ProjectPackage, providers: frozenset[str], uses: list[Need]) -> Finding:
+def _finding(
+    package: ProjectPackage, providers: frozenset[str], uses: list[Need], brought: Sequence[list[Need]] = ()
+) -> Finding:
+    """*brought* is what else is needed and comes with the same package."""
     tested = sorted(providers & package.declared)
     if tested:
         return _only_tested(package, tested[0], uses)
@@ -85,12 +125,16 @@ def _finding(package: ProjectPackage, providers: frozenset[str], uses: list[Need
     is_certain = not others and is_of_ros(name, package.project)
     fix = add_dependency(package, kind, name) if is_certain else None
     alternative = f" (or {', '.join(others)})" if others else ""
+    if brought:
+        alternative += f", which brings {listed([each[0].what.removeprefix('#include ') for each in brought])}, too"
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {name} to build ({uses[0].what}), but package.xml does not declare it: the build "
         f"fails on a machine without {name}; add {dependency_tags(package, kind, name)}{alternative}",
         about=(package.name, name),
-        related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
+        related=tuple(
+            (use.location, f"needs {name}: {use.what}") for each in (uses, *brought) for use in each[:_SHOWN]
+        ),
         apart=(name,),
         fixes=() if fix is None else (fix,),
     )

@@ -16,6 +16,7 @@ from haros_ci.api.packages import (
     distributions_of,
     first_provider,
     imports_of,
+    is_called_after,
     is_of_ros,
     last_dependency,
     needs_of,
@@ -62,7 +63,9 @@ def check(project: Project) -> Iterator[Finding]:
         by_pip = set(_by_pip(package)) if needs else set()
         missing: dict[frozenset[str], list[Need]] = {}
         for need in needs:
-            if provided is not None and not _called(need) & by_pip and provisions.lacks(provided, need.providers):
+            if provided is None or _called(need) & by_pip or _is_named(need, package):
+                continue
+            if provisions.lacks(provided, need.providers):
                 missing.setdefault(need.providers, []).append(need)
         if not missing:
             continue
@@ -86,6 +89,12 @@ def _called(need: Need) -> frozenset[str]:
     """The names that pip may have for what brings a module."""
     stems = (normal(_KEY.sub("", name)) for name in need.providers)
     return distributions_of(need.what.removeprefix("import ")).union(stems)
+
+
+def _is_named(need: Need, package: ProjectPackage) -> bool:
+    """Whether the manifest declares, for more than tests, a package that is called after the module."""
+    module = need.what.removeprefix("import ")
+    return any(is_called_after(each.name, module) for each in package.raw.dependencies if each.kind != "test_depend")
 
 
 def _missing(package: ProjectPackage, uses: list[Need], pins: Mapping[str, Location]) -> _Missing:

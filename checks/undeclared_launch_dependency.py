@@ -14,6 +14,7 @@ from haros_ci.api.packages import (
     dependency_place,
     is_aside,
     is_left_out,
+    is_of_tests,
     is_to_be_had,
     provided,
 )
@@ -39,7 +40,7 @@ def check(system: System) -> Iterator[Finding]:
     names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
     for package, packages in used.values():
         found, is_whole = provided(package, system)
-        groups: dict[Level | None, list[_Missing]] = {}
+        groups: dict[tuple[Level | None, bool], list[_Missing]] = {}
         for name, uses in packages.items():
             if name in found or not is_to_be_had(name, package.ros, system):
                 continue
@@ -48,14 +49,23 @@ def check(system: System) -> Iterator[Finding]:
                 continue
             if closes_a_cycle(package.name, name, system, names):
                 continue
-            is_sure = is_whole and len(needing) == len(uses)  # another launch file asks: it is meant to be optional
-            is_sure = is_sure and not _is_generated(package, system) and not all(is_aside(use, system) for use in needing)
-            groups.setdefault(None if is_sure else Level.NOTE, []).append(_Missing(name, needing))
-        yield from (_finding(package, group, level) for level, group in groups.items())
+            others = tuple(use for use in needing if not is_of_tests(use, package, system))
+            if not others:
+                groups.setdefault((Level.NOTE, True), []).append(_Missing(name, needing))
+                continue
+            needing = others
+            is_asked = any(
+                is_optional(use, system) for use in uses
+            )  # another launch file asks: it is meant to be optional
+            is_sure = is_whole and not is_asked and not _is_generated(package, system)
+            is_sure = is_sure and not all(is_aside(use, system) for use in needing)
+            groups.setdefault((None if is_sure else Level.NOTE, False), []).append(_Missing(name, needing))
+        for (level, is_test), group in groups.items():
+            yield _finding(package, group, level, is_test)
 
 
-def _finding(package: Package, group: list[_Missing], level: Level | None) -> Finding:
-    tag = "exec_depend" if package.format > 1 else "run_depend"
+def _finding(package: Package, group: list[_Missing], level: Level | None, is_test: bool) -> Finding:
+    tag = "test_depend" if is_test else "exec_depend" if package.format > 1 else "run_depend"
     names = tuple(each.name for each in group)
     is_one = len({use.location.path for each in group for use in each.uses}) == 1
     if len(group) == 1:
@@ -63,6 +73,8 @@ def _finding(package: Package, group: list[_Missing], level: Level | None) -> Fi
     else:
         them, lacking = "them", "these packages"
     files, fails = ("a launch file", "the launch fails") if is_one else ("launch files", "they fail")
+    if is_test:
+        files = "a launch file for tests" if is_one else "launch files for tests"
     return Finding(
         at=dependency_place(package),
         message=f"{files} of {package.name} {'uses' if is_one else 'use'} {listed(names)}, but package.xml does not declare {them}: "

@@ -13,6 +13,9 @@ from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, included_by, me
 #: A declaration is this many lines long at most.
 LINES = 12
 _NEXT = re.compile(r"Declare\w*Launch\w*Arg|<arg\b|<include\b|<node\b|<!--|^\s*- \w+:|^\s*\w+ = |^\s*\w+\(", re.M)
+#: So many files make a family, whose names begin alike.
+_MANY = 3
+_FAMILY = re.compile(r"[A-Za-z0-9]+[_-]")
 _COMMENT = re.compile(r"\s*(?:#|<!--.*-->\s*$)")
 _KEPT = re.compile(
     r"compat(?:ib|\b)|\bdeprecated\b|\blegacy\b|\bobsolete\b|\b(?:is|are|currently|now) (?:ignored|unused)\b|\bno longer\b|\bnot (?:\w+ )?used\b"
@@ -49,7 +52,28 @@ def check(system: System) -> Iterator[Finding]:
                 apart=(argument.name,),
                 flow=included_by(argument),
                 presence=argument.presence,
+                level=Level.NOTE if _is_of_family(argument, system) else None,
             )
+
+
+def _is_of_family(argument: ArgumentDeclaration, system: System) -> bool:
+    """Whether the file is one of several with the same arguments (a template, the files of one name in several packages), one of which reads it."""
+    path = argument.location.path
+    folder, _, name = path.rpartition("/")
+    family = _FAMILY.match(name)
+    same = [each.rpartition("/")[0] for each in system.whole.files_by_name.get(name, ())]
+    if len(same) >= _MANY and any((each, argument.name) in system.whole.used_arguments for each in same):
+        return True
+    if family is None or (folder, argument.name) not in system.whole.used_arguments:
+        return False
+    beside = [each for each in system.whole.launch_files if each.startswith(f"{folder}/{family[0]}")]
+    readers = {
+        fact.location.path
+        for each in system.whole.systems
+        for fact in each.facts(ArgumentDeclaration)
+        if fact.name == argument.name and fact.is_used
+    }
+    return len(beside) >= _MANY and not readers.isdisjoint(beside)
 
 
 def _stands_in(argument: ArgumentDeclaration, system: System) -> bool:
@@ -66,7 +90,7 @@ def _is_passed(argument: ArgumentDeclaration, system: System) -> bool:
     name = path.rpartition("/")[2]
     if any((place, argument.name) in system.whole.passed_arguments for place in (path, name, "")):
         return True
-    return any(argument.name in passed and file.fullmatch(name) for file, passed in system.whole.chosen_files)
+    return any(argument.name in passed and file.fullmatch(path) for file, passed in system.whole.chosen_files)
 
 
 def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:

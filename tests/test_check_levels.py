@@ -20,6 +20,7 @@ PACKAGE = (
 ROS2 = PACKAGE.format("ament_cmake", "rclcpp", "<export><build_type>ament_cmake</build_type></export>")
 ROS1 = PACKAGE.format("catkin", "rospy", "")
 CMAKE = "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\n{}\nament_package()\n"
+CATKIN = "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
 OLD = '<launch><arg name="x" default="1"/><node pkg="demo" type="n" name="n" args="$(arg x)"/></launch>\n'
 
 
@@ -357,3 +358,36 @@ def test_plugins_of_packages_that_are_not_declared(
         "launch/a.launch.py": launch,
     }
     assert levels("undeclared-plugin-dependency", files, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("places", "expected"),
+    [
+        (("launch/a.launch",), [Level.WARNING]),
+        (("test/a.launch",), [Level.NOTE]),
+        (("test/urdf/a.launch", "tests/b.launch"), [Level.NOTE]),
+        (("launch/test_a.launch",), [Level.WARNING]),
+        (("test/a.launch", "README.md"), [Level.WARNING]),
+        (("test/a.launch", "launch/a.launch"), [Level.WARNING]),
+        (("launch/latest.launch",), [Level.WARNING]),
+    ],
+)
+def test_a_dependency_of_launch_files_for_tests(places: tuple[str, ...], expected: list[Level], tmp_path: Path) -> None:
+    launch = '<launch><node pkg="joy" type="joy_node" name="joy"/></launch>\n'
+    files = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, **dict.fromkeys(places, launch)}
+    if "README.md" in files:
+        files["README.md"] = "Start it with `roslaunch demo a.launch`.\n"
+    assert levels("undeclared-launch-dependency", files, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("readme", "expected"),
+    [("", Level.WARNING), ("For ROS 2 Foxy.\n", Level.NOTE), ("For ROS 2 Foxy and Humble.\n", Level.WARNING)],
+)
+def test_keywords_that_old_distributions_have(readme: str, expected: Level, tmp_path: Path) -> None:
+    launch = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\ndef generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='joy', node_executable='joy_node')])\n"
+    )
+    files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format(""), "launch/a.launch.py": launch, "README.md": readme}
+    assert levels("deprecated-launch-keyword", files, tmp_path) == [expected]

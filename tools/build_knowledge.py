@@ -129,8 +129,8 @@ def _sections(
             for name in names:
                 if package in packages:
                     rows[name].add(package)
-    for module, key in modules(system, table["modules"]):
-        found_modules[module] |= {key, *(chosen[d] for d in system.keys[key] if d in chosen)}
+    for module, key, names in modules(system, table["modules"]):
+        found_modules[module] |= {key, *(chosen[name] for name in names if name in chosen)}
     short = {name: " ".join(sorted(row)) for name, row in headers.items()}
     lower: Rows = defaultdict(set)
     for name, row in found_modules.items():

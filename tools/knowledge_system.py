@@ -56,20 +56,29 @@ def read_system(rosdistro: Path) -> System:
     return system
 
 
-def modules(system: System, given: dict[str, list[str]]) -> Iterator[tuple[str, str]]:
-    """``(module, key)``: what *given* says of Debian's packages, else a module that is named as the package."""
+def modules(system: System, given: dict[str, list[str]]) -> Iterator[tuple[str, str, frozenset[str]]]:
+    """``(module, key, packages)``: what *given* says of Debian's packages, else a module that is named as the package.
+
+    *packages* are those of the key that have the module: a key for several packages (Qt's two bindings) brings more than each of them.
+    """
     for key in system.keys:
-        names = {match[1] for name in (*system.keys[key], key) if (match := _PYTHON.match(name))} | system.pip[key]
-        found = set[str]()
-        for name in names:
-            plain = _PYTHON.sub(r"\1", name).lower()
-            row = given.get(f"python3-{plain}")
-            found |= set(row) if row is not None else {re.split(r"[.\[=<>]", plain.replace("-", "_"))[0]}
-        for name in system.keys[key]:
-            found |= set(given.get(name, ()))
-        for module in found:
+        found: dict[str, set[str]] = {}
+        for name in (*system.keys[key], key):
+            match = _PYTHON.match(name)
+            for module in (*_named(match[1], given), *given.get(name, ())) if match else given.get(name, ()):
+                found.setdefault(module, set()).add(name)
+        for name in system.pip[key]:
+            for module in _named(name, given):
+                found.setdefault(module, set())
+        for module, names in found.items():
             if module.isidentifier():
-                yield module, key
+                yield module, key, frozenset(names)
+
+
+def _named(name: str, given: dict[str, list[str]]) -> Iterable[str]:
+    """The modules of a package that is called *name* after ``python3-`` or on PyPI."""
+    plain = _PYTHON.sub(r"\1", name).lower()
+    return given.get(f"python3-{plain}") or (re.split(r"[.\[=<>]", plain.replace("-", "_"))[0],)
 
 
 def _flatten(row: Any, names: set[str], pip: set[str], is_pip: bool) -> None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.checking.attributes import Unset, unset_attributes
+from haros_ci.checking.republishing import publishes_again
 from haros_ci.code.body import (
     Body,
     Call,
@@ -109,6 +110,7 @@ __all__ = [
     "nodes",
     "own_method",
     "owner_of",
+    "publishes_again",
     "reached",
     "resolved",
     "ros_type",

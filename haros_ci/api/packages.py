@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.appearing import is_ignored, may_appear
+from haros_ci.checking.appearing import is_told_of, is_ignored, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.editing import (
@@ -18,7 +18,7 @@ from haros_ci.checking.editing import (
     set_attribute,
     set_text,
 )
-from haros_ci.checking.imports import imports_of
+from haros_ci.checking.imports import imports_of, is_called_after
 from haros_ci.checking.installing import install_directory, install_line, install_place, landings
 from haros_ci.checking.manifests import (
     BUILD,
@@ -69,6 +69,7 @@ from haros_ci.checking.undeclared import (
     dependency_place,
     is_aside,
     is_left_out,
+    is_of_tests,
     is_to_be_had,
     provided,
     used_by_launch_files,
@@ -152,6 +153,7 @@ __all__ = [
     "first_provider",
     "holds",
     "imports_of",
+    "is_called_after",
     "insert_line",
     "install_directory",
     "install_line",
@@ -161,10 +163,12 @@ __all__ = [
     "is_asked_for",
     "is_ignored",
     "is_left_out",
+    "is_of_tests",
     "is_nested",
     "is_of_ros",
     "is_program",
     "is_to_be_had",
+    "is_told_of",
     "is_written",
     "knowledge",
     "landings",

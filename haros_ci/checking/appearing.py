@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Collection
 from functools import lru_cache
 
@@ -25,6 +26,41 @@ def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bo
     stem = base.partition(".")[0]
     words, text = package.cmake.words(frozenset(quiet))
     return bool(stem and stem in words) or base in text or is_ignored(project.workspace, path)
+
+
+#: Pages and scripts that tell how to make what is not in the repository, so much of each, and words for making it.
+_PAGES = (".md", ".rst", ".txt", ".sh", ".bash", "dockerfile", "makefile", ".yml", ".yaml")
+_MAX_PAGE = 200_000
+_NO_PAGES = re.compile(r"(?:^|/)(?:CMakeLists\.txt|changelog[^/]*)$", re.IGNORECASE)
+_MAKES = re.compile(
+    r"\b(?:mkdir|wget|curl|git clone|git submodule|unzip|tar|ln|cp|mv|gdown|vcs|create|make|download\w*|extract|place|put|save|copy|generate\w*"
+    r"|clone|move|unpack|store)\b",
+    re.IGNORECASE,
+)
+
+
+def is_told_of(package: ProjectPackage, path: str) -> bool:
+    """Whether a page or script of the workspace tells to make, download or copy the root-relative *path* of *package*.
+
+    It has the path, with the package before it or in the package's own pages, in one line with a word for that or in the line below.
+    """
+    inner = path if package.path == "." else path.removeprefix(f"{package.path}/")
+    named = {f"{package.name}/{inner}", f"{posixpath.basename(package.path)}/{inner}"}
+    own = "" if package.path == "." else f"{package.path}/"
+    for name in sorted(package.project.workspace.names):
+        if not name.lower().endswith(_PAGES) or _NO_PAGES.search(name):
+            continue
+        wanted = {*named, inner} if name.startswith(own) else named
+        text = package.project.text(name)[:_MAX_PAGE]
+        if not any(word in text for word in wanted):
+            continue
+        ends = re.compile(rf"(?<![\w.-])(?:{'|'.join(map(re.escape, sorted(wanted)))})(?![\w-])")
+        before = ""
+        for line in text.splitlines():
+            if (_MAKES.search(line) or _MAKES.search(before)) and ends.search(line):
+                return True
+            before = line
+    return False
 
 
 def is_ignored(workspace: Workspace, path: str) -> bool:

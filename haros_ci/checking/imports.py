@@ -48,6 +48,15 @@ _HOSTS = frozenset(
     """.split()
 )
 
+#: The interface of launch in ROS 2 Ardent: nothing starts such a file today.
+_OLD_LAUNCH = re.compile(
+    r"^[ \t]*(?:from|import)[ \t]+launch\.(?:legacy|exit_handler|output_handler|launcher|descriptor|loader|main)\b"
+    r"|^def[ \t]+launch[ \t]*\([ \t]*\w+[ \t]*,[ \t]*argv\b",
+    re.MULTILINE,
+)
+#: What the names of packages for Python have besides the module's.
+_AFFIXES = frozenset("py python python2 python3 ros ros1 ros2 lib pip catkin vendor".split())
+
 #: Modules of ROS 1 alone.
 _ROS_1 = frozenset(("rospy", "roslib", "rosnode", "rosparam", "rosservice", "rostopic"))
 
@@ -61,6 +70,8 @@ def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False
         found = list(imported(path, project.text(path), program))
         modules = frozenset(module for module, _ in found)
         if modules & _HOSTS or (package.ros == 2 and _is_left(modules, package)):
+            continue
+        if is_launch and _OLD_LAUNCH.search(project.text(path)):
             continue
         for module, location in found:
             if module in own or module in _PYTHON or module == package.name:
@@ -77,7 +88,18 @@ def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False
             if project.package(module) is not None:
                 names |= {module}
             if exists(names, package):
+                names |= sources.built_modules.get(module, frozenset())
                 yield Need(names, location, f"import {module}", False)
+
+
+def is_called_after(package: str, module: str) -> bool:
+    """Whether the name of *package* is that of the Python *module* with words for Python or ROS before or behind it: ``<module>_py``."""
+    words, wanted = re.split(r"[-_.]", package.lower()), module.lower().split("_")
+    count = len(wanted)
+    return any(
+        words[at : at + count] == wanted and _AFFIXES.issuperset((*words[:at], *words[at + count :]))
+        for at in range(len(words) - count + 1)
+    )
 
 
 def _is_left(modules: Set[str], package: ProjectPackage) -> bool:

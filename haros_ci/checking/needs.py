@@ -64,7 +64,7 @@ def _found(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[N
         if command.is_conditional or command.is_test is not tests or not command.arguments:
             continue
         for name in _required(command):
-            if "$" in name or name == package.name or _brings_module(sources, name):
+            if "$" in name or name == package.name or _brings_module(sources, name) or _is_own_build(name, command):
                 continue
             if not tests and _may_be_for_tests(name, command, project.text(command.location.path)):
                 continue
@@ -75,6 +75,11 @@ def _found(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[N
             if exists(names, package):
                 names |= _alike(name)
                 yield Need(names, command.location, f"find_package({name})", False)
+
+
+def _is_own_build(name: str, command: CMakeCommand) -> bool:
+    """Whether the command wants the configuration of a build of one's own: that of protobuf and gRPC is in no package of the system."""
+    return name.lower() in ("protobuf", "grpc") and bool({"CONFIG", "NO_MODULE"} & {*command.arguments})
 
 
 def _of_qt(name: str, knowledge: Knowledge) -> frozenset[str]:

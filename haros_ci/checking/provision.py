@@ -25,6 +25,9 @@ MAX_STEPS = 3_000_000
 _PAST = frozenset(("opencv2", "opencv3"))
 #: Keys that bring what others bring parts of.
 _WHOLE = frozenset(("libqt4-dev", "qtbase5-dev", "qt6-base-dev"))
+#: Commands of CMake that build Python modules.
+_MODULES: tuple[str, ...] = ("pybind11_add_module", "nanobind_add_module", "python_add_library", "cython_add_module")
+_MODULES += ("swig_add_library", "ament_python_install_package", "ament_python_install_module")
 _INTERFACES = ("_msgs", "_interfaces", "_srvs")
 
 
@@ -227,6 +230,16 @@ class Sources:
         for package in self.project.packages:
             for root, directory in package.build.python_roots:
                 for name in {root.partition(".")[0]} if root else _below(package, directory):
+                    found.setdefault(name, set()).add(package.name)
+        return {name: frozenset(names) for name, names in found.items()}
+
+    @cached_property
+    def built_modules(self) -> Mapping[str, frozenset[str]]:
+        """Which packages of the workspace have a command of CMake that builds a Python module, by its name."""
+        found: dict[str, set[str]] = {}
+        for package in self.project.packages:
+            for command in package.commands(*_MODULES):
+                for name in command.arguments[:1]:
                     found.setdefault(name, set()).add(package.name)
         return {name: frozenset(names) for name, names in found.items()}
 

@@ -43,6 +43,8 @@ _TOOLS = frozenset(
 _MANY = 3
 #: What a launch file in Python asks for packages that need not be there.
 _ASKS = re.compile(r"get_packages_with_prefixes|PackageNotFoundError|has_resource|get_resource\b")
+#: The directories of launch files for tests, and how those of rostest are called.
+_TEST = re.compile(r"(?:^|/)(?:(?:ros|unit|integration_|system_)?tests?|testing|test_(?:utils|launch|data))/|\.test$")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 #: Places that a script fills in when it copies the file: ``$NAME$``, ``@NAME@``, ``{{ name }}``.
 _BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w+ ?\}\})")
@@ -129,12 +131,19 @@ def is_aside(use: PackageUse, system: System) -> bool:
     if use.package in _TOOLS or use.package.startswith("rqt"):
         return True
     file = use.location.path.rpartition("/")[2]
-    if any(each.fullmatch(file) for each, _ in system.whole.chosen_files):
+    if any(each.fullmatch(use.location.path) for each, _ in system.whole.chosen_files):
         return True
     alike = system.whole.files_by_name.get(file, ())
     owners = {each.name: each for one in alike if (each := owner(system, Location(one, 1))) is not None}
     declared = {dependency.name for each in owners.values() for dependency in each.dependencies}
     return len(owners) >= _MANY and use.package not in declared
+
+
+def is_of_tests(use: PackageUse, package: Package, system: System) -> bool:
+    """Whether only tests of *package* start the launch file, by its directory, or as one of rostest: no page or script names it."""
+    path = use.location.path
+    inner = path if package.path == "." else path[len(package.path) + 1 :]
+    return _TEST.search(inner) is not None and not system.whole.is_named(path)
 
 
 def asks_what_is_installed(path: str, system: System) -> bool:

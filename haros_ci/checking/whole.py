@@ -25,9 +25,16 @@ _STARTS = re.compile(r"<(?:node|include|let|group|executable)\b")
 #: Lines that an include's tag with its file takes.
 _OF_INCLUDE = 4
 _FILE = re.compile(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
-_SUBSTITUTION = re.compile(r"\$\((?:arg|var|env|optenv|eval)\s[^()]*\)")
+_SUBSTITUTION = re.compile(r"(?:\$\((?:arg|var|env|optenv|eval)\s[^()]*\))+|\*+")
+#: Where a package is: its name counts only if it is chosen, too, and is taken for that of its directory.
+_PACKAGE = re.compile(r"\$\((?:find|find-pkg-share)\s+(?:([\w-]*\*[\w*-]*)|[\w-]+)\)")
+_LITERAL = re.compile(r"[\w-]{2}")
+#: A path has so many chosen parts at most.
+_MAX_SIGNS = 4
 #: Where commands stand that people and scripts start launch files with, and an argument that one gives.
 _SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
+_READ = (".md", ".rst", ".sh", ".bash")
+_LAUNCHED = re.compile(r"(?<![\w-])[\w-]+(?:[._]launch(?:\.(?:xml|py|ya?ml))?|\.test)\b")
 _URL = re.compile(r"(?:\b(?:https?|ssh|git)://|\bgit@)[^\s\"'`()\[\]<>,;#]{1,300}")
 _SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
 
@@ -83,7 +90,10 @@ class Whole:
 
     @cached_property
     def chosen_files(self) -> tuple[tuple[re.Pattern[str], frozenset[str]], ...]:
-        """Names of launch files that an include chooses by an argument (``slam_$(arg method).launch``), with what it passes."""
+        """Patterns of the paths of launch files that an include chooses by an argument, with what it passes.
+
+        ``slam_$(arg method).launch``, ``$(arg robot)_config/launch/start.launch``
+        """
         found: dict[str, set[str]] = {}
         names: dict[Location, str] = {}
         for system in self.systems:
@@ -127,6 +137,16 @@ class Whole:
         """The launch arguments that pages and scripts of the workspace give: ``rate`` of ``rate:=10``."""
         texts = (self._text(path) for path in self._paths if path.lower().endswith(_SHOWING))
         return frozenset(name for text in texts if ":=" in text for name in _SHOWN.findall(text))
+
+    def is_named(self, path: str) -> bool:
+        """Whether a page or a script of the workspace has the name of the launch file at *path*: then people start it."""
+        return path.rpartition("/")[2] in self._named
+
+    @cached_property
+    def _named(self) -> frozenset[str]:
+        """The names of launch files in pages and scripts, those of CMake aside."""
+        texts = (self._text(path) for path in self._paths if path.lower().endswith(_READ))
+        return frozenset(name for text in texts for name in _LAUNCHED.findall(text))
 
     @cached_property
     def repositories(self) -> frozenset[str]:
@@ -174,16 +194,20 @@ class Whole:
 
 
 def _chosen(system: System, use: IncludeUse) -> str:
-    """A pattern of the names that the file of an include in XML can have; "" if it has but one."""
+    """A pattern of the paths that the file of an include in XML can have, by their ends; "" if it has but one."""
     if system.workspace is None or not use.location.line or use.location.path.endswith(NOT_XML):
         return ""
     lines = system.workspace.text(use.location.path).split("\n")[use.location.line - 1 :][:_OF_INCLUDE]
     written = _FILE.search("\n".join(lines))
-    name = written[1].rpartition("/")[2] if written is not None else ""
-    parts = _SUBSTITUTION.split(name)
-    if len(parts) < 2 or not any(len(part) > len(".xml") for part in parts):
+    text = _SUBSTITUTION.sub("*", written[1]) if written is not None else ""
+    parts = _PACKAGE.sub(lambda found: found[1] or "", text).rpartition("../")[2].split("/")
+    while parts and not _LITERAL.search(parts[0]):
+        parts.pop(0)  # a package, or a directory of which nothing is known
+    signs = [part.count("*") for part in parts]
+    name = parts[-1] if parts else ""
+    if not any(signs) or sum(signs) > _MAX_SIGNS or "$" in "".join(parts) or len(name.replace("*", "")) <= len(".xml"):
         return ""
-    return r"[\w.-]+".join(map(re.escape, parts))
+    return "(?:.*/)?" + "/".join(r"[\w.-]+".join(map(re.escape, part.split("*"))) for part in parts)
 
 
 def _file_name(text: str) -> str:

@@ -50,10 +50,29 @@ def test_nobody_is_said_to_have_a_header(header: str) -> None:
         ("PyKDL", "python_orocos_kdl_vendor"),
         ("tf.transformations", "tf"),
         ("std_msgs.msg", "std_msgs"),
+        ("PyQt5.QtWidgets", "python3-pyqt5"),
+        ("PyQt5.QtWidgets", "python3-qt5-bindings"),
+        ("PySide2", "python3-pyside2"),
+        ("camera_info_manager", "camera_info_manager_py"),
     ],
 )
 def test_who_has_a_module(module: str, provider: str) -> None:
     assert provider in (KNOWN.provider_of_module(module) or ())
+
+
+@pytest.mark.parametrize(
+    ("module", "key"),
+    [
+        ("PyQt5", "python3-sip"),
+        ("PyQt5", "python3-pyqt6"),
+        ("PyQt6", "python3-pyqt5"),
+        ("PySide2", "python3-pyqt5"),
+        ("PySide6", "python3-sip"),
+        ("camera_info_manager", "camera_info_manager"),
+    ],
+)
+def test_a_key_of_several_packages_does_not_give_each_the_modules_of_all(module: str, key: str) -> None:
+    assert key not in (KNOWN.provider_of_module(module) or ())
 
 
 @pytest.mark.parametrize("module", ["os", "our_company", "utils", "", "scripts", "navigation"])
