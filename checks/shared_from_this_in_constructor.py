@@ -64,7 +64,12 @@ def _ways(
         if call.name == _NAME or _is_tried(call) or not _is_of_this(call):
             continue
         for target in called(code, routine, call.whole):
-            if target.function.kind == "function" and target.owner and not target.function.is_static and target is not routine:
+            if (
+                target.function.kind == "function"
+                and target.owner
+                and not target.function.is_static
+                and target is not routine
+            ):
                 if any(target is each for each, _ in before) or not _is_of_class(call, routine, target):
                     continue
                 for way, is_sure in _ways(code, target, using, (*before, (routine, call)), depth + 1):
@@ -94,7 +99,9 @@ def _finding(constructor: Routine, way: tuple[tuple[Routine, Call], ...], at: Lo
         "std::bad_weak_ptr (before C++17 the behaviour is undefined); call it in a method that runs after std::make_shared, or "
         "pass the node by *this or by its interfaces",
         about=(constructor.owner, way[-1][0].title),
-        flow=tuple((Location(each.path, call.line, call.column), "calls this") for each, call in way) if len(way) > 1 else (),
+        flow=tuple((Location(each.path, call.line, call.column), "calls this") for each, call in way)
+        if len(way) > 1
+        else (),
         level=None if is_sure else Level.WARNING,
         apart=(constructor.owner,),
     )

@@ -71,7 +71,7 @@ def _is_made(project: Project, ros: int, tag: Location) -> bool:
     return found is None or found.attributes.get("subst_value", "false").lower() not in _FALSE
 
 
-def _at(root: Element, line: int) -> Element | None:
+def _at(root: Element, line: int | None) -> Element | None:
     """The one <rosparam> that stands in a line; None where there are several."""
     found, waiting = [], [root]
     while waiting:
