@@ -15,7 +15,10 @@ _WRITTEN = {
     2: re.compile(r"\$\((?:(?:var|find-pkg-share|find-pkg-prefix|env|anon) +[\w-]+(?: +[\w./:'\"-]+)?|dirname)\)"),
 }
 #: Code that makes the substitutions itself.
-_OWN = ("substitution_args", "resolve_args", "$(find", "$(var", "$(env", "$(arg", "$(dirname")
+_OWN = (
+    *("substitution_args", "resolve_args", "$(find", "$(var", "$(env", "$(arg", "$(dirname"),
+    *("\\(find", "\\(arg", "\\(env", "\\(var", "[(]find", "[(]arg", "[(]env"),
+)
 _FALSE = frozenset(("", "false", "0"))
 #: Longer values are robot descriptions and the like.
 _LONG = 2_000
