@@ -22,6 +22,7 @@ _SPINS = frozenset(("spin_once", "spin_some", "spin_until_future_complete", "spi
 _BY_NAME = re.compile(r"\b(?:setattr|hasattr|getattr|vars)\s*\(|__(?:getattr|getattribute|dict|slots)__|AttributeError")
 #: A constructor with more statements is data.
 _MANY = 500
+_CALLBACKS = 50
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +56,7 @@ def _of_constructor(project: Project, made: list[Callback]) -> Iterator[Finding]
     if maker.is_test or len(statements) > _MANY or _BY_NAME.search(project.text(maker.path)):
         return
     given = _given(code, maker)
-    for callback in made:
+    for callback in made[:_CALLBACKS]:
         late = _late(code, callback, statements, given)
         if late is not None:
             yield _finding(project, late)
@@ -69,7 +70,7 @@ def _late(code: Codebase, callback: Callback, statements: tuple[Any, ...], given
     )
     if at is None or statements[at][0] not in ("do", "set") or routine.owner != maker.owner or ros is None:
         return None
-    before = {name for each in statements[: at + 1] for name in _made(code, maker, each)}
+    before = _made(code, maker, statements[: at + 1])
     read = _read_first(routine)
     sets = [_sets(each) if each[0] == "do" else set() for each in statements[at + 1 :]]
     names = [name for name in read if name not in before | given and any(name in each for each in sets)]
@@ -116,15 +117,21 @@ def _calls(statement: Any) -> Iterator[str]:
             yield str(node[1][2] if node[1][0] == "field" else node[1][1] if node[1][0] == "name" else "")
 
 
-def _made(code: Codebase, maker: Routine, statement: Any, deep: int = 3) -> set[str]:
-    """What a statement sets, itself or in methods of the object that it calls."""
-    found = _sets(statement)
+def _made(code: Codebase, maker: Routine, statements: tuple[Any, ...]) -> set[str]:
+    """What statements set, themselves or in methods of the object that they call; each method is seen once."""
+    found: set[str] = set()
     owner = owner_of(code, maker)
-    for node in _nodes(statement):
-        if deep and owner is not None and node[0] == "call" and len(node) == 6 and _is_own(node[1]):
-            for method in methods(code, owner, str(node[1][2])):
-                for each in method.function.body or ():
-                    found |= _made(code, method, each, deep - 1)
+    if owner is None:
+        return _sets(statements)
+    waiting: list[tuple[Any, ...]] = [statements]
+    seen: set[str] = set()
+    while waiting:
+        block = waiting.pop()
+        found |= _sets(block)
+        for node in _nodes(block):
+            if node[0] == "call" and len(node) == 6 and _is_own(node[1]) and node[1][2] not in seen:
+                seen.add(node[1][2])
+                waiting += [each.function.body or () for each in methods(code, owner, str(node[1][2]))]
     return found
 
 

@@ -30,7 +30,7 @@ def check(project: Project) -> Iterator[Finding]:
         for routine in code.routines(path):
             if routine.function.kind != "constructor" or routine.outer is not None or routine.is_test:
                 continue
-            for way, is_sure in _ways(code, routine, using, (), 0):
+            for way, is_sure in _ways(code, routine, using):
                 user, call = way[-1]
                 at = Location(user.path, call.line, call.column)
                 if at not in seen and user.path not in asking:
@@ -51,33 +51,29 @@ def _is_of_this(call: Call) -> bool:
     return call.receiver is None or call.receiver[0] == "this"
 
 
-def _ways(
-    code: Codebase, routine: Routine, using: dict[int, list[Call]], before: tuple[tuple[Routine, Call], ...], depth: int
-) -> Iterator[_Way]:
-    """The calls of shared_from_this() that *routine* comes to, itself or in methods of its object that it calls."""
-    for call in using.get(id(routine), ()):
-        if not _is_tried(call):
-            yield (*before, (routine, call)), _is_certain(call)
-    if depth >= _DEEP:
-        return
-    for call in code.body(routine).calls:
-        if call.name == _NAME or _is_tried(call) or not _is_of_this(call):
-            continue
-        for target in called(code, routine, call.whole):
-            if (
-                target.function.kind == "function"
-                and target.owner
-                and not target.function.is_static
-                and target is not routine
-            ):
-                if any(target is each for each, _ in before) or not _is_of_class(call, routine, target):
-                    continue
-                for way, is_sure in _ways(code, target, using, (*before, (routine, call)), depth + 1):
-                    yield way, is_sure and _is_certain(call)
+def _ways(code: Codebase, constructor: Routine, using: dict[int, list[Call]]) -> Iterator[_Way]:
+    """The calls of shared_from_this() that *constructor* comes to, itself or in methods of its object; each method is seen once."""
+    waiting: list[tuple[Routine, tuple[tuple[Routine, Call], ...], bool]] = [(constructor, (), True)]
+    seen = {id(constructor)}
+    while waiting:
+        routine, before, is_sure = waiting.pop(0)
+        for call in using.get(id(routine), ()):
+            if not _is_tried(call):
+                yield (*before, (routine, call)), is_sure and _is_certain(call)
+        for call in code.body(routine).calls if len(before) < _DEEP else ():
+            if call.name == _NAME or _is_tried(call) or not _is_of_this(call):
+                continue
+            for target in called(code, routine, call.whole):
+                if id(target) not in seen and _is_of_class(call, routine, target):
+                    seen.add(id(target))
+                    waiting.append((target, (*before, (routine, call)), is_sure and _is_certain(call)))
 
 
 def _is_of_class(call: Call, routine: Routine, target: Routine) -> bool:
-    """Whether the method is called on the object itself: by its plain name, or on ``this``."""
+    """Whether a method is called on the object itself: by its plain name, or on ``this``."""
+    made = target.function
+    if made.kind != "function" or not target.owner or made.is_static:
+        return False
     return call.receiver is not None or "::" not in str(call.callee[1]) or target.owner == routine.owner
 
 

@@ -32,6 +32,10 @@ _INTEGERS = {f"{sign}int{bits}": bits for sign in ("", "u") for bits in (8, 16, 
 _FLOATS = frozenset(("float32", "float64"))
 _TEXTS = frozenset(("string", "wstring"))
 _TIMES = frozenset(("time", "duration", "builtin_interfaces/Time", "builtin_interfaces/Duration"))
+#: What sets names besides assignments.
+_SHARED = re.compile(r"\b(?:global|nonlocal|as|for)\s([^\n:]{1,200})")
+#: Functions with more assignments are tables.
+_MANY_SETS = 2_000
 #: Lists with more items are tables.
 _MANY = 200
 
@@ -141,21 +145,28 @@ def _variable(code: Codebase, routine: Routine, name: str, steps: int) -> str:
         return ""
     if any(each.name.lstrip("*") == name for each in routine.function.parameters):
         return ""
+    if len(body.sets) > _MANY_SETS:
+        return ""
     kinds: set[str] = set()
     for target, operator, value, _ in body.sets:
         if target[0] == "name" and target[1] == name:
             kinds.add(kind_of(code, routine, value, steps) if operator == "=" else "")
-        elif any(node[0] == "name" and node[1] == name for node in nodes(target)) and target[0] not in (
-            "field",
-            "index",
+        elif target[0] not in ("field", "index") and any(
+            node[0] == "name" and node[1] == name for node in nodes(target)
         ):
             return ""
-    if re.search(
-        rf"\b(?:global|nonlocal)\s[^\n]*\b{re.escape(name)}\b|\b(?:as|for)\s[^\n:]*\b{re.escape(name)}\b",
-        code.lines(routine, routine.function.line),
-    ):
-        return ""
-    return kinds.pop() if len(kinds) == 1 else ""
+    return kinds.pop() if len(kinds) == 1 and name not in _shared(code, routine) else ""
+
+
+def _shared(code: Codebase, routine: Routine) -> frozenset[str]:
+    """Names in the lines of a routine that loops, ``with`` and handlers set, and those of other functions."""
+    key = ("shared names", id(routine.function))
+    if key not in code.kept:
+        found = _SHARED.findall(code.lines(routine, routine.function.line))
+        code.kept[key] = frozenset(word for part in found for word in re.findall(r"\w+", part))
+        code.kept["keep", id(routine.function)] = routine.function  # so that its identity stays its own
+    names: frozenset[str] = code.kept[key]  # type: ignore[assignment]
+    return names
 
 
 def _fits(kind: str, value: Expression, written: str, ros: int) -> bool:
