@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, Parameter, Project
 from haros_ci.api.packages import Element
@@ -22,19 +23,33 @@ _OWN = (
 _FALSE = frozenset(("", "false", "0"))
 #: Longer values are robot descriptions and the like.
 _LONG = 2_000
+#: So many places in one file are related.
+_SHOWN = 5
+
+
+@dataclass(frozen=True, slots=True)
+class _Kept:
+    """A substitution, *written* at *at*, that the tag or call *tag* of a launch file of *ros* does not have made."""
+
+    ros: int
+    tag: Location
+    at: Location
+    written: str
+    parameter: Parameter
 
 
 def check(project: Project) -> Iterator[Finding]:
     launched = {place.partition("/")[2] for system in project.systems for place in system.launch}
     if any(not _is_one_of(path, launched) for path in project.code.mentioning(*_OWN)):
         return
-    seen: set[Location] = set()
+    found: dict[tuple[Location, str], dict[Location, _Kept]] = {}
     for system in project.systems:
         for parameter in system.parameters:
-            finding = _finding(project, system.ros, parameter)
-            if finding is not None and finding.at not in seen:
-                seen.add(finding.at)
-                yield finding
+            kept = _kept(project, system.ros, parameter)
+            if kept is not None:
+                found.setdefault((kept.tag, kept.at.path), {}).setdefault(kept.at, kept)
+    for places in found.values():
+        yield _finding(list(places.values()))
 
 
 def _is_one_of(path: str, launched: set[str]) -> bool:
@@ -42,26 +57,36 @@ def _is_one_of(path: str, launched: set[str]) -> bool:
     return path.endswith(("launch.py", *launched))
 
 
-def _finding(project: Project, ros: int, parameter: Parameter) -> Finding | None:
+def _kept(project: Project, ros: int, parameter: Parameter) -> _Kept | None:
+    """The substitution that stands in the value of a parameter as it is written; None if there is none, or launch may make it."""
     tag, at, value = parameter.location, parameter.origin, parameter.value
     if tag is None or at is None or parameter.source != "launch":
         return None
     written = next((each for text in _texts(value) for each in _WRITTEN[ros].findall(text)), None)
     if written is None or _is_made(project, ros, tag):
         return None
-    if ros == 1:
-        instead = 'add subst_value="true" to the <rosparam>'
-        where = "the text of a <rosparam>" if at.path == tag.path else f"{at.path}, as <rosparam> loads it"
+    return _Kept(ros, tag, at, written, parameter)
+
+
+def _finding(kept: list[_Kept]) -> Finding:
+    """One for all that a tag loads from one file: the fix is in the tag."""
+    first, others = kept[0], len(kept) - 1
+    tag, path = first.tag, first.at.path
+    if first.ros == 1:
+        instead = 'add subst_value="true"'
+        where = "the text of this <rosparam>" if path == tag.path else f"{path}, as <rosparam> loads it"
     else:
         instead = 'load the file with allow_substs="true" (Python: ParameterFile(…, allow_substs=True))'
-        where = f"{at.path}, as the node is given it"
+        where = f"{path}, as the node is given it"
+    more = f", and {others} more parameter{'s' if others > 1 else ''} likewise" if others else ""
     return Finding(
-        at=at,
-        message=f"{written} is not substituted in {where}: the parameter {parameter.name} gets this text itself; {instead}",
-        about=(parameter.name, written),
-        related=((tag, "loaded here"),) if tag != at else (),
-        presence=parameter.presence,
-        apart=(parameter.name,),
+        at=tag,
+        message=f"{first.written} is not substituted in {where}: the parameter {first.parameter.name} gets this text itself{more}; "
+        f"{instead}",
+        about=(path, *sorted({each.written for each in kept})),
+        related=tuple((each.at, f"{each.written} stays as it is") for each in kept[:_SHOWN] if each.at != tag),
+        presence=first.parameter.presence,
+        apart=(path,),
     )
 
 
