@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from haros_ci.checking.imports import used_files
+from haros_ci.checking.optional import depends_on_package
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.location import Location
 
@@ -20,6 +21,8 @@ _WORDS = ("get_package_", "FindPackage", "getPath", "get_path")
 _ASKS = re.compile(
     r"PackageNotFoundError|get_packages_with_prefixes|ResourceNotFound|has_resource|get_resource\b|\.list\(\)|\.empty\(\)"
 )
+#: Of Python the same for ROS 1; what code of ROS 2 does is read by its statements.
+_ASKS_ROS_1 = re.compile(r"ResourceNotFound|\.list\(\)")
 _LONG = 1_000_000
 
 
@@ -41,14 +44,21 @@ def lookups(package: ProjectPackage) -> Iterator[Lookup]:
             paths += target.sources
     for path in dict.fromkeys(paths):
         text = project.text(path)
-        if len(text) > _LONG or not any(word in text for word in _WORDS) or _ASKS.search(text):
+        if (
+            len(text) > _LONG
+            or not any(word in text for word in _WORDS)
+            or (_ASKS_ROS_1 if path.endswith(".py") else _ASKS).search(text)
+        ):
             continue
+        is_python = path.endswith(".py")
         mark = "#" if path.endswith(".py") or "//" not in text else "//"
         for number, line in enumerate(text.split("\n"), 1):
             for match in _CALL.finditer(line) if len(line) < 2_000 else ():
                 before = line[: match.start()]
                 if mark not in before and not before.lstrip().startswith(("*", ">>>")):
-                    yield Lookup(match[2], match[1], Location(path, number, match.start() + 1))
+                    at = Location(path, number, match.start() + 1)
+                    if not (is_python and depends_on_package(text, at)):
+                        yield Lookup(match[2], match[1], at)
 
 
 def _is_tool(package: ProjectPackage, path: str) -> bool:
