@@ -23,6 +23,12 @@ from haros_ci.api.code import (
 
 SPINS = frozenset(("spin", "spin_some", "spin_all", "spin_once", "spin_until_future_complete"))
 WAITS = frozenset(("get", "wait", "wait_for", "wait_until"))
+#: The functions of rclpy that spin a node, and what two of them leave behind (rclpy/__init__.py).
+OF_RCLPY = frozenset(("spin", "spin_once", "spin_until_future_complete"))
+REMOVED = (
+    "spins its own node: when rclpy.{}() returns it takes the node from its executor, so that none of its callbacks "
+    "runs any more; await the future in an async callback, or add a callback with add_done_callback()"
+)
 KINDS = frozenset(("subscription", "timer", "service", "response", "parameters"))
 
 
@@ -153,9 +159,7 @@ def _python(code: Codebase, each: Reached, call: Call) -> str | None:
     client = None
     if call.name == "call" and call.receiver is not None:
         client = call.receiver
-    elif call.name in ("spin", "spin_until_future_complete") and dotted(code, routine, call.callee).startswith(
-        "rclpy."
-    ):
+    elif call.name in OF_RCLPY and dotted(code, routine, call.callee) == f"rclpy.{call.name}":
         if not call.args or not _is_spun(code, each, call.args[0]):
             return None
         if call.name == "spin":
@@ -169,7 +173,12 @@ def _python(code: Codebase, each: Reached, call: Call) -> str | None:
             DEADLOCK
             + "await call_async, or give the client its own callback group and spin with a MultiThreadedExecutor"
         )
-    return None
+    if call.name not in ("spin_once", "spin_until_future_complete"):
+        return None
+    if routine.path not in code.mentioning("rclpy.spin(", ".spin()"):
+        return None  # a loop of spin_once() adds the node again each time
+    is_given = call.argument(2 if call.name == "spin_until_future_complete" else 1, "executor") is not None
+    return None if is_given or any(each[0] in ("star", "starstar") for each in call.args) else REMOVED.format(call.name)
 
 
 def _requested(code: Codebase, routine: Routine, future: Any) -> Any:

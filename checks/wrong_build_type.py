@@ -73,6 +73,13 @@ def _none(package: ProjectPackage) -> Iterator[Finding]:
     )
 
 
+def _has_misspelt(package: ProjectPackage) -> bool:
+    """Whether a file beside package.xml is nearly called CMakeLists.txt."""
+    prefix = package.inside("")
+    names = (path[len(prefix) :] for path in package.project.workspace.names if path.startswith(prefix))
+    return any(is_slip(name, "CMakeLists.txt") for name in names if "/" not in name)
+
+
 def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]:
     ament, catkin = _call(package, *AMENT), _call(package, *CATKIN)
     has_files = bool(package.project.workspace.names)
@@ -91,6 +98,8 @@ def _said(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]
                 fixes=_only(set_text(package, element, near, f"change it to {near}")),
             )
     elif kind in ("ament_cmake", "catkin", "cmake") and has_files and not package.has("CMakeLists.txt"):
+        if _has_misspelt(package):
+            return  # misspelt-build-file tells of it
         more = (
             " (it has a setup.py: did you mean ament_python?)"
             if package.has("setup.py") and kind == "ament_cmake"

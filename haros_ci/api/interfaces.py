@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.changes.interfaces import InterfaceChange, containing
 from haros_ci.changes.interfaces import in_words as change_in_words
+from haros_ci.checking.field_values import WrongValue, wrong_values
 from haros_ci.checking.interface_users import InterfaceUsers, always_at, changes_of, defined_in
 from haros_ci.checking.message_fields import Missing as MissingField
 from haros_ci.checking.message_fields import missing_fields
@@ -16,6 +17,7 @@ __all__ = [
     "InterfaceReference",
     "InterfaceUsers",
     "MissingField",
+    "WrongValue",
     "always_at",
     "change_in_words",
     "changes_of",
@@ -23,4 +25,5 @@ __all__ = [
     "defined_in",
     "missing_fields",
     "references_to",
+    "wrong_values",
 ]

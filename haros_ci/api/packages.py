@@ -20,6 +20,7 @@ from haros_ci.checking.editing import (
 )
 from haros_ci.checking.imports import imports_of, is_called_after
 from haros_ci.checking.installing import install_directory, install_line, install_place, landings
+from haros_ci.checking.lookups import Lookup, lookups
 from haros_ci.checking.manifests import (
     BUILD,
     EXEC,
@@ -37,6 +38,7 @@ from haros_ci.checking.manifests import (
 )
 from haros_ci.checking.needs import Need, needs_of
 from haros_ci.checking.outside_targets import may_have_more
+from haros_ci.checking.package_names import meant_here, meant_released
 from haros_ci.checking.plugin_uses import PLUGIN_NAME, PluginUse, plugins_in_parameters, plugins_in_yaml
 from haros_ci.checking.plugins import (
     MACROS,
@@ -83,6 +85,7 @@ from haros_ci.checking.uninstalled import (
     uninstalled,
 )
 from haros_ci.checking.using import Using
+from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import serves_both
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
@@ -118,6 +121,7 @@ __all__ = [
     "InterfaceField",
     "Knowledge",
     "Link",
+    "Lookup",
     "Need",
     "Package",
     "PluginClass",
@@ -174,8 +178,11 @@ __all__ = [
     "landings",
     "last_dependency",
     "loaders",
+    "lookups",
     "loose",
     "may_appear",
+    "meant_here",
+    "meant_released",
     "may_have_more",
     "may_be_installed",
     "needs",
@@ -192,6 +199,7 @@ __all__ = [
     "registers_otherwise",
     "registrations",
     "rename_element",
+    "repositories_named",
     "serves_both",
     "set_attribute",
     "set_text",

@@ -65,7 +65,7 @@ def imports_of(package: ProjectPackage, sources: Sources, *, tests: bool = False
     """What installed files, or *tests*, import at the outermost level, outside of ``try`` and ``if``, with known providers."""
     project = package.project
     own = _own(package)
-    for path, is_launch in _tested(package) if tests else _installed(package):
+    for path, is_launch in _tested(package) if tests else used_files(package):
         program = project.programs.get(path)
         found = list(imported(path, project.text(path), program))
         modules = frozenset(module for module, _ in found)
@@ -118,7 +118,7 @@ def imported(path: str, text: str, program: Program | None) -> Iterator[tuple[st
                 yield module, Location(path, text.count("\n", 0, match.start()) + 1)
 
 
-def _installed(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
+def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
     """The Python files that a user of the package loads, with whether each is a launch file; not its tests."""
     python = [file.path for file in package.files if file.language == "python"]
     launch = {file.path for file in package.files if file.language == "launch" and file.path.endswith(".py")}

@@ -50,8 +50,27 @@ class Missing:
     location: Location
 
 
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """A Python function with the generated classes that its file sees, and those of its variables by name (``msg``, ``self.msg``)."""
+
+    routine: Routine
+    structs: Structs
+    variables: dict[str, Struct]
+
+    def struct_of(self, code: Codebase, call: Expression) -> Struct | None:
+        """The class of which *call* makes an object."""
+        return self.structs.named(_imported(code, self.routine, call[1]))
+
+
 def missing_fields(project: Project) -> Iterator[Missing]:
     """Every field that is asked for and not there, once for each function."""
+    for each in typed_routines(project):
+        yield from _in_routine(project.code, each)
+
+
+def typed_routines(project: Project) -> Iterator[Typed]:
+    """The functions of Python files that import interfaces and are for one ROS."""
     code = project.code
     found = defined_in(project)
     hidden = _handmade(project)
@@ -68,7 +87,13 @@ def missing_fields(project: Project) -> Iterator[Missing]:
         if ros not in structs or source.package in both or _EITHER.search(project.text(source.path)):
             continue
         for routine in code.routines(source.path):
-            yield from _in_routine(code, routine, structs[ros], parameters.get(id(routine), {}))
+            yield Typed(routine, structs[ros], _variables(code, routine, structs[ros], parameters.get(id(routine), {})))
+
+
+def _variables(code: Codebase, routine: Routine, structs: Structs, parameters: dict[str, Struct]) -> dict[str, Struct]:
+    typed = {**parameters, **_locals(code, routine, structs)}
+    typed = {name: struct for name, struct in typed.items() if not _is_asked(code, routine, name)}
+    return {**typed, **_attributes(code, routine, structs)}
 
 
 def _handmade(project: Project) -> frozenset[str]:
@@ -79,24 +104,22 @@ def _handmade(project: Project) -> frozenset[str]:
     return frozenset(each[1] for each in found if each is not None)
 
 
-def _in_routine(code: Codebase, routine: Routine, structs: Structs, parameters: dict[str, Struct]) -> Iterator[Missing]:
+def _in_routine(code: Codebase, each: Typed) -> Iterator[Missing]:
+    routine, structs, typed = each.routine, each.structs, each.variables
     seen: set[tuple[str, str]] = set()
     for call in code.body(routine).calls:
-        struct = structs.named(_imported(code, routine, call.callee))
+        struct = each.struct_of(code, call.whole)
         if struct is None or any(place.kind == "try" for place in call.around):
             continue
         given = [str(each[1]) for each in call.args if each[0] == "kw"]
-        lacking = [each for each in given if not struct.has(each) and (struct.name, each) not in seen]
-        seen.update((struct.name, each) for each in lacking)
+        lacking = [name for name in given if not struct.has(name) and (struct.name, name) not in seen]
+        seen.update((struct.name, name) for name in lacking)
         if lacking:
-            written = f"{struct.name}({', '.join(f'{each}=…' for each in lacking)})"
+            written = f"{struct.name}({', '.join(f'{name}=…' for name in lacking)})"
             yield Missing(struct, lacking[0], written, routine, Location(routine.path, call.line, call.column))
-    typed = {**parameters, **_locals(code, routine, structs)}
-    typed = {name: struct for name, struct in typed.items() if not _is_asked(code, routine, name)}
-    typed.update(_attributes(code, routine, structs))
     if not typed:
         return
-    for expression in _expressions(routine.function.body or ()):
+    for expression in expressions(routine.function.body or ()):
         for node in nodes(expression):
             found = _lacking(node, typed, structs)
             if found is not None and (found[0].name, found[1]) not in seen:
@@ -266,7 +289,7 @@ def _location(code: Codebase, routine: Routine, written: str) -> Location:
     return Location(routine.path, line or 1)
 
 
-def _expressions(block: Block) -> Iterator[Expression]:
+def expressions(block: Block) -> Iterator[Expression]:
     """All expressions of a function's own body but those that a try stands around."""
     for statement in block:
         kind = statement[0]
@@ -276,21 +299,21 @@ def _expressions(block: Block) -> Iterator[Expression]:
             yield from (statement[3][1],) if statement[3][0] == "=" else statement[3][1]
         elif kind == "if":
             yield statement[4]
-            yield from _expressions(statement[5])
-            yield from _expressions(statement[8])
+            yield from expressions(statement[5])
+            yield from expressions(statement[8])
         elif kind == "loop":
-            yield from _expressions(statement[5])
+            yield from expressions(statement[5])
             yield from (statement[6],) if statement[6] is not None else ()
-            yield from _expressions(statement[7])
+            yield from expressions(statement[7])
         elif kind == "each":
             yield statement[6]
-            yield from _expressions(statement[7])
+            yield from expressions(statement[7])
         elif kind == "switch":
             yield statement[4]
             for _, inner in statement[5]:
-                yield from _expressions(inner)
+                yield from expressions(inner)
         elif kind == "try":
             for handler in statement[2]:
-                yield from _expressions(handler[5])
+                yield from expressions(handler[5])
         elif kind == "block":
-            yield from _expressions(statement[1])
+            yield from expressions(statement[1])

@@ -39,6 +39,14 @@ _URL = re.compile(r"(?:\b(?:https?|ssh|git)://|\bgit@)[^\s\"'`()\[\]<>,;#]{1,300
 _SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
 
 
+def repositories_named(workspace: Workspace) -> frozenset[str]:
+    """The names of repositories that pages and scripts of *workspace* tell to clone."""
+    endings = (*_SHOWING, ".repos", ".rosinstall")
+    texts = (workspace.text(path) for path in sorted(workspace.names) if path.lower().endswith(endings))
+    parts = (url.rstrip("/.").split("/") for text in texts for url in _URL.findall(text))
+    return frozenset(name.removesuffix(".git") for each in parts for name in (*each[4:5], each[-1]))
+
+
 class Whole:
     """All *systems* of an architecture: what is said of a file that several use has to hold in all of them."""
 
@@ -151,11 +159,7 @@ class Whole:
     @cached_property
     def repositories(self) -> frozenset[str]:
         """The names of repositories that pages and scripts of the workspace tell to clone."""
-        texts = (
-            self._text(path) for path in self._paths if path.lower().endswith((*_SHOWING, ".repos", ".rosinstall"))
-        )
-        parts = (url.rstrip("/.").split("/") for text in texts for url in _URL.findall(text))
-        return frozenset(name.removesuffix(".git") for each in parts for name in (*each[4:5], each[-1]))
+        return repositories_named(self._workspace) if self._workspace is not None else frozenset()
 
     @cached_property
     def _workspace(self) -> Workspace | None:

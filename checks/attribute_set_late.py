@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Attributes of self that a callback reads and that the constructor sets after it has registered the callback (rospy runs it in a thread of its own)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.api import Check, Finding, Level, Location, Project, listed
+from haros_ci.api.code import Callback, Codebase, Routine, base_names, callbacks, methods, owner_of
+
+_KINDS = frozenset(("subscription", "service", "timer"))
+#: Calls that take their time: a message comes while they wait.
+_WAITS = frozenset(
+    "sleep wait_for_service wait_for_message wait_for_server waitForServer wait_for_transform waitForTransform wait_for_result".split()
+)
+#: Calls in which callbacks of rclpy run.
+_SPINS = frozenset(("spin_once", "spin_some", "spin_until_future_complete", "spin_until_complete", "spin"))
+#: Classes that may set or ask for attributes by name.
+_BY_NAME = re.compile(r"\b(?:setattr|hasattr|getattr|vars)\s*\(|__(?:getattr|getattribute|dict|slots)__|AttributeError")
+#: A constructor with more statements is data.
+_MANY = 500
+_CALLBACKS = 50
+
+
+@dataclass(frozen=True, slots=True)
+class _Late:
+    """*names* are set in the constructor only after *callback* is registered; *waits* is a call between that takes its time."""
+
+    callback: Callback
+    names: tuple[str, ...]
+    waits: str
+
+
+def check(project: Project) -> Iterator[Finding]:
+    code = project.code
+    by_maker: dict[int, list[Callback]] = {}
+    for callback in callbacks(code):
+        maker = callback.maker
+        if (
+            maker.is_python
+            and callback.kind in _KINDS
+            and maker.function.name.endswith(".__init__")
+            and maker.outer is None
+        ):
+            by_maker.setdefault(id(maker), []).append(callback)
+    for made in by_maker.values():
+        yield from _of_constructor(project, made)
+
+
+def _of_constructor(project: Project, made: list[Callback]) -> Iterator[Finding]:
+    code, maker = project.code, made[0].maker
+    statements = maker.function.body or ()
+    if maker.is_test or len(statements) > _MANY or _BY_NAME.search(project.text(maker.path)):
+        return
+    given = _given(code, maker)
+    for callback in made[:_CALLBACKS]:
+        late = _late(code, callback, statements, given)
+        if late is not None:
+            yield _finding(project, late)
+
+
+def _late(code: Codebase, callback: Callback, statements: tuple[Any, ...], given: frozenset[str]) -> _Late | None:
+    maker, routine = callback.maker, callback.routine
+    ros = code.ros_of(maker.source)
+    at = next(
+        (n for n, each in enumerate(statements) if any(node is callback.call.whole for node in _nodes(each))), None
+    )
+    if at is None or statements[at][0] not in ("do", "set") or routine.owner != maker.owner or ros is None:
+        return None
+    before = _made(code, maker, statements[: at + 1])
+    read = _read_first(routine)
+    sets = [_sets(each) if each[0] == "do" else set() for each in statements[at + 1 :]]
+    names = [name for name in read if name not in before | given and any(name in each for each in sets)]
+    if not names:
+        return None
+    last = max(n for n, each in enumerate(sets) if each & {*names})
+    calls = [name for each in statements[at + 1 : at + 2 + last] for name in _calls(each)]
+    waits = next((name for name in calls if name in (_WAITS if ros == 1 else _SPINS)), "")
+    return _Late(callback, tuple(names), waits) if ros == 1 or waits else None
+
+
+def _nodes(node: Any) -> Iterator[Any]:
+    """*node* and all statements and expressions in it, in the order of the text."""
+    waiting = [node]
+    while waiting:
+        each = waiting.pop()
+        if isinstance(each, (tuple, list)) and each:
+            yield each
+            waiting.extend(reversed(each))
+
+
+def _is_own(node: Any) -> bool:
+    return (
+        len(node) == 3
+        and node[0] == "field"
+        and isinstance(node[1], (tuple, list))
+        and node[1][:1] in (("this",), ["this"])
+    )
+
+
+def _sets(statement: Any) -> set[str]:
+    """The attributes of self that a statement sets, anywhere in it."""
+    found: set[str] = set()
+    for node in _nodes(statement):
+        if node[0] == "set" and len(node) == 4:
+            targets = node[2][1] if node[2][0] == "list" else (node[2],)
+            found.update(str(each[2]) for each in targets if _is_own(each))
+    return found
+
+
+def _calls(statement: Any) -> Iterator[str]:
+    for node in _nodes(statement):
+        if node[0] == "call" and len(node) == 6:
+            yield str(node[1][2] if node[1][0] == "field" else node[1][1] if node[1][0] == "name" else "")
+
+
+def _made(code: Codebase, maker: Routine, statements: tuple[Any, ...]) -> set[str]:
+    """What statements set, themselves or in methods of the object that they call; each method is seen once."""
+    found: set[str] = set()
+    owner = owner_of(code, maker)
+    if owner is None:
+        return _sets(statements)
+    waiting: list[tuple[Any, ...]] = [statements]
+    seen: set[str] = set()
+    while waiting:
+        block = waiting.pop()
+        found |= _sets(block)
+        for node in _nodes(block):
+            if node[0] == "call" and len(node) == 6 and _is_own(node[1]) and node[1][2] not in seen:
+                seen.add(node[1][2])
+                waiting += [each.function.body or () for each in methods(code, owner, str(node[1][2]))]
+    return found
+
+
+def _given(code: Codebase, maker: Routine) -> frozenset[str]:
+    """What objects of the class have from the start: its methods, what stands in its body, and the same of its bases."""
+    owner = owner_of(code, maker)
+    if owner is None:
+        return frozenset()
+    found: set[str] = set()
+    for name in {owner[1].name, *(each.rpartition(".")[2] for each in base_names(code, owner))}:
+        for path, each in _classes(code).get(name, ()):
+            found.update(field.name.rpartition(".")[2] for field in each.fields)
+            is_base = each.name != owner[1].name
+            for routine in code.routines(path):
+                if routine.owner == each.name:
+                    found.add(routine.function.name.rpartition(".")[2])
+                    found |= {name for one in routine.function.body or () for name in _sets(one)} if is_base else set()
+    return frozenset(found)
+
+
+def _classes(code: Codebase) -> dict[str, list[tuple[str, Any]]]:
+    """The Python classes by name, with their files."""
+    key = "attribute-set-late"
+    if key not in code.kept:
+        made: dict[str, list[tuple[str, Any]]] = {}
+        for source in code.sources:
+            for each in source.program.classes if source.program.language == "python" else ():
+                made.setdefault(each.name, []).append((source.path, each))
+        code.kept[key] = made
+    found: dict[str, list[tuple[str, Any]]] = code.kept[key]  # type: ignore[assignment]
+    return found
+
+
+def _read_first(routine: Routine) -> list[str]:
+    """The attributes that a callback reads each time, before a branch can keep it from that."""
+    found: dict[str, None] = {}
+    known: set[str] = set()
+    waiting = list(reversed(routine.function.body or ()))
+    while waiting:
+        each = waiting.pop()
+        kind = each[0]
+        if kind == "block":
+            waiting.extend(reversed(each[1]))
+            continue
+        if kind not in ("do", "var", "if", "return", "each"):
+            break
+        part = each[4] if kind == "if" else each[6] if kind == "each" else each
+        found.update((name, None) for name in _reads(part) if name not in known)
+        known |= _sets(part)
+        if kind == "return" or (
+            kind == "if" and any(node[0] in ("return", "throw") for node in _nodes((each[5], each[8])))
+        ):
+            break
+        if kind in ("if", "each"):
+            known |= _sets(each)
+    return list(found)
+
+
+def _reads(part: Any) -> Iterator[str]:
+    """The attributes of self that are read in a part of a statement; not what it sets."""
+    waiting = [part]
+    while waiting:
+        node = waiting.pop()
+        if not isinstance(node, (tuple, list)) or not node:
+            continue
+        if node[0] == "set" and len(node) == 4 and node[1] == "=":
+            waiting += [node[3]] if _is_own(node[2]) else [node[3], node[2]]
+        elif node[0] in ("if", "op") and len(node) > 2 and node[1] in ("&&", "||"):
+            waiting.append(node[2][0])
+        elif _is_own(node):
+            yield str(node[2])
+        else:
+            waiting.extend(reversed(node))
+
+
+def _finding(project: Project, late: _Late) -> Finding:
+    callback = late.callback
+    maker, line = callback.maker, callback.call.line
+    text = project.text(maker.path).split("\n")
+    places = []
+    for name in late.names:
+        wanted = re.compile(rf"\bself\.{re.escape(name)}\b[^=\n]*=(?!=)")
+        found = next((n for n in range(line, len(text)) if wanted.search(text[n])), None)
+        places += [(Location(maker.path, found + 1), f"self.{name} is set here")] if found is not None else []
+    ros = project.code.ros_of(maker.source)
+    when = f", and {late.waits}() lies between" if late.waits else ""
+    how = "rospy runs it as soon as a message comes" if ros == 1 else f"it runs in {late.waits}()"
+    return Finding(
+        at=callback.location,
+        message=f"{callback.routine.title}() is registered before {listed([f'self.{each}' for each in late.names])}, which it reads, "
+        f"{'is' if len(late.names) == 1 else 'are'} set{when if ros == 1 else ''}: {how}, and raises AttributeError; register it at the end of "
+        "__init__()",
+        about=(maker.title, callback.routine.title, *late.names),
+        related=tuple(places),
+        level=None if late.waits else Level.NOTE,
+        apart=(callback.routine.title,),
+    )
+
+
+CHECK = Check(
+    id="attribute-set-late",
+    summary="Callback that is registered before the attributes that it reads are set.",
+    level=Level.WARNING,
+    tags=("code", "python"),
+    project=check,
+)

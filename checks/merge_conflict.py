@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Conflict markers that a merge has left in a file (git-merge(1), HOW CONFLICTS ARE PRESENTED)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Location, Project
+
+#: The markers in their order; git writes seven signs, and a name after the first and the last.
+_OURS, _THEIRS, _END = "<<<<<<< ", "=======", ">>>>>>> "
+_LANGUAGES = frozenset(("cpp", "python", "launch", "package", "cmake", "yaml", "interface", "xml", "setup", "shell"))
+#: How comments of more than one line begin and end.
+_COMMENTS = {"cpp": ("/*", "*/"), "xml": ("<!--", "-->"), "launch": ("<!--", "-->"), "package": ("<!--", "-->")}
+_EFFECTS = {
+    "cpp": "it does not compile",
+    "python": "Python cannot read it",
+    "launch": "launch cannot read it",
+    "package": "the package is not found",
+    "cmake": "CMake stops there",
+    "interface": "its code cannot be generated",
+}
+
+
+def check(project: Project) -> Iterator[Finding]:
+    for file in project.workspace.files:
+        if file.language not in _LANGUAGES or file.third_party:
+            continue
+        text = project.text(file.path)
+        if _OURS not in text or _END not in text or not _is_code(project, file.path):
+            continue
+        lines = _conflicts(text, *_COMMENTS.get(file.language, ("", "")))
+        if not lines:
+            continue
+        first, others = lines[0], len(lines) - 1
+        more = f" (and {others} more)" if others else ""
+        effect = _EFFECTS.get(file.language, "what reads it stops there")
+        yield Finding(
+            at=Location(file.path, first),
+            message=f"{file.path} holds the markers of a merge conflict from line {first} on{more}: {effect}; choose one side "
+            f"and remove the markers",
+            about=(file.path,),
+        )
+
+
+def _is_code(project: Project, path: str) -> bool:
+    """Whether the markers are not in a text of a Python file: with one in its code no Python can be read."""
+    program = project.programs.get(path)
+    return program is None or program.language != "python" or bool(program.problems)
+
+
+def _conflicts(text: str, opening: str, closing: str) -> list[int]:
+    """The lines in which conflicts begin, those in comments left out."""
+    found: list[int] = []
+    begun, is_half, is_comment = 0, False, False
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.startswith(_OURS) and not is_comment:
+            begun, is_half = number, False
+        elif begun and line.rstrip() == _THEIRS:
+            is_half = True
+        elif begun and is_half and line.startswith(_END):
+            found.append(begun)
+            begun, is_half = 0, False
+        if opening and not begun:
+            is_comment = _is_open(line, opening, closing, is_comment)
+    return found
+
+
+def _is_open(line: str, opening: str, closing: str, is_open: bool) -> bool:
+    """Whether a comment is open after *line*."""
+    start, end = line.rfind(opening), line.rfind(closing)
+    return is_open if start == end else start > end
+
+
+CHECK = Check(
+    id="merge-conflict",
+    summary="Markers of a merge conflict.",
+    level=Level.ERROR,
+    tags=("files",),
+    project=check,
+)

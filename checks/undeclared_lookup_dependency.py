@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Packages whose directories programs ask for, and that their own package does not depend on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
+from haros_ci.api.packages import Lookup, Provisions, last_dependency, lookups
+
+#: So many places of one package are related.
+_SHOWN = 3
+
+
+def check(project: Project) -> Iterator[Finding]:
+    provisions = Provisions(project)
+    for package in project.packages:
+        found = list(lookups(package)) if package.manifest is not None and package.ros is not None else []
+        if not found:
+            continue
+        provided = provisions.of(package, tests=False)
+        missing: dict[str, list[Lookup]] = {}
+        for use in found:
+            if use.name == package.name or not _is_to_be_had(use.name, package):
+                continue
+            if provisions.lacks(provided, frozenset((use.name,))) and not _closes_a_cycle(
+                use.name, package, provisions
+            ):
+                missing.setdefault(use.name, []).append(use)
+        if missing:
+            yield _finding(package, missing)
+
+
+def _is_to_be_had(name: str, package: ProjectPackage) -> bool:
+    """Whether declaring it helps: unknown-package-in-code tells of what does not exist."""
+    project = package.project
+    return project.package(name) is not None or (
+        project.knowledge.is_package(name) is True and project.knowledge.is_in(name, package.ros)
+    )
+
+
+def _closes_a_cycle(name: str, package: ProjectPackage, provisions: Provisions) -> bool:
+    """Whether the other package needs this one: build tools refuse both in a row."""
+    other = package.project.package(name)
+    return other is not None and package.name in provisions.of(other).names
+
+
+def _finding(package: ProjectPackage, missing: dict[str, list[Lookup]]) -> Finding:
+    tag = "exec_depend" if package.raw.format > 1 else "run_depend"
+    names = tuple(missing)
+    them, without = ("it", names[0]) if len(names) == 1 else ("them", "these packages")
+    return Finding(
+        at=last_dependency(package),
+        message=f"programs of {package.name} look up the directory of {listed(names)}, but package.xml does not declare {them}: "
+        f"they fail on a machine without {without}; add {listed([f'<{tag}>{name}</{tag}>' for name in names])}",
+        about=(package.name, *names),
+        related=tuple((use.location, f"needs {name}") for name, uses in missing.items() for use in uses[:_SHOWN]),
+        apart=names,
+    )
+
+
+CHECK = Check(
+    id="undeclared-lookup-dependency",
+    summary="Package whose directory a program looks up and package.xml does not declare.",
+    level=Level.WARNING,
+    tags=("packages", "code"),
+    project=check,
+)

@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Values that Python code gives to fields of messages, and which no object of the field's type is (rosidl_generator_py, genpy).
+
+A value is known where it is a literal, a text that is put together, a call of ``int`` and the like, or a local variable that is
+only ever given such. What stands in a ``try`` is left out, for the code may be ready for it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from haros_ci.checking.message_fields import Typed, expressions, typed_routines
+from haros_ci.checking.project import Project
+from haros_ci.code.body import nodes
+from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.code.kinds import dotted
+from haros_ci.interfaces.definitions import FieldType, field_type
+from haros_ci.interfaces.structs import Struct
+from haros_ci.model.location import Location
+from haros_ci.model.program import Expression
+
+#: What calls return, by dotted names.
+_RETURNED = {
+    **dict.fromkeys(("int", "len", "ord", "time.time_ns"), "int"),
+    **dict.fromkeys(("float", "time.time", "math.sin", "math.cos", "math.atan2", "math.sqrt", "math.radians"), "float"),
+    **dict.fromkeys(("str", "repr", "json.dumps"), "str"),
+    "bool": "bool",
+}
+_INTEGERS = {f"{sign}int{bits}": bits for sign in ("", "u") for bits in (8, 16, 32, 64)}
+_FLOATS = frozenset(("float32", "float64"))
+_TEXTS = frozenset(("string", "wstring"))
+_TIMES = frozenset(("time", "duration", "builtin_interfaces/Time", "builtin_interfaces/Duration"))
+#: What sets names besides assignments.
+_SHARED = re.compile(r"\b(?:global|nonlocal|as|for)\s([^\n:]{1,200})")
+#: Functions with more assignments are tables.
+_MANY_SETS = 2_000
+#: Lists with more items are tables.
+_MANY = 200
+
+
+@dataclass(frozen=True, slots=True)
+class WrongValue:
+    """*written* (``msg.data``), a field of *type*, is given *value* of *kind* in *routine*."""
+
+    written: str
+    type: str
+    kind: str
+    value: str
+    ros: int
+    routine: Routine
+    location: Location
+
+
+def wrong_values(project: Project) -> Iterator[WrongValue]:
+    """Every value that the field which it is given to cannot have."""
+    code = project.code
+    for typed in typed_routines(project):
+        for target, kind, value, written in _given(code, typed):
+            if not _fits(kind, value, target, typed.structs.known.ros):
+                shown = _shown(value)
+                at = _location(code, typed.routine, written, shown)
+                yield WrongValue(written, target, kind, shown, typed.structs.known.ros, typed.routine, at)
+
+
+def _given(code: Codebase, typed: Typed) -> Iterator[tuple[str, str, Expression, str]]:
+    """The types of fields that are given values, with the kind of the value, the value, and how the field is written."""
+    for expression in expressions(typed.routine.function.body or ()):
+        for node in nodes(expression):
+            if node[0] == "set" and node[1] == "=":
+                field = _field(node[2], typed)
+                kind = kind_of(code, typed.routine, node[3]) if field is not None else ""
+                if field is not None and kind:
+                    yield field[0], kind, node[3], field[1]
+            elif node[0] == "call":
+                struct = typed.struct_of(code, node)
+                for each in node[2] if struct is not None else ():
+                    kind = kind_of(code, typed.routine, each[2]) if each[0] == "kw" else ""
+                    if kind and struct is not None and each[1] in struct.fields:
+                        yield struct.fields[each[1]], kind, each[2], f"{struct.name.rpartition('.')[2]}({each[1]}="
+
+
+def _field(target: Expression, typed: Typed) -> tuple[str, str] | None:
+    """The type of the field that *target* is, and how it is written; None if that is not known."""
+    chain: list[str] = []
+    while target[0] == "field":
+        chain.append(str(target[2]))
+        target = target[1]
+    if not chain or target[0] not in ("name", "this"):
+        return None
+    written = str(target[1]) if target[0] == "name" else f"self.{chain.pop()}"
+    struct: Struct | None = typed.variables.get(written)
+    while struct is not None and chain:
+        name = chain.pop()
+        written += f".{name}"
+        if not chain:
+            return (struct.fields[name], written) if name in struct.fields else None
+        struct = typed.structs.of_field(struct, name)
+    return None
+
+
+def kind_of(code: Codebase, routine: Routine, value: Expression, steps: int = 3) -> str:
+    """``int``, ``float``, ``bool``, ``str``, ``none``, ``list`` or ``Time`` (an object of the client library); "" if it is not known."""
+    tag = value[0]
+    if tag == "num":
+        return "int" if isinstance(value[1], int) else "float"
+    if tag in ("bool", "str", "none", "list"):
+        return str(tag)
+    if tag == "format":
+        return "str"
+    if tag == "op":
+        return _computed(code, routine, value, steps)
+    if tag == "call":
+        return _called(code, routine, value)
+    if tag == "name" and steps > 0:
+        return _variable(code, routine, str(value[1]), steps - 1)
+    return ""
+
+
+def _computed(code: Codebase, routine: Routine, value: Expression, steps: int) -> str:
+    """Of numbers: a sign, a product, a quotient."""
+    kinds = {kind_of(code, routine, each, steps - 1) for each in value[2]} if steps > 0 else {""}
+    if not kinds <= {"int", "float"} or value[1] not in ("+", "-", "*", "/"):
+        return ""
+    return "float" if "float" in kinds or value[1] == "/" else "int"
+
+
+def _called(code: Codebase, routine: Routine, call: Expression) -> str:
+    callee = call[1]
+    if callee[0] == "field" and callee[2] == "now" and not call[2] and code.ros_of(routine.source) == 2:
+        inner = callee[1]
+        return "Time" if inner[0] == "call" and inner[1][0] == "field" and inner[1][2] == "get_clock" else ""
+    name = str(callee[1]) if callee[0] == "name" else dotted(code, routine, callee)
+    if callee[0] == "name" and dotted(code, routine, callee) not in ("", name):
+        name = dotted(code, routine, callee)
+    is_own = any(each.name == name for each in routine.source.program.functions)
+    return "" if is_own else _RETURNED.get(name, "")
+
+
+def _variable(code: Codebase, routine: Routine, name: str, steps: int) -> str:
+    """The kind of all that a local variable is given, if it is the same each time."""
+    body = code.body(routine)
+    if routine.function.kind == "module" or name in body.variables or name in body.nested or name in body.imports:
+        return ""
+    if any(each.name.lstrip("*") == name for each in routine.function.parameters):
+        return ""
+    if len(body.sets) > _MANY_SETS:
+        return ""
+    kinds: set[str] = set()
+    for target, operator, value, _ in body.sets:
+        if target[0] == "name" and target[1] == name:
+            kinds.add(kind_of(code, routine, value, steps) if operator == "=" else "")
+        elif target[0] not in ("field", "index") and any(
+            node[0] == "name" and node[1] == name for node in nodes(target)
+        ):
+            return ""
+    return kinds.pop() if len(kinds) == 1 and name not in _shared(code, routine) else ""
+
+
+def _shared(code: Codebase, routine: Routine) -> frozenset[str]:
+    """Names in the lines of a routine that loops, ``with`` and handlers set, and those of other functions."""
+    key = ("shared names", id(routine.function))
+    if key not in code.kept:
+        found = _SHARED.findall(code.lines(routine, routine.function.line))
+        code.kept[key] = frozenset(word for part in found for word in re.findall(r"\w+", part))
+        code.kept["keep", id(routine.function)] = routine.function  # so that its identity stays its own
+    names: frozenset[str] = code.kept[key]  # type: ignore[assignment]
+    return names
+
+
+def _fits(kind: str, value: Expression, written: str, ros: int) -> bool:
+    """Whether an object of *kind* can stand in a field of the type *written*, or that is not known."""
+    wanted = field_type(written)
+    if kind == "none" and ros == 1:
+        return True  # it is looked at when the message is sent, and may be set before
+    if wanted is None or wanted.base in ("byte", "char", "octet"):
+        return True
+    if kind == "Time":
+        return wanted.base not in _TIMES or bool(wanted.form)
+    if wanted.form:
+        return _fits_list(kind, value, wanted, ros)
+    return _fits_one(kind, wanted, ros)
+
+
+def _fits_list(kind: str, value: Expression, wanted: FieldType, ros: int) -> bool:
+    if kind == "list" and value[0] == "list":
+        items = value[1]
+        if len(items) > _MANY or wanted.base not in _FLOATS or ros == 1:
+            return True
+        return not any(each[0] == "num" and isinstance(each[1], int) for each in items)
+    return kind in ("list", "str") if ros == 1 else kind == "list"
+
+
+def _fits_one(kind: str, wanted: FieldType, ros: int) -> bool:
+    base = wanted.base
+    if base in _FLOATS:
+        return kind == "float" or (ros == 1 and kind in ("int", "bool"))
+    if base in _INTEGERS:
+        return kind in ("int", "bool")
+    if base in ("bool", "boolean"):
+        return kind == "bool" or (ros == 1 and kind == "int")
+    if base in _TEXTS:
+        return kind == "str" or (ros == 1 and kind == "list")
+    return not (wanted.is_nested or base in _TIMES)
+
+
+def _shown(value: Expression) -> str:
+    """The value as text, where it is short."""
+    if value[0] in ("num", "bool", "str"):
+        text = repr(value[1])
+    elif value[0] == "none":
+        text = "None"
+    else:
+        return ""
+    return text if len(text) <= 40 else ""
+
+
+def _location(code: Codebase, routine: Routine, written: str, value: str) -> Location:
+    """Where the field is given the value, if that is written out; else where it is first set, or the routine's head."""
+    start = routine.function.line
+    parts = re.split(r"[.(]", written.rstrip("="))
+    head = (
+        "" if written.endswith("=") else r"(?<![\w.])" + "".join(rf"{re.escape(each)}\s*\.\s*" for each in parts[:-1])
+    )
+    wanted = re.compile(rf"{head}\b{re.escape(parts[-1])}\s*=(?!=)\s*")
+    text = code.text(routine.path) if routine.function.kind == "module" else code.lines(routine, start)
+    found: list[tuple[bool, int, int, int]] = []
+    for number, line in enumerate(text.split("\n"), start or 1):
+        match = wanted.search(line.partition("#")[0])
+        if match is not None:
+            same = re.match(rf"[+-]?\s*{re.escape(value)}(?![\w.])", line[match.end() :]) if value else None
+            found.append(
+                (same is None, number, match.start() + 1, len(line[: match.end()].rstrip().rstrip("=").rstrip()) + 1)
+            )
+    if not found:
+        return Location(routine.path, start or 1)
+    _, number, begin, end = min(found)
+    return Location(routine.path, number, begin, number, end)

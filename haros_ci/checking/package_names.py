@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names of packages that do not exist, and which package is meant by one."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from haros_ci.checking.likeness import is_slip
+from haros_ci.knowledge.knowledge import knowledge
+
+#: How many packages of a workspace begin alike where that is their prefix.
+_COMMON = 4
+#: Shorter names are too much alike.
+_LONG = 7
+
+
+def meant_here(name: str, names: Collection[str]) -> str | None:
+    """The package of a workspace with these *names* that is meant: misspelt, or with the prefix that many packages there have."""
+    if len(name) < 5:
+        return None
+    for other in names:
+        prefix = other.removesuffix(name)
+        if is_slip(name, other) or (prefix != other and prefix.endswith("_") and _is_common(prefix, names)):
+            return other
+    return None
+
+
+def meant_released(name: str) -> str | None:
+    """The package of a distribution that is meant by a name that no package has."""
+    if len(name) < _LONG or knowledge().is_package(name) is not False:
+        return None
+    return next(
+        (other for other in knowledge().packages() if abs(len(other) - len(name)) < 3 and is_slip(name, other)), None
+    )
+
+
+def _is_common(prefix: str, names: Collection[str]) -> bool:
+    return sum(other.startswith(prefix) for other in names) >= _COMMON
