@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a stage has found in a whole revision, kept in the cache: the same files, settings and program give the same run."""
+"""What is found in a whole revision, kept in the cache: the same files, settings and program give the same."""
 
 from __future__ import annotations
 
+import zlib
+from base64 import b64decode, b64encode
+from binascii import Error
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from hashlib import blake2b
@@ -15,6 +18,8 @@ from haros_ci.results.values import NotThat, plain, read
 from haros_ci.workspace.base import Base
 
 GROUP = "whole"
+#: Bytes of an output that is kept, as it is and packed.
+MAX_OUTPUT, MAX_PACKED = 1 << 28, 1 << 24
 
 #: A part of a file that no digest covers: its path, how many bytes, and the digest of these.
 Head = tuple[str, int, str]
@@ -36,6 +41,40 @@ def kept_run(name: str, make: Make, workspace: Workspace, past: Base | None, set
     if run.successful:
         store.put(GROUP, f"{name} {key}", key, {"heads": reader.heads(), "run": plain(run)})
     return run
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """What a command writes: *content* to where it was asked to, *said* line by line to the standard error."""
+
+    content: bytes
+    said: tuple[str, ...] = ()
+
+
+def kept_output(name: str, make: Callable[[], Output], workspace: Workspace, settings: str, store: Store) -> Output:
+    """What *make* writes of *workspace*; from *store* if nothing that it depends on has changed.
+
+    *name* is the command's, *settings* stands for all its options. The command may read the listed files, and nothing else.
+    """
+    key = _digest(name, settings, program_digest(), state(workspace))
+    if (found := _unpacked(store.get(GROUP, f"{name} {key}", key))) is not None:
+        return found
+    output = make()
+    packed = zlib.compress(output.content, 1)
+    if len(output.content) <= MAX_OUTPUT and len(packed) <= MAX_PACKED:
+        store.put(GROUP, f"{name} {key}", key, [list(output.said), b64encode(packed).decode()])
+    return output
+
+
+def _unpacked(kept: Any) -> Output | None:
+    """The output that is *kept*, unless it is none."""
+    try:
+        said, text = read(tuple[tuple[str, ...], str], kept)
+        unpacker = zlib.decompressobj()
+        content = unpacker.decompress(b64decode(text, validate=True), MAX_OUTPUT)
+    except (NotThat, Error, ValueError, zlib.error):
+        return None
+    return Output(content, said) if unpacker.eof else None
 
 
 def state(workspace: Workspace) -> str:

@@ -11,7 +11,7 @@ from typing import Any
 from haros_ci import PROJECT_URL, __version__
 from haros_ci.baselines import at_base, compare, read_input, sarif_runs, settled
 from haros_ci.brought import before, notices, silenced
-from haros_ci.config.digests import digests
+from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors, slip_finder
 from haros_ci.config.settings import PROFILES, Settings
@@ -203,7 +203,7 @@ def kept_inspection(
         bare = replace(run, analysed=frozenset())
         return inspected(bare, workspace, selection, architectures, progress, base)
 
-    options = repr((settings.project_file, digests(settings, known.components)))
+    options = repr((settings.project_file, settings_digests(settings, known.components)))
     found = kept_run(ARCHITECTURE, make, workspace, base, options, architectures.store)
     return replace(found, tool=run.tool, analysed=run.analysed)
 

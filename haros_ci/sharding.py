@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from haros_ci import __version__
 from haros_ci.baselines import at_base, settled
-from haros_ci.config.digests import digests
+from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.inspection import Architectures, inspected, is_inspected
@@ -93,7 +93,7 @@ def part(
             of=of,
             workspace=content_digest(head),
             base=None if past is None else past.revision,
-            settings=digests(settings, known.components),
+            settings=settings_digests(settings, known.components),
             tools=tuple(_had(noted)),
             plan=plan_digest(jobs, given, of),
             confined=sandbox.state(settings.trust_config),
@@ -110,7 +110,7 @@ def merged(settings: Settings, store: Store, joined: Joined) -> tuple[Report, Wo
         fits(
             joined,
             version=__version__,
-            settings=digests(settings, known.components),
+            settings=settings_digests(settings, known.components),
             workspace=content_digest(workspace),
             base=None if past is None else past.revision,
         )

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commandline import commit, git, write
+from commandline import commit, git, haros, write
 from mutations import LAUNCH_XML, LISTENER_CPP, ROS2
 
 from haros_ci import kept_runs, pipeline
@@ -154,3 +154,56 @@ class TestNotKept:
         assert not runs.makes_anew()
         write(runs.root, {MESH: b"solid" + bytes(75) + struct.pack("<I", 0)})
         assert runs.makes_anew()
+
+
+class TestOutput:
+    """``haros-ci model`` on files that have not changed."""
+
+    @pytest.fixture
+    def root(self, tmp_path: Path) -> Path:
+        return write(tmp_path / "ws", ROS2)
+
+    def model(self, root: Path, *arguments: str) -> tuple[str, str, bool]:
+        """What is written, what is said beside it, and whether it was made anew."""
+        done = haros("model", "--cache-dir", str(root.parent / "cache"), "--timings", *arguments, cwd=root)
+        assert done.returncode == 0, done.stderr
+        said = [line for line in done.stderr.splitlines() if not line.endswith(("discovered", "linked")) and " s  done" not in line]
+        return done.stdout, "\n".join(said), "linked" in done.stderr
+
+    @pytest.mark.parametrize("format", ["text", "json", "dot", "mermaid"])
+    def test_is_the_same(self, root: Path, format: str) -> None:
+        *first, anew = self.model(root, "--format", format)
+        *second, again = self.model(root, "--format", format)
+        assert anew and not again
+        assert first == second and first[0]
+
+    def test_a_database_is_the_same(self, root: Path) -> None:
+        places = [root.parent / name for name in ("a.db", "b.db")]
+        made = [self.model(root, "--format=sqlite", f"--output={place}")[2] for place in places]
+        assert made == [True, False]
+        assert places[0].read_bytes() == places[1].read_bytes()
+
+    def test_warnings_are_said_again(self, root: Path) -> None:
+        write(root, {"walker/launch/more.launch.xml": '<launch><include file="$(find-pkg-share gone)/launch/x.launch.xml"/></launch>'})
+        _, first, _ = self.model(root)
+        _, second, again = self.model(root)
+        assert "gone" in first and first == second and not again
+
+    @pytest.mark.parametrize(
+        "arguments",
+        [["--format=json"], ["--no-known-nodes"], ["--launch", "walker/" + "launch/" + Path(LAUNCH_XML).name], ["--env", "A=1"]],
+    )
+    def test_other_options_make_another(self, root: Path, arguments: list[str]) -> None:
+        self.model(root)
+        assert self.model(root, *arguments)[2]
+        assert not self.model(root, *arguments)[2]
+
+    def test_a_changed_file_makes_another(self, root: Path) -> None:
+        before = self.model(root, "--format=json")[0]
+        write(root, {LISTENER_CPP: ROS2[LISTENER_CPP].replace("Int32", "String")})
+        after, _, anew = self.model(root, "--format=json")
+        assert anew and after != before
+
+    @pytest.mark.parametrize("kept", [None, 1, [[], "!"], [[], ""], [[1], "eA=="], [[], "eJw="], {"a": []}])
+    def test_a_spoiled_one_is_none(self, kept: object) -> None:
+        assert kept_runs._unpacked(kept) is None

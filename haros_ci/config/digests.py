@@ -42,7 +42,7 @@ _OPTIONS = {
 }
 
 
-def digests(settings: Settings, components: tuple[Tool, ...]) -> dict[str, str]:
+def settings_digests(settings: Settings, components: tuple[Tool, ...]) -> dict[str, str]:
     """A digest of the settings that change what the tools are to find, by where they are given; *components* are the plug-ins."""
     values: dict[str, list[object]] = {}
     for field in fields(settings):
