@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,18 +15,22 @@ import click
 from haros_ci.architecture import varied
 from haros_ci.baselines import read_input
 from haros_ci.commands import cores, settings_from, store_for
+from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
+from haros_ci.kept_runs import Output, kept_output
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.report.escape import terminal
 from haros_ci.unmodelled import unmodelled
 from haros_ci.wanted import chosen
+from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.workspace.discover import discover
 from haros_ci.writing import put as put_bytes
-from haros_ci.writing import write
 
 #: Problems that are told one by one.
 SHOWN = 20
+#: Options that say what of the architecture is made, and how it is written.
+OPTIONS = ("launch", "arg", "env", "no_known_nodes", "configuration", "format")
 FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
 
 
@@ -45,39 +50,66 @@ def model(flags: Mapping[str, Any]) -> int:
     wanted = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
     if arguments and wanted is None:
         raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
-    made = varied(
-        workspace,
-        settings,
-        store,
-        wanted=wanted,
-        alternatives=False,
-        environment=environment,
-        known_nodes=not flags["no_known_nodes"],
-        exact=flags["exact"],
-        processes=cores(),
-    )
-    found = made.architecture
-    clock.append((time.perf_counter() - started, "linked"))
-    trouble = store.flush()
-    if trouble:
-        click.echo(f"warning: {trouble}", err=True)
-    found = selected(found, flags["configuration"])
-    problems = (*workspace.problems, *workspace.faults, *found.problems)
-    found = replace(found, problems=tuple(dict.fromkeys(problems)))
-    for note in settings.notes:
-        click.echo(f"note: {terminal(note)}", err=True)
-    tell(found.problems)
-    for sentence in unmodelled(made.architecture, made.builds):
-        click.echo(f"note: {terminal(sentence)}", err=True)
+
+    def make() -> tuple[Architecture, tuple[str, ...]]:
+        made = varied(
+            workspace,
+            settings,
+            store,
+            wanted=wanted,
+            alternatives=False,
+            environment=environment,
+            known_nodes=not flags["no_known_nodes"],
+            exact=flags["exact"],
+            processes=cores(),
+        )
+        clock.append((time.perf_counter() - started, "linked"))
+        found = selected(made.architecture, flags["configuration"])
+        problems = (*workspace.problems, *workspace.faults, *found.problems)
+        found = replace(found, problems=tuple(dict.fromkeys(problems)))
+        unknown = notes(unmodelled(made.architecture, made.builds))
+        return found, (*notes(settings.notes), *warnings(found.problems), *unknown)
+
+    def output() -> Output:
+        found, said = make()
+        return Output(encoded(rendered(found, flags["format"])), said)
+
     path = Path(flags["output"]) if flags["output"] else None
-    if path is not None or not flags["check_readme"]:
-        put(found, flags["format"], path, workspace.root)
+    code = 0
+    if is_kept(flags, settings):
+        from haros_ci.config.digests import settings_digests
+
+        options = repr((settings.project_file, settings.notes, settings_digests(settings, ()), *(flags[name] for name in OPTIONS)))
+        kept = kept_output("model", output, workspace, options, store)
+        end(store, kept.said)
+        put_content(kept.content, flags["format"], path)
+    else:
+        found, said = make()
+        end(store, said)
+        if path is not None or not flags["check_readme"]:
+            put(found, flags["format"], path, workspace.root)
+        code = expected(found, flags["expect"]) if flags["expect"] else 0
+        code = max(code, documented(workspace, found)) if flags["check_readme"] else code
     if flags["timings"]:
         for seconds, what in clock:
             click.echo(f"{seconds:8.3f} s  {what}", err=True)
         click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
-    code = expected(found, flags["expect"]) if flags["expect"] else 0
-    return max(code, documented(workspace, found)) if flags["check_readme"] else code
+    return code
+
+
+def is_kept(flags: Mapping[str, Any], settings: Settings) -> bool:
+    """Whether the same options give the same output for the same files: no plug-in, compiler or further file has a say."""
+    further = flags["exact"] or flags["expect"] or flags["check_readme"] or flags["format"] in ("nodl", "readme")
+    return not (settings.plugins or further)
+
+
+def end(store: DiskCache | MemoryCache, said: Iterable[str]) -> None:
+    """Write the cache, and *said* to the standard error."""
+    trouble = store.flush()
+    if trouble:
+        click.echo(f"warning: {trouble}", err=True)
+    for line in said:
+        click.echo(line, err=True)
 
 
 def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:
@@ -87,24 +119,45 @@ def put(found: Architecture, format: str, path: Path | None, root: Path) -> None
 
         put_interfaces(found, format, path, root)
         return
-    if path is not None and path.is_dir():
-        raise UserError(f"{path} is a directory", help="name a file; nodl and readme write one for each package")
-    content = rendered(found, format)
-    if not isinstance(content, bytes):
-        write(content, path)
-    elif path is None:
+    put_content(encoded(rendered(found, format)), format, path)
+
+
+def put_content(content: bytes, format: str, path: Path | None) -> None:
+    """Write *content* to *path*, or to stdout; UserError if that is not possible."""
+    if path is not None:
+        if path.is_dir():
+            raise UserError(f"{path} is a directory", help="name a file; nodl and readme write one for each package")
+        put_bytes(content, path)
+    elif format == "sqlite":
         raise UserError("SQLite is a binary file", help="name it: --output model.db")
     else:
-        put_bytes(content, path)
+        sys.stdout.flush()
+        sys.stdout.buffer.write(content)
+
+
+def encoded(content: str | bytes) -> bytes:
+    """*content* as it is written: text in UTF-8."""
+    return content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
 
 
 def tell(problems: tuple[Problem, ...]) -> None:
     """The first problems on stderr, and how many there are beside them."""
+    for line in warnings(problems):
+        click.echo(line, err=True)
+
+
+def notes(sentences: Iterable[str]) -> Iterator[str]:
+    """A line for each of *sentences*."""
+    return (f"note: {terminal(sentence)}" for sentence in sentences)
+
+
+def warnings(problems: tuple[Problem, ...]) -> Iterator[str]:
+    """A line for each of the first problems, and how many there are beside them."""
     for problem in problems[:SHOWN]:
         at = f"{problem.path}:{problem.line}" if problem.line else problem.path
-        click.echo(f"warning: {terminal(at)}: {terminal(problem.message)}", err=True)
+        yield f"warning: {terminal(at)}: {terminal(problem.message)}"
     if len(problems) > SHOWN:
-        click.echo(f"warning: and {len(problems) - SHOWN} more; --format json has them all", err=True)
+        yield f"warning: and {len(problems) - SHOWN} more; --format json has them all"
 
 
 def rendered(found: Architecture, format: str) -> str | bytes:

@@ -7,10 +7,11 @@ import hashlib
 import json
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import fields, replace
+from dataclasses import replace
 
 from haros_ci import __version__
 from haros_ci.baselines import at_base, settled
+from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.inspection import Architectures, inspected, is_inspected
@@ -33,47 +34,16 @@ from haros_ci.pipeline import (
     selection_of,
     structured,
 )
-from haros_ci.registry import Registry, registry
+from haros_ci.registry import registry
 from haros_ci.results.result import Report, Run
 from haros_ci.shards.costs import Costs
 from haros_ci.shards.division import Job, divide, plan_digest
 from haros_ci.shards.joining import ANEW, Joined, fits
 from haros_ci.shards.shard import BASE, HEAD, SIDES, Failed, Had, Header, Said, Shard, ShardError, Whole
-from haros_ci.shards.values import plain
 from haros_ci.workspace.base import Base
 
 #: CPU microseconds for a byte of code, where nothing is remembered: 3 to 10 were measured for the first (docs/scale.md).
 WHOLE_COSTS = {ARCHITECTURE: 6.0, STRUCTURE: 2.0}
-
-#: Settings that say how the run is made or reported, not what the tools are to find.
-_REPORTING = frozenset(
-    {
-        "root",
-        "project_file",
-        "fail_on",
-        "jobs",
-        "imports",
-        "baseline",
-        "baseline_rev",
-        "base_missing",
-        "require_baseline",
-        "allow_tool_failure",
-        "cache_dir",
-        "notes",
-        "origins",
-    }
-)
-
-#: Where the others are given, if not in the project file.
-_OPTIONS = {
-    "paths": "the paths",
-    "profile": "--profile",
-    "command_line": "--select or --ignore",
-    "exclude": "--exclude",
-    "compile_database": "--compile-database",
-    "trust_config": "--trust-config",
-    "plugins": "--plugin",
-}
 
 
 def part(
@@ -123,7 +93,7 @@ def part(
             of=of,
             workspace=content_digest(head),
             base=None if past is None else past.revision,
-            settings=settings_digests(settings, known),
+            settings=settings_digests(settings, known.components),
             tools=tuple(_had(noted)),
             plan=plan_digest(jobs, given, of),
             confined=sandbox.state(settings.trust_config),
@@ -140,7 +110,7 @@ def merged(settings: Settings, store: Store, joined: Joined) -> tuple[Report, Wo
         fits(
             joined,
             version=__version__,
-            settings=settings_digests(settings, known),
+            settings=settings_digests(settings, known.components),
             workspace=content_digest(workspace),
             base=None if past is None else past.revision,
         )
@@ -169,23 +139,6 @@ def content_digest(workspace: Workspace) -> str:
         None if workspace.targets is None else sorted(workspace.targets),
     ]
     return hashlib.sha256(json.dumps(rows).encode()).hexdigest()
-
-
-def settings_digests(settings: Settings, known: Registry) -> dict[str, str]:
-    """A digest of the settings that change what the tools are to find, by where they are given."""
-    values: dict[str, list[object]] = {}
-    for field in fields(settings):
-        if field.name not in _REPORTING:
-            value = getattr(settings, field.name)
-            if field.name == "compile_database" and value is not None:
-                value = os.path.relpath(os.path.join(settings.root, value), settings.root)
-            values.setdefault(_OPTIONS.get(field.name, "the project file"), []).append(plain(value))
-    values["--plugin"] = [plain(known.components)]
-    return {name: _digest(repr(value)) for name, value in values.items()}
-
-
-def _digest(text: str) -> str:
-    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
 def _works(planned: Iterable[Work | Run]) -> list[Work]:

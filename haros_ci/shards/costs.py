@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 
-from haros_ci.shards.values import LARGEST
+from haros_ci.results.values import LARGEST
 
 FORMAT = 1
 MAX_BYTES = 200_000_000

@@ -24,7 +24,7 @@ from haros_ci.results.result import (
     Vertex,
 )
 from haros_ci.results.rule import Level
-from haros_ci.shards.values import NotThat, plain, read
+from haros_ci.results.values import NotThat, plain, read
 
 PLACE = Location("src/a.cpp", 3, 5, 3, 9)
 FULL = Run(

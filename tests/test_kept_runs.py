@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is found in a whole revision is kept as long as nothing that it depends on has changed, and no longer."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from commandline import commit, git, haros, write
+from mutations import LAUNCH_XML, LISTENER_CPP, ROS2
+
+from haros_ci import kept_runs, pipeline
+from haros_ci.config.settings import Settings
+from haros_ci.results.result import Report, Run
+from haros_ci.workspace.cache import MemoryCache
+
+RULE = "topic-type-mismatch"
+MESH, SCRIPT = "walker/meshes/body.stl", "walker/scripts/go.py"
+URDF = """<robot name="walker"><link name="body"><visual><geometry>
+  <mesh filename="package://walker/meshes/body.stl"/></geometry></visual></link></robot>
+"""
+
+PLUGIN = """from haros_ci.api.reports import Report
+RENDERERS = {"nothing": lambda report: ""}
+"""
+
+
+class Runs:
+    """Runs over one workspace with one cache; *made* counts how often the architecture was looked at."""
+
+    def __init__(self, root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.root = root
+        self.store = MemoryCache()
+        self.made = 0
+        self.settings = Settings(root=root, profile="architecture")
+        real = pipeline.inspected
+
+        def counted(*arguments: Any) -> Run:
+            self.made += 1
+            return real(*arguments)
+
+        monkeypatch.setattr(pipeline, "inspected", counted)
+
+    def run(self) -> Report:
+        return pipeline.analyse(self.settings, self.store)[0]
+
+    def makes_anew(self) -> bool:
+        """Whether a further run looks at the architecture; it must say what a run without a cache says."""
+        before = self.made
+        found = self.run()
+        anew = self.made != before
+        store, self.store = self.store, MemoryCache()
+        assert self.run() == found
+        self.store = store
+        return anew
+
+
+@pytest.fixture
+def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Runs:
+    root = write(tmp_path / "ws", {**ROS2, MESH: bytes(80) + struct.pack("<I", 0), SCRIPT: "print(1)\n"})
+    found = Runs(root, monkeypatch)
+    assert RULE in {result.rule for run in found.run().runs for result in run.results}
+    return found
+
+
+CHANGES: dict[str, Callable[[Path], object]] = {
+    "a source": lambda root: write(root, {LISTENER_CPP: ROS2[LISTENER_CPP].replace("Int32", "String")}),
+    "a comment": lambda root: write(root, {LISTENER_CPP: "// more\n" + ROS2[LISTENER_CPP]}),
+    "a launch file": lambda root: write(root, {LAUNCH_XML: ROS2[LAUNCH_XML].replace("<launch>", "<launch>\n")}),
+    "a manifest": lambda root: write(root, {"walker/package.xml": ROS2["walker/package.xml"] + "\n"}),
+    "a page": lambda root: write(root, {"README.md": "# Walker\n"}),
+    "the name of a file that is not read": lambda root: write(root, {"walker/maps/hall.pgm": b"P5 1 1 255\n\0"}),
+    "a file less": lambda root: (root / MESH).unlink(),
+    "an execute bit": lambda root: (root / SCRIPT).chmod(0o755),
+    "a marker": lambda root: write(root, {"walker/COLCON_IGNORE": ""}),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
+def test_made_anew_after_a_change_of(runs: Runs, change: Callable[[Path], object]) -> None:
+    change(runs.root)
+    assert runs.makes_anew()
+
+
+class TestKept:
+    def test_where_nothing_has_changed(self, runs: Runs) -> None:
+        assert not runs.makes_anew()
+
+    def test_where_a_file_is_written_again_as_it_was(self, runs: Runs) -> None:
+        write(runs.root, {LISTENER_CPP: ROS2[LISTENER_CPP]})
+        assert not runs.makes_anew()
+
+    def test_where_only_the_report_is_another(self, runs: Runs) -> None:
+        runs.settings = replace(runs.settings, fail_on=None, jobs=2)
+        assert not runs.makes_anew()
+
+    def test_for_each_state_that_was_there(self, runs: Runs) -> None:
+        CHANGES["a source"](runs.root)
+        assert runs.makes_anew()
+        write(runs.root, {LISTENER_CPP: ROS2[LISTENER_CPP]})
+        assert not runs.makes_anew()
+
+    def test_for_both_revisions(self, runs: Runs) -> None:
+        git(runs.root, "init", "--quiet")
+        commit(runs.root)
+        CHANGES["a source"](runs.root)
+        runs.settings = replace(runs.settings, baseline_rev="HEAD")
+        assert runs.makes_anew()
+        assert not runs.makes_anew()
+
+
+class TestNotKept:
+    def test_under_other_settings(self, runs: Runs) -> None:
+        runs.settings = replace(runs.settings, profile="strict")
+        assert runs.makes_anew()
+
+    def test_for_another_program(self, runs: Runs, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(kept_runs, "program_digest", lambda: "another")
+        assert runs.makes_anew()
+
+    def test_for_another_base(self, runs: Runs) -> None:
+        git(runs.root, "init", "--quiet")
+        commit(runs.root)
+        runs.settings = replace(runs.settings, baseline_rev="HEAD")
+        assert runs.makes_anew()
+        CHANGES["a source"](runs.root)
+        commit(runs.root)
+        assert runs.makes_anew()  # the head is what the base was compared with, the base is another
+
+    def test_with_a_plug_in(self, runs: Runs, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        write(tmp_path / "elsewhere", {"reads_what_it_likes.py": PLUGIN})
+        monkeypatch.syspath_prepend(str(tmp_path / "elsewhere"))
+        runs.settings = replace(runs.settings, plugins=("reads_what_it_likes",))
+        assert runs.makes_anew()
+        assert runs.makes_anew()
+
+    @pytest.mark.parametrize("spoiled", [None, [], {}, {"heads": [], "run": []}, {"heads": [["../x", 1, ""]], "run": {}}])
+    def test_from_a_spoiled_cache(self, runs: Runs, monkeypatch: pytest.MonkeyPatch, spoiled: object) -> None:
+        get = runs.store.get
+
+        def spoiling(group: str, path: str, key: str) -> object | None:
+            return spoiled if group == kept_runs.GROUP else get(group, path, key)
+
+        monkeypatch.setattr(runs.store, "get", spoiling)
+        assert runs.makes_anew()
+
+    def test_after_the_head_of_a_mesh_has_changed(self, runs: Runs) -> None:
+        write(runs.root, {"walker/urdf/walker.urdf": URDF})
+        assert runs.makes_anew()
+        assert not runs.makes_anew()
+        write(runs.root, {MESH: b"solid" + bytes(75) + struct.pack("<I", 0)})
+        assert runs.makes_anew()
+
+
+class TestOutput:
+    """``haros-ci model`` on files that have not changed."""
+
+    @pytest.fixture
+    def root(self, tmp_path: Path) -> Path:
+        return write(tmp_path / "ws", ROS2)
+
+    def model(self, root: Path, *arguments: str) -> tuple[str, str, bool]:
+        """What is written, what is said beside it, and whether it was made anew."""
+        done = haros("model", "--cache-dir", str(root.parent / "cache"), "--timings", *arguments, cwd=root)
+        assert done.returncode == 0, done.stderr
+        said = [line for line in done.stderr.splitlines() if not line.endswith(("discovered", "linked")) and " s  done" not in line]
+        return done.stdout, "\n".join(said), "linked" in done.stderr
+
+    @pytest.mark.parametrize("format", ["text", "json", "dot", "mermaid"])
+    def test_is_the_same(self, root: Path, format: str) -> None:
+        *first, anew = self.model(root, "--format", format)
+        *second, again = self.model(root, "--format", format)
+        assert anew and not again
+        assert first == second and first[0]
+
+    def test_a_database_is_the_same(self, root: Path) -> None:
+        places = [root.parent / name for name in ("a.db", "b.db")]
+        made = [self.model(root, "--format=sqlite", f"--output={place}")[2] for place in places]
+        assert made == [True, False]
+        assert places[0].read_bytes() == places[1].read_bytes()
+
+    def test_warnings_are_said_again(self, root: Path) -> None:
+        write(root, {"walker/launch/more.launch.xml": '<launch><include file="$(find-pkg-share gone)/launch/x.launch.xml"/></launch>'})
+        _, first, _ = self.model(root)
+        _, second, again = self.model(root)
+        assert "gone" in first and first == second and not again
+
+    @pytest.mark.parametrize(
+        "arguments",
+        [["--format=json"], ["--no-known-nodes"], ["--launch", "walker/" + "launch/" + Path(LAUNCH_XML).name], ["--env", "A=1"]],
+    )
+    def test_other_options_make_another(self, root: Path, arguments: list[str]) -> None:
+        self.model(root)
+        assert self.model(root, *arguments)[2]
+        assert not self.model(root, *arguments)[2]
+
+    def test_a_changed_file_makes_another(self, root: Path) -> None:
+        before = self.model(root, "--format=json")[0]
+        write(root, {LISTENER_CPP: ROS2[LISTENER_CPP].replace("Int32", "String")})
+        after, _, anew = self.model(root, "--format=json")
+        assert anew and after != before
+
+    @pytest.mark.parametrize("kept", [None, 1, [[], "!"], [[], ""], [[1], "eA=="], [[], "eJw="], {"a": []}])
+    def test_a_spoiled_one_is_none(self, kept: object) -> None:
+        assert kept_runs._unpacked(kept) is None
