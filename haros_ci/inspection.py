@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
@@ -105,6 +106,29 @@ def inspected(
         changes=project.changes if base is not None else None,
     )
     return queried(run, found, workspace, settings, selection) if asks(settings) else run
+
+
+def inspected_or_kept(
+    run: Run,
+    workspace: Workspace,
+    selection: Selection,
+    architectures: Architectures,
+    progress: Progress | None,
+    base: Base | None,
+) -> Run:
+    """*run* with what ``inspected`` finds, from the cache if all that this depends on is as it was."""
+    settings, known = architectures.settings, architectures.registry
+    if settings.plugins or not is_inspected(workspace, selection, settings, known):  # nobody knows what a plug-in reads
+        return inspected(run, workspace, selection, architectures, progress, base)
+    from haros_ci.kept_runs import kept_run
+
+    def make(workspace: Workspace, base: Base | None) -> Run:
+        bare = replace(run, analysed=frozenset())
+        return inspected(bare, workspace, selection, architectures, progress, base)
+
+    options = repr((settings.project_file, settings_digests(settings, known.components)))
+    found = kept_run(ARCHITECTURE, make, workspace, base, options, architectures.store)
+    return replace(found, tool=run.tool, analysed=run.analysed)
 
 
 def is_inspected(workspace: Workspace, selection: Selection, settings: Settings, known: Registry) -> bool:

@@ -11,12 +11,11 @@ from typing import Any
 from haros_ci import PROJECT_URL, __version__
 from haros_ci.baselines import at_base, compare, read_input, sarif_runs, settled, unused_code
 from haros_ci.brought import before, notices, silenced
-from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors, slip_finder
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.hosting import hosted
-from haros_ci.inspection import Architectures, inspected, is_inspected
+from haros_ci.inspection import Architectures, inspected_or_kept, is_inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.metrics import STRUCTURE_RULES, keep_worst_band
@@ -25,8 +24,17 @@ from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
 from haros_ci.linters.settings_changes import notifications as changed_settings
-from haros_ci.linting import MEASURED_BY, METRICS, confinement, contradictions, heard, lint_options
-from haros_ci.linting import with_names, with_queries, worthwhile
+from haros_ci.linting import (
+    MEASURED_BY,
+    METRICS,
+    confinement,
+    contradictions,
+    heard,
+    lint_options,
+    with_names,
+    with_queries,
+    worthwhile,
+)
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.registry import Registry, registry
 from haros_ci.results import own
@@ -172,7 +180,7 @@ def examine(
     raw = lint(workspace, known.linters, options, store, selection.wants, progress, told.lint if told else None)
     own_one = own_run(workspace, known)
     if told is None:
-        own_one = kept_inspection(own_one, workspace, selection, architectures, progress, base)
+        own_one = inspected_or_kept(own_one, workspace, selection, architectures, progress, base)
     elif is_inspected(workspace, selection, architectures.settings, known):
         own_one = replace(told.whole(ARCHITECTURE), tool=own_one.tool, analysed=own_one.analysed)
     if has_structure(workspace, selection):
@@ -190,29 +198,6 @@ def examine(
         architectures.settings,
         frozenset(unused.found),
     )
-
-
-def kept_inspection(
-    run: Run,
-    workspace: Workspace,
-    selection: Selection,
-    architectures: Architectures,
-    progress: Progress | None,
-    base: Base | None,
-) -> Run:
-    """*run* with what is found in the architecture (``inspected``), from the cache if all that this depends on is as it was."""
-    settings, known = architectures.settings, architectures.registry
-    if settings.plugins or not is_inspected(workspace, selection, settings, known):  # nobody knows what a plug-in reads
-        return inspected(run, workspace, selection, architectures, progress, base)
-    from haros_ci.kept_runs import kept_run
-
-    def make(workspace: Workspace, base: Base | None) -> Run:
-        bare = replace(run, analysed=frozenset())
-        return inspected(bare, workspace, selection, architectures, progress, base)
-
-    options = repr((settings.project_file, settings_digests(settings, known.components)))
-    found = kept_run(ARCHITECTURE, make, workspace, base, options, architectures.store)
-    return replace(found, tool=run.tool, analysed=run.analysed)
 
 
 def weighed(runs: tuple[Run, ...], baseline: Baseline | None, selection: Selection) -> tuple[Run, ...]:

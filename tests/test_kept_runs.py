@@ -13,7 +13,7 @@ import pytest
 from commandline import commit, git, haros, write
 from mutations import LAUNCH_XML, LISTENER_CPP, ROS2
 
-from haros_ci import kept_runs, pipeline
+from haros_ci import inspection, kept_runs, pipeline
 from haros_ci.config.settings import Settings
 from haros_ci.results.result import Report, Run
 from haros_ci.workspace.cache import MemoryCache
@@ -37,13 +37,13 @@ class Runs:
         self.store = MemoryCache()
         self.made = 0
         self.settings = Settings(root=root, profile="architecture")
-        real = pipeline.inspected
+        real = inspection.inspected
 
         def counted(*arguments: Any) -> Run:
             self.made += 1
             return real(*arguments)
 
-        monkeypatch.setattr(pipeline, "inspected", counted)
+        monkeypatch.setattr(inspection, "inspected", counted)
 
     def run(self) -> Report:
         return pipeline.analyse(self.settings, self.store)[0]
