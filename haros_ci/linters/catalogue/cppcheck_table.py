@@ -36,7 +36,7 @@ GROUPS: tuple[Group, ...] = (
             ("negativeContainerIndex", "Bw", "Negative container index."),
             ("negativeIndex", "Rw", "Negative array index."),
             ("negativeMemoryAllocationSize", "Be", "Negative allocation size."),
-            ("objectIndex", "Be", "Address of a single object used as an array."),
+            ("objectIndex", "Sw", "Address of a single object used as an array."),
             ("pointerOutOfBounds", "Ss", "Pointer arithmetic out of bounds."),
             ("pointerOutOfBoundsCond", "Ss", "Pointer arithmetic out of bounds in a case that the code tests for."),
             ("stlOutOfBounds", "Se", "Loop that includes the container's size as an index."),
@@ -180,7 +180,7 @@ GROUPS: tuple[Group, ...] = (
         (
             ("floatConversionOverflow", "Be", "Floating-point value too large for the target integer."),
             ("integerOverflow", "Se", "Signed integer overflow."),
-            ("invalidTestForOverflow", "Rw", "Overflow test that itself relies on overflow."),
+            ("invalidTestForOverflow", "Sw", "Overflow test that itself relies on overflow."),
             ("moduloofone", "Rs", "Remainder of division by one."),
             ("nanInArithmeticExpression", "Rs", "NaN in an arithmetic expression."),
             ("shiftNegative", "Se", "Shift by a negative count."),
