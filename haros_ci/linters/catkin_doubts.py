@@ -72,7 +72,8 @@ def is_refuted(
 def _has_extension(workspace: Workspace, *paths: str) -> bool:
     """Whether one of *paths*, without extension, is the name of a source that CMake finds by adding one."""
     bare = [path for path in paths if "." not in path.rpartition("/")[2]]
-    return any(f"{path}.{extension}" in workspace.names for path in bare for extension in _EXTENSIONS)
+    tried = {f"{path}.{extension}" for path in bare for extension in _EXTENSIONS}
+    return not tried.isdisjoint(workspace.names)
 
 
 def _is_only_listed(name: str, directory: str, workspace: Workspace) -> bool:
