@@ -28,7 +28,9 @@ _KNOWN = re.compile(
 _SET = r"\bset\s*\(\s*{name}\s"
 #: What CMake tries where a source has no extension (policy CMP0115).
 _EXTENSIONS = "c C c++ cc cpp cxx cu mpp m M mm ixx cppm h hh h++ hm hpp hxx in txx f F for f77 f90".split()
-_SOURCE_OF = re.compile(r"\w*(?:add_\w*(?:executable|library)|target_sources|catkin_add_gtest|add_rostest_gtest)\(\)", re.IGNORECASE)
+_SOURCE_OF = re.compile(
+    r"\w*(?:add_\w*(?:executable|library)|target_sources|catkin_add_gtest|add_rostest_gtest)\(\)", re.IGNORECASE
+)
 _SIMPLE = re.compile(r"^\s*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
 #: Rules about files and directories that are not there.
 _OF_FILES = frozenset(("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR", "MISSING_INCLUDE_PATH", "MISSING_PLUGIN"))

@@ -60,7 +60,9 @@ _WRITES = re.compile(
     r"(?:.*_)?(?:LOG\w*|INFO|WARN(?:ING)?|DEBUG|ERROR|TRACE|PRINT\w*|VERBOSE|NOTICE|COUT|CERR)(?:_\w+)?|(?:ROS|RCLCPP|RCUTILS)_FATAL\w*"
     r"|(?:EXPECT|Q)_\w+"
 )
-_GOES_NOWHERE = re.compile(r".*(?:THROW|RAISE|ABORT|UNREACHABLE|PANIC|EXIT|ASSERT|RETURN|NORETURN|TERMINATE|NOT_?REACHED)")
+_GOES_NOWHERE = re.compile(
+    r".*(?:THROW|RAISE|ABORT|UNREACHABLE|PANIC|EXIT|ASSERT|RETURN|NORETURN|TERMINATE|NOT_?REACHED)"
+)
 _QUOTED = re.compile(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)'")
 #: ``%g in format string (no. 2) requires 'double' but the argument type is 'number_t'.``: where cppcheck knows the type
 #: behind a name it says so (``{aka unsigned long}``).

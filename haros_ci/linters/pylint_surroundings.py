@@ -56,7 +56,8 @@ def _is_shadowed(result: Result, line: int, workspace: Workspace) -> bool:
     name = re.escape(used[used.lastindex or 0])
     imported = re.search(rf"(?m)^[ \t]*(?:import[ \t]+{name}|from[ \t]+{name}[ \t]+import)\b(?![.\w])", text)
     renamed = re.search(
-        rf"(?m)^[ \t]*(?:import[ \t]+(\w+)[ \t]+as[ \t]+{name}|from[ \t]+(\w+)[ \t]+import[ \t][^\n#]{{0,300}}\b{name})\b", text
+        rf"(?m)^[ \t]*(?:import[ \t]+(\w+)[ \t]+as[ \t]+{name}|from[ \t]+(\w+)[ \t]+import[ \t][^\n#]{{0,300}}\b{name})\b",
+        text,
     )
     module = used[used.lastindex or 0] if imported else (renamed[1] or renamed[2]) if renamed else ""
     beside = path[: path.rfind("/") + 1]

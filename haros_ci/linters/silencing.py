@@ -205,7 +205,9 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         "all tools",
-        ("the name and the first comment of a well-known library's single file (`json.hpp`, `stb_image.h`, `httplib.h` …)",),
+        (
+            "the name and the first comment of a well-known library's single file (`json.hpp`, `stb_image.h`, `httplib.h` …)",
+        ),
         "all findings in that file",
         Origin.BASE,
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_a_known_library",

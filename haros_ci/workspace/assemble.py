@@ -12,8 +12,8 @@ from haros_ci.model.workspace import Hiding, Problem, Workspace
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
 from haros_ci.workspace.generated import says_generated
-from haros_ci.workspace.package_xml import parse_package, settled, supports_both
 from haros_ci.workspace.known_copies import copied_library, is_of_project
+from haros_ci.workspace.package_xml import parse_package, settled, supports_both
 from haros_ci.workspace.third_party import ThirdParty
 
 #: A package, and what is wrong with its manifest.
@@ -168,9 +168,7 @@ def _package(content: Content, root_name: str) -> _Found:
     return Package(name=root_name if directory == "." else directory.rpartition("/")[2], path=directory), package
 
 
-def _owned(
-    files: Iterable[SourceFile], owners: dict[str, str], third_party: ThirdParty
-) -> tuple[SourceFile, ...]:
+def _owned(files: Iterable[SourceFile], owners: dict[str, str], third_party: ThirdParty) -> tuple[SourceFile, ...]:
     """The files with the name of the package around them, and the copy of another project.
 
     The *files* come with the name of the library that they are a copy of, in the place of its directory.

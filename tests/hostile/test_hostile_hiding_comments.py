@@ -168,7 +168,11 @@ LONG = "\n" * 120
 
 
 def test_the_single_file_of_a_known_library_has_no_findings(trap: Trap) -> None:
-    files = {"demo/package.xml": MANIFEST, "demo/json.hpp": BANNER + LONG + DEFECT, "demo/a.cpp": BANNER + LONG + DEFECT}
+    files = {
+        "demo/package.xml": MANIFEST,
+        "demo/json.hpp": BANNER + LONG + DEFECT,
+        "demo/a.cpp": BANNER + LONG + DEFECT,
+    }
     pull_request(trap, {}, {**files, "demo/b/json.hpp": LONG + DEFECT})
     paths, unseen = found(trap)
     assert {"demo/a.cpp", "demo/b/json.hpp"} <= paths and "demo/json.hpp" not in paths

@@ -63,7 +63,13 @@ STANDS = [
 
 
 def refuted(root: Path, rule: str, message: str, text: str, line: int | None) -> bool:
-    files = {"robot/package.xml": "", "robot/CMakeLists.txt": text, "common.cmake": "", "robot/plant.cpp": "", "robot/src/kernel.cu": ""}
+    files = {
+        "robot/package.xml": "",
+        "robot/CMakeLists.txt": text,
+        "common.cmake": "",
+        "robot/plant.cpp": "",
+        "robot/src/kernel.cu": "",
+    }
     made = replace(workspace(root, files, [Package("robot", "robot", ros=1)]), names=frozenset(files))
     return is_refuted(rule, message, "robot", Location("robot/CMakeLists.txt", line), made)
 

@@ -20,7 +20,11 @@ FIRES = [
     ("a/tinyxml2.cpp", "/*\nOriginal code by Lee Thomason (www.example.org)\n*/\n", "tinyxml2"),
     ("a/catch.hpp", "/*\n *  Catch v2.13.9\n *  Copyright (c) 2022 Two Blue Cubes Ltd.\n */\n", "catch"),
     ("a/imgui_draw.cpp", "// dear imgui, v1.89\n", "imgui"),
-    ("a/sqlite3.c", "/****\n** This file is an amalgamation of many separate C source files from SQLite\n*/\n", "sqlite3"),
+    (
+        "a/sqlite3.c",
+        "/****\n** This file is an amalgamation of many separate C source files from SQLite\n*/\n",
+        "sqlite3",
+    ),
     ("a/unix.cc", "/* Copyright 2012 William Woodall and John Harrison\n * the Serial library\n */\n", "serial"),
 ]
 QUIET = [
@@ -56,7 +60,9 @@ def test_python_is_none() -> None:
 def test_the_project_itself() -> None:
     assert is_of_project("serial", "serial") and is_of_project("magicenum", "magic_enum")
     assert is_of_project("nanoflann", "nanoflann_vendor")
-    assert not is_of_project("json", None) and not is_of_project("json", "robot") and not is_of_project("json", "my_json")
+    assert (
+        not is_of_project("json", None) and not is_of_project("json", "robot") and not is_of_project("json", "my_json")
+    )
 
 
 @pytest.mark.parametrize("filler", ["Copyright ", "Copyright William Woodall ", "amalgamation of ", "/", "version "])
