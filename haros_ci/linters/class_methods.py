@@ -65,9 +65,9 @@ def _unbound(text: str) -> tuple[tuple[int, int, str, str, str], ...]:
             tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return ()
-    found = []
-    for owner in ast.walk(tree):
-        for node in owner.body if isinstance(owner, ast.ClassDef) else ():
+    found: list[tuple[int, int, str, str, str]] = []
+    for owner in (each for each in ast.walk(tree) if isinstance(each, ast.ClassDef)):
+        for node in owner.body:
             if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and not node.decorator_list:
                 first = next(iter((*node.args.posonlyargs, *node.args.args)), None)
                 if first is not None and first.arg not in ("self", *_CLASS) and not first.arg.startswith("_"):

@@ -87,7 +87,7 @@ def _of_one_target(results: Iterable[Result], package_of: Callable[[str], str | 
     kept: list[Result] = []
     first: dict[tuple[str, str], int] = {}
     for result in results:
-        names = _QUOTED.findall(result.message) if result.tool == TOOL and result.rule in _OF_TARGET else ()
+        names = _QUOTED.findall(result.message) if result.tool == TOOL and result.rule in _OF_TARGET else []
         package = package_of(result.location.path) if names else None
         at = first.setdefault((package, names[-1]), len(kept)) if package else len(kept)
         if at == len(kept):
