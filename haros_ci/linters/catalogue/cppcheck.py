@@ -20,7 +20,7 @@ UNSURE = frozenset(
     """
     IOWithoutPositioning bufferAccessOutOfBounds comparePointers ctuArrayIndex ctuPointerArith ctunullpointer
     ctuuninitvar danglingLifetime eraseIteratorOutOfBounds invalidContainer memleak memleakOnRealloc missingReturn
-    negativeIndex negativeMemoryAllocationSize nullPointer nullPointerArithmetic resourceLeak subtractPointers
+    negativeIndex negativeMemoryAllocationSize nullPointer nullPointerArithmetic subtractPointers
     uninitdata zerodiv
     """.split()
 )

@@ -69,7 +69,7 @@ GROUPS: tuple[Group, ...] = (
             ("noOperatorEq", "Sw", "Class that owns a resource without an assignment operator."),
             ("operatorEqToSelf", "Sw", "Assignment operator that is unsafe for self-assignment."),
             ("publicAllocationError", "Sw", "Public function that allocates without freeing the old pointer."),
-            ("resourceLeak", "Bw", "Resource leak: opened but not closed on every path."),
+            ("resourceLeak", "Be", "Resource leak: opened but not closed on every path."),
             ("thisUseAfterFree", "Bw", "Member used after its object was deleted."),
             ("unsafeClassCanLeak", "Ss", "Class that may leak its pointer members."),
             ("virtualDestructor", "Re", "Base class without a virtual destructor, deleted through a pointer."),
