@@ -96,9 +96,9 @@ def settled(workspace: Workspace, settings: Settings, base: Base | BaselineUnava
 
 
 def _as_known_before(workspace: Workspace, base: Base | BaselineUnavailable) -> Workspace:
-    """*workspace*, in which files are generated, and directories third-party, if they were so in *base*.
+    """*workspace*, in which files are generated, and directories or files third-party, if they were so in *base*.
 
-    Else a comment, a licence or a directory's name would keep linters out of a change.
+    Else a comment, a licence or a name would keep linters out of a change.
     """
     if isinstance(base, BaselineUnavailable):
         files = tuple(replace(file, is_generated=False, third_party="") for file in workspace.files)
@@ -106,9 +106,12 @@ def _as_known_before(workspace: Workspace, base: Base | BaselineUnavailable) -> 
     before = base.workspace.files
     generated = {base.renames.get(file.path, file.path) for file in before if file.is_generated}
     third_party = {file.third_party for file in before} - {""}
+    single = {base.renames.get(file.path, file.path) for file in before if file.third_party == file.path}
 
     def known(file: SourceFile) -> SourceFile:
         copy = around(file.path, third_party)
+        if not copy and file.third_party and file.path in single:
+            copy = file.path
         if copy == file.third_party and not file.is_generated:
             return file
         return replace(file, is_generated=file.is_generated and file.path in generated, third_party=copy)

@@ -15,6 +15,7 @@ from haros_ci.inspection import asks
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files
+from haros_ci.linters.pylint_surroundings import is_refuted_around
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.undefined_names import weighed_names
 from haros_ci.model.workspace import Workspace
@@ -68,7 +69,8 @@ def worthwhile(
 ) -> tuple[Result, ...]:
     """*results* without those of linters that nobody mends where they are; who asks for every finding, or for the rule, has them.
 
-    They are in code that nothing uses, of which *unused* tells, in tests, or of what is deprecated in no Python of ROS 1.
+    They are in code that nothing uses, of which *unused* tells, in tests, of what is deprecated in no Python of ROS 1, or refuted by
+    other files.
     """
     ros = {package.name: package.ros for package in reversed(workspace.packages)}
     package_of = cache(workspace.package_finder())
@@ -79,6 +81,8 @@ def worthwhile(
     kept: list[tuple[Result, bool]] = []
     for result in results:
         extra = is_extra(result)
+        if extra and is_refuted_around(result, workspace):
+            continue
         if not extra or not is_idle(result, ros.get(package_of(result.location.path) or "")):
             kept.append((result, extra))
     left = unused({result.location.path for result, extra in kept if extra})

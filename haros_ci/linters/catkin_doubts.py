@@ -19,8 +19,18 @@ _COMPUTED = (
     r"|(?:execute_process|cmake_parse_arguments|get_target_property|get_property|find_\w+|math|option)\s*\([^()]{{0,300}}\b{name}\b"
     r"|set\s*\(\s*{name}\s[^()]{{0,300}}\$\{{)"
 )
-#: Variables that catkin_lint evaluates.
-_KNOWN = re.compile(r"(?:CMAKE_|PROJECT_|CATKIN_|catkin_)\w*|\w+_(?:SOURCE|BINARY)_DIR")
+#: Variables that catkin_lint evaluates; others that CMake sets itself (``CMAKE_LIBRARY_ARCHITECTURE``) it takes for empty.
+_KNOWN = re.compile(
+    r"CMAKE_(?:(?:CURRENT_)?(?:SOURCE|BINARY)_DIR|CURRENT_LIST_(?:DIR|FILE)|INSTALL_PREFIX)|PROJECT_NAME|PROJECT_VERSION\w*"
+    r"|(?:CATKIN|catkin)_\w*|\w+_(?:SOURCE|BINARY)_DIR"
+)
+#: How a file gives a variable a value that catkin_lint follows.
+_SET = r"\bset\s*\(\s*{name}\s"
+#: What CMake tries where a source has no extension (policy CMP0115).
+_EXTENSIONS = "c C c++ cc cpp cxx cu mpp m M mm ixx cppm h hh h++ hm hpp hxx in txx f F for f77 f90".split()
+_SOURCE_OF = re.compile(
+    r"\w*(?:add_\w*(?:executable|library)|target_sources|catkin_add_gtest|add_rostest_gtest)\(\)", re.IGNORECASE
+)
 _SIMPLE = re.compile(r"^\s*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
 #: Rules about files and directories that are not there.
 _OF_FILES = frozenset(("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR", "MISSING_INCLUDE_PATH", "MISSING_PLUGIN"))
@@ -52,11 +62,20 @@ def is_refuted(
     beside = normpath(join(at.path.rpartition("/")[0], named[1]))
     if rule in _OF_FILES and (is_below(here, lacking) or is_below(beside, lacking)):
         return True
+    if rule == "MISSING_FILE" and _SOURCE_OF.match(message) and _has_extension(workspace, here, beside):
+        return True
     if rule in ("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR"):
         return _is_unknown(named[1], at.path, at.line, workspace.text(at.path))
     if rule == "EXTERNAL_FILE" and not named[1].startswith("/"):
         return any(file.path in (here, beside) for file in workspace.files)
     return False
+
+
+def _has_extension(workspace: Workspace, *paths: str) -> bool:
+    """Whether one of *paths*, without extension, is the name of a source that CMake finds by adding one."""
+    bare = [path for path in paths if "." not in path.rpartition("/")[2]]
+    tried = {f"{path}.{extension}" for path in bare for extension in _EXTENSIONS}
+    return not tried.isdisjoint(workspace.names)
 
 
 def _is_only_listed(name: str, directory: str, workspace: Workspace) -> bool:
@@ -79,7 +98,9 @@ def _is_only_listed(name: str, directory: str, workspace: Workspace) -> bool:
 
 def _is_unknown(name: str, path: str, line: int | None, text: str) -> bool:
     """Whether the *name* of a file is what was left of one with variables."""
-    if "${" in name or "$<" in name or not name or name.endswith("/") or re.fullmatch(r"(?:.*/)?\.[a-z]{1,8}", name):
+    if "${" in name or "$<" in name or "//" in name or not name or name[0] == "/" or name[-1] == "/":
+        return True
+    if re.fullmatch(r"(?:.*/)?\.[a-z]{1,8}", name):
         return True
     if line is None or not path.endswith((".txt", ".cmake")):
         return False
@@ -89,4 +110,8 @@ def _is_unknown(name: str, path: str, line: int | None, text: str) -> bool:
     if re.search(r"\bOPTIONAL\b", statement[: end + 1]):
         return True
     unknown = [v for v in variables if not _KNOWN.fullmatch(v)]
-    return any(re.search(_COMPUTED.format(name=v), text, re.IGNORECASE) for v in unknown)
+    return any(
+        re.search(_COMPUTED.format(name=v), text, re.IGNORECASE)
+        or not re.search(_SET.format(name=v), text, re.IGNORECASE)
+        for v in unknown
+    )

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import warnings
 from functools import lru_cache
 
@@ -13,6 +14,9 @@ _CLASS = ("cls", "klass", "mcs", "mcls", "metacls")
 _MAKING = frozenset(
     "validator root_validator field_validator model_validator validates declared_attr expression comparator classproperty".split()
 )
+
+#: Characters of a line that are looked at.
+_LONGEST = 1000
 
 
 def is_class_method(text: str, line: int) -> bool:
@@ -37,6 +41,40 @@ def _lines(text: str) -> frozenset[int]:
         if is_called_so or any(_last(each) in _MAKING for each in node.decorator_list):
             found.update(range(min(each.lineno for each in node.decorator_list), node.lineno + 1))
     return frozenset(found)
+
+
+def method_at(text: str, line: int) -> tuple[str, str] | None:
+    """The class and the name of the undecorated method at *line* of *text* whose first parameter is not called as an object or class is."""
+    return next(((owner, name) for first, _, owner, name, _ in _unbound(text) if first == line), None)
+
+
+def takes_value(text: str, line: int) -> bool:
+    """Whether *line* of *text* uses the first parameter of such a method around it: nobody knows what it is given."""
+    lines = text.split("\n")
+    here = lines[line - 1] if 0 < line <= len(lines) else ""
+    words = set(re.findall(r"\w+", here[:_LONGEST]))
+    return any(first < line <= last and parameter in words for first, last, _, _, parameter in _unbound(text))
+
+
+@lru_cache(maxsize=16)
+def _unbound(text: str) -> tuple[tuple[int, int, str, str, str], ...]:
+    """The first and last line, class, name and first parameter of each."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return ()
+    found: list[tuple[int, int, str, str, str]] = []
+    for owner in (each for each in ast.walk(tree) if isinstance(each, ast.ClassDef)):
+        for node in owner.body:
+            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and not node.decorator_list:
+                first = next(iter((*node.args.posonlyargs, *node.args.args)), None)
+                if first is not None and first.arg not in ("self", *_CLASS) and not first.arg.startswith("_"):
+                    name, end = node.name, node.end_lineno or node.lineno
+                    if not name.startswith("__"):
+                        found.append((node.lineno, end, owner.name, name, first.arg))
+    return tuple(found)
 
 
 def _last(decorator: ast.expr) -> str:

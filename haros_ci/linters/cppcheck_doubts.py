@@ -53,6 +53,23 @@ _LEAKS = re.compile(
     r"\b(?:intentional|deliberate|on purpose|never freed|not freed|let it)\w*[^.]{0,80}\bleak|\bleak\w*[^.]{0,80}\b(?:intentional|deliberate|purpose)",
     re.IGNORECASE | re.DOTALL,
 )
+#: A macro as the last statement: which cppcheck does not expand, or expands to what it does not follow.
+_MACRO = re.compile(r"[A-Z][A-Z0-9_]{2,}")
+#: Macros that write a line and go on, unless the name says that they do not.
+_WRITES = re.compile(
+    r"(?:.*_)?(?:LOG\w*|INFO|WARN(?:ING)?|DEBUG|ERROR|TRACE|PRINT\w*|VERBOSE|NOTICE|COUT|CERR)(?:_\w+)?|(?:ROS|RCLCPP|RCUTILS)_FATAL\w*"
+    r"|(?:EXPECT|Q)_\w+"
+)
+_GOES_NOWHERE = re.compile(
+    r".*(?:THROW|RAISE|ABORT|UNREACHABLE|PANIC|EXIT|ASSERT|RETURN|NORETURN|TERMINATE|NOT_?REACHED)"
+)
+_QUOTED = re.compile(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)'")
+#: ``%g in format string (no. 2) requires 'double' but the argument type is 'number_t'.``: where cppcheck knows the type
+#: behind a name it says so (``{aka unsigned long}``).
+_OF_PRINTF = re.compile(r"invalidPrintfArgType_(?:float|sint|uint|p)")
+_ARGUMENT = re.compile(r"argument type is '(?:const )?(\w+)(?: const)?'")
+#: Lines of the last statement that are looked at.
+_STATEMENT_LINES = 8
 _LOOP = re.compile(r"\bfor\s*\(\s*\w+\s*;")
 
 
@@ -72,7 +89,9 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         returned = rf"\s*return\s+{member[1]}\s*;"
         return 0 < line <= len(lines) and re.match(returned, lines[line - 1]) is not None
     if rule == "missingReturn":
-        return _is_exhaustive(line, text) or _ends(line, text)
+        return _is_exhaustive(line, text) or _ends(line, text) or _ends_in_macro(line, text)
+    if _OF_PRINTF.fullmatch(rule):
+        return _is_alias(message, text)
     if rule == "constStatement" and _LOOP.search(_line(text, line)):  # ``for (i; …)`` where i is set before
         return True
     if rule == "memleak":  # who names it so, or says so just above, means it
@@ -124,6 +143,56 @@ def _ends(line: int, text: str) -> bool:
     """Whether the path without a return ends in a call that never comes back: cppcheck gives the place of its last statement."""
     lines = text.split("\n")
     return 0 < line <= len(lines) and _ENDING.match("\n".join(lines[line - 1 : line + 5])) is not None
+
+
+def _ends_in_macro(line: int, text: str) -> bool:
+    """Whether the path without a return ends in a call of a macro that may not come back, as far as its name tells.
+
+    The place is that of the last statement, or of the bracket behind it.
+    """
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    here, last = lines[line - 1].strip(), line - 1
+    if not here.startswith("}"):
+        if re.match(r"[A-Z][A-Z0-9_]{2,}\b", here) is None:
+            return False
+        after = range(line, min(line + _STATEMENT_LINES, len(lines)) + 1)
+        last = next((number for number in after if ";" in _QUOTED.sub("0", lines[number - 1])), line)
+    statement = _COMMENT.sub("", "\n".join(lines[max(last - _STATEMENT_LINES, 0) : last]))
+    before = _QUOTED.sub("0", statement).rstrip()
+    if last >= line:
+        before = before.rstrip("} \t\n")
+    if not before.endswith(";"):
+        return False
+    before = before.rstrip("; \t\n")
+    if before.endswith(")"):
+        depth = 0
+        for bracket in reversed(list(re.finditer(r"[()]", before))):
+            depth += 1 if bracket[0] == ")" else -1
+            if depth == 0:
+                before = before[: bracket.start()].rstrip()
+                break
+    name = re.search(r"(?:^|[;{}:]|\belse\b)\s*(\w+)$", before)
+    if name is None or _MACRO.fullmatch(name[1]) is None:
+        return False
+    return _GOES_NOWHERE.match(name[1]) is not None or _WRITES.fullmatch(name[1]) is None
+
+
+def _is_alias(message: str, text: str) -> bool:
+    """Whether the type of the argument is a name that *text* gives to a type that cppcheck does not know, or a template's parameter."""
+    named = _ARGUMENT.search(message)
+    if named is None:
+        return False
+    name = named[1]
+    return any(
+        re.search(pattern, text)
+        for pattern in (
+            rf"\busing\s+{name}\s*=",
+            rf"\btypedef\b[^;{{}}]{{1,200}}\b{name}\s*;",
+            rf"\b(?:typename|class)\s+{name}\s*[,>=]",
+        )
+    )
 
 
 def _is_exhaustive(line: int, text: str) -> bool:

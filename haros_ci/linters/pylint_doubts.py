@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from haros_ci.linters.class_methods import is_class_method
+from haros_ci.linters.class_methods import is_class_method, takes_value
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.results.scope import scopes
@@ -44,8 +44,20 @@ _PLATFORM = re.compile(r"\s*(?:if|elif)\b.*\b(?:sys\.platform|platform\.system|o
 _MAIN = re.compile(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
 
 
+#: What pylint says of a value: wrong where it takes for the object what a method without ``self`` is given through its class.
+_OF_VALUES = frozenset(
+    """
+    invalid-sequence-index invalid-slice-index invalid-unary-operand-type not-a-mapping not-an-iterable not-callable no-member
+    unhashable-member unsubscriptable-object unsupported-assignment-operation unsupported-binary-operation
+    unsupported-delete-operation unsupported-membership-test
+    """.split()
+)
+
+
 def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     """Whether the *text* refutes what pylint says by *rule* at *line*, counted from 1, and *column*, from 0."""
+    if rule in _OF_VALUES and takes_value(text, line):
+        return True
     if rule == "no-value-for-parameter":
         return _is_decorated(text, line, column)
     if rule in ("pointless-statement", "expression-not-assigned"):

@@ -9,9 +9,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from haros_ci.results.own import TOOL as OURS
-from haros_ci.results.result import Result
+from haros_ci.results.result import Related, Result
 
 TOOL = "catkin_lint"
+#: A finding names no more other places than this.
+MOST = 40
 
 _DEPENDENCY = ("undeclared-dependency", "undeclared-import", "undeclared-launch-dependency", "dependency-not-linked")
 _INSTALLATION = ("directory-not-installed", "target-not-installed")
@@ -24,6 +26,7 @@ SAME: dict[str, tuple[str, ...]] = {
     "LAUNCH_DEPEND": _DEPENDENCY,
     "UNINSTALLED_PLUGIN": (*_INSTALLATION, "plugin-not-loadable"),
     "UNINSTALLED_EXPORT_LIB": _INSTALLATION,
+    "UNINSTALLED_DEPEND": _INSTALLATION,
     "UNINSTALLED_SCRIPT": _INSTALLATION,
     "UNINSTALLED_TARGET": _INSTALLATION,
     "SCRIPT_NOT_EXECUTABLE": ("script-not-runnable",),
@@ -43,6 +46,8 @@ UNNAMED: dict[str, tuple[str, ...]] = {
 }
 #: ``… exports package include path that is not installed.``: ours then speaks of the directory include.
 _INCLUDE_PATH = "UNINSTALLED_INCLUDE_PATH"
+#: Those that say of a target, the last that they name, that it is not installed: once of each place that needs it.
+_OF_TARGET = ("UNINSTALLED_EXPORT_LIB", "UNINSTALLED_TARGET", "UNINSTALLED_DEPEND")
 _QUOTED = re.compile(r"'([^']+)'")
 _WORD = re.compile(r"[\w.+/-]*\w")
 
@@ -67,11 +72,33 @@ def said_once(results: Iterable[Result], package_of: Callable[[str], str | None]
             if twin is not None:
                 also[twin].update((result.full_id, *result.also))
                 dropped.add(i)
-    return tuple(
-        replace(result, also=tuple(sorted({*result.also, *also[i]}))) if i in also else result
-        for i, result in enumerate(given)
-        if i not in dropped
+    return _of_one_target(
+        (
+            replace(result, also=tuple(sorted({*result.also, *also[i]}))) if i in also else result
+            for i, result in enumerate(given)
+            if i not in dropped
+        ),
+        package_of,
     )
+
+
+def _of_one_target(results: Iterable[Result], package_of: Callable[[str], str | None]) -> tuple[Result, ...]:
+    """*results* in their order, those of one target that is not installed as one: the first, which names the others' places."""
+    kept: list[Result] = []
+    first: dict[tuple[str, str], int] = {}
+    for result in results:
+        names = _QUOTED.findall(result.message) if result.tool == TOOL and result.rule in _OF_TARGET else []
+        package = package_of(result.location.path) if names else None
+        at = first.setdefault((package, names[-1]), len(kept)) if package else len(kept)
+        if at == len(kept):
+            kept.append(result)
+            continue
+        one = kept[at]
+        others = {*result.also, *((result.full_id,) if result.full_id != one.full_id else ())}
+        related = (*one.related, Related(result.location, f"Of the same cause: {result.message}"), *result.related)
+        also = tuple(sorted({*one.also, *others}))
+        kept[at] = replace(one, also=also, related=related[:MOST])
+    return tuple(kept)
 
 
 def _is_same(theirs: Result, ours: Result) -> bool:
@@ -82,5 +109,8 @@ def _is_same(theirs: Result, ours: Result) -> bool:
     if ours.rule not in SAME.get(theirs.rule, ()):
         return False
     words = set(_WORD.findall(ours.message))
-    names = {part for name in _QUOTED.findall(theirs.message) for part in (name, name.partition("/")[0])}
+    quoted = _QUOTED.findall(theirs.message)
+    if theirs.rule in _OF_TARGET:  # what depends on the target is installed
+        return quoted[-1:] != [] and quoted[-1] in words
+    names = {part for name in quoted for part in (name, name.partition("/")[0])}
     return not names.isdisjoint(words)

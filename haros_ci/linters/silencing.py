@@ -204,6 +204,15 @@ OTHERS: tuple[Row, ...] = (
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_directory_third_party",
     ),
     Row(
+        "all tools",
+        (
+            "the name and the first comment of a well-known library's single file (`json.hpp`, `stb_image.h`, `httplib.h` …)",
+        ),
+        "all findings in that file",
+        Origin.BASE,
+        "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_a_known_library",
+    ),
+    Row(
         "all linters",
         ("a C++ source that no target compiles, a superseded Python module (`…_old.py`) that nothing names",),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",

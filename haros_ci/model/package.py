@@ -65,7 +65,7 @@ class SourceFile:
     in bytes; *package* is the name of the package that contains it, or None; *lines* counts line feeds;
     *has_directive* is False where no suppression comment of ours can be in it; *is_generated* is True for a file whose first
     comment says that a program has written it: linters leave it alone; *third_party* is the directory around the file that holds a
-    copy of another project, "" if none does: nothing is reported there.
+    copy of another project, or its own path if the file itself is one, "" if neither: nothing is reported there.
     """
 
     path: str

@@ -29,8 +29,10 @@ def coverage(workspace: Workspace, ways: Collection[str] = (), unused: Sequence[
     reported = [file for file in workspace.files if workspace.reports_on(file.path)]
     if generated := [file.path for file in reported if file.is_generated and not file.third_party]:
         unseen.append(_generated(generated))
-    if copies := [file.third_party for file in reported if file.third_party]:
+    if copies := [file.third_party for file in reported if file.third_party not in ("", file.path)]:
         unseen.append(_third_party(copies))
+    if single := [file.path for file in reported if file.third_party == file.path]:
+        unseen.append(_single(single))
     if unused:
         unseen.append(_unused(unused))
     return Coverage(
@@ -49,6 +51,13 @@ def _third_party(directories: Sequence[str]) -> str:
     if len(directories) == 1:
         return f"1 file has no findings, because it is in a copy of another project: {named}."
     return f"{len(directories)} files have no findings, because they are in copies of other projects: {named}."
+
+
+def _single(paths: Sequence[str]) -> str:
+    named = _named(paths)
+    if len(paths) == 1:
+        return f"1 file has no findings, because by its name and first comment it is another project's: {named}."
+    return f"{len(paths)} files have no findings, because by their names and first comments they are other projects': {named}."
 
 
 def _unused(paths: Sequence[str]) -> str:

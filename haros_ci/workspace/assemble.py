@@ -12,6 +12,7 @@ from haros_ci.model.workspace import Hiding, Problem, Workspace
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
 from haros_ci.workspace.generated import says_generated
+from haros_ci.workspace.known_copies import copied_library, is_of_project
 from haros_ci.workspace.package_xml import parse_package, settled, supports_both
 from haros_ci.workspace.third_party import ThirdParty
 
@@ -113,6 +114,7 @@ def assemble(
                     lines=content.data.count(b"\n"),
                     has_directive=b"haros:" in content.data,
                     is_generated=says_generated(content.language, content.data),
+                    third_party=copied_library(content.path, content.language, content.data),
                 )
             )
     packages = _outermost(packages)
@@ -166,10 +168,11 @@ def _package(content: Content, root_name: str) -> _Found:
     return Package(name=root_name if directory == "." else directory.rpartition("/")[2], path=directory), package
 
 
-def _owned(
-    files: Iterable[SourceFile], owners: dict[str, str], third_party: ThirdParty
-) -> tuple[SourceFile, ...]:
-    """The files with the name of the package around them, and the copy of another project."""
+def _owned(files: Iterable[SourceFile], owners: dict[str, str], third_party: ThirdParty) -> tuple[SourceFile, ...]:
+    """The files with the name of the package around them, and the copy of another project.
+
+    The *files* come with the name of the library that they are a copy of, in the place of its directory.
+    """
     known: dict[str, str | None] = {".": None, **owners}
     made = []
     for file in files:
@@ -177,7 +180,10 @@ def _owned(
         while directory not in known:
             directory = _directory(directory)
         known[start] = known[directory]
-        made.append(replace(file, package=known[directory], third_party=third_party.directory(file.path)))
+        owner, library = known[directory], file.third_party
+        is_copy = bool(library) and not is_of_project(library, owner)
+        copy = third_party.directory(file.path) or (file.path if is_copy else "")
+        made.append(replace(file, package=owner, third_party=copy))
     return tuple(made)
 
 

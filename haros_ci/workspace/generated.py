@@ -23,6 +23,13 @@ _SAYS = re.compile(
 _NOT = re.compile(r"\b(?:not|isn't|no longer|un)[- ]*(?:be |been )?$", re.IGNORECASE)
 
 
+def leading_comment(language: str, data: bytes) -> str:
+    """The comments before the first line of code of C++ or Python, as far as they are in the first bytes."""
+    comment = _C if language == "cpp" else _PYTHON
+    match = comment.match(data[:_MOST].decode("utf-8", "replace"))
+    return match[0] if match is not None else ""
+
+
 def says_generated(language: str, data: bytes) -> bool:
     """Whether the comments before the first line of code of C++ or Python call the file generated.
 

@@ -163,6 +163,36 @@ def test_without_the_base_revision_nothing_is_third_party(trap: Trap) -> None:
     assert "vendor/a.cpp" in found(trap, "--baseline-rev=main", "--no-require-baseline")[0]
 
 
+BANNER = "// Copyright (c) 2019 Niels Lohmann\n"
+LONG = "\n" * 120
+
+
+def test_the_single_file_of_a_known_library_has_no_findings(trap: Trap) -> None:
+    files = {
+        "demo/package.xml": MANIFEST,
+        "demo/json.hpp": BANNER + LONG + DEFECT,
+        "demo/a.cpp": BANNER + LONG + DEFECT,
+    }
+    pull_request(trap, {}, {**files, "demo/b/json.hpp": LONG + DEFECT})
+    paths, unseen = found(trap)
+    assert {"demo/a.cpp", "demo/b/json.hpp"} <= paths and "demo/json.hpp" not in paths
+    said = "1 file has no findings, because by its name and first comment it is another project's: demo/json.hpp."
+    assert said in unseen
+
+
+def test_a_change_that_calls_a_file_a_known_library(trap: Trap) -> None:
+    """By name and comment a file counts as a copy if both the base revision and the change have it so; else it is the project's."""
+    copy, own = BANNER + LONG, LONG
+    base = {"demo/package.xml": MANIFEST, "demo/json.hpp": copy, "demo/b/json.hpp": own, "demo/c/json.hpp": copy}
+    base |= {"demo/d/json.hpp": copy + "int d;\n"}
+    head = {**base, "demo/json.hpp": copy + DEFECT, "demo/b/json.hpp": copy + DEFECT, "demo/c/json.hpp": own + DEFECT}
+    head |= {"demo/new/json.hpp": copy + DEFECT, "demo/d/LICENSE": "MIT\n", "demo/d/json.hpp": copy + DEFECT}
+    pull_request(trap, base, head)
+    paths, _ = found(trap, "--baseline-rev=main")
+    assert {"demo/b/json.hpp", "demo/c/json.hpp", "demo/new/json.hpp"} <= paths
+    assert not {"demo/json.hpp", "demo/d/json.hpp"} & paths
+
+
 CMAKE = "find_package(ament_cmake REQUIRED)\nadd_executable(a {})\nament_package()\n"
 BUILT = "<package format='3'><name>demo</name><export><build_type>ament_cmake</build_type></export></package>\n"
 

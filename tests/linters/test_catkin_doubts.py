@@ -33,6 +33,13 @@ REFUTED = [
     ("MISSING_FILE", MISSING.format("x/a.cpp"), "function(go WHERE)\n  install(FILES\n ${WHERE}/a.cpp)\n", 2),
     ("MISSING_FILE", MISSING.format("a.cpp"), 'string(TOLOWER ${A} low)\ninstall(FILES "${low}.cpp")\n', 2),
     ("MISSING_FILE", MISSING.format("a.cpp"), "install(FILES a.cpp DESTINATION b OPTIONAL)\n", 1),
+    ("MISSING_FILE", MISSING.format("lib/link.so"), "install(FILES lib/${CMAKE_LIBRARY_ARCHITECTURE}/link.so)\n", 1),
+    ("MISSING_FILE", MISSING.format("lib/link.so"), "install(FILES lib/${CMAKE_SYSTEM_PROCESSOR}/link.so)\n", 1),
+    ("MISSING_FILE", MISSING.format("lib/link.so"), "install(FILES lib/${NOWHERE_SET}/link.so)\n", 1),
+    ("MISSING_FILE", MISSING.format("lib//link.so"), "", 1),
+    ("MISSING_FILE", MISSING.format("/link.so"), "", 1),
+    ("MISSING_FILE", "add_executable() needs missing file 'plant'.", "cuda_add_executable(a a.cu plant)\n", 1),
+    ("MISSING_FILE", "add_library() needs missing file 'src/kernel'.", "add_library(a src/kernel)\n", 1),
     ("EXTERNAL_FILE", "include() uses file '../common.cmake' which is not in package.", "", 1),
 ]
 STANDS = [
@@ -45,6 +52,10 @@ STANDS = [
     ("MISSING_FILE", MISSING.format("robot.cpp"), "add_executable(a ${PROJECT_NAME}.cpp)\n", 1),
     ("MISSING_FILE", MISSING.format("a.test"), "add_rostest(a.test)\n" + NAMED, 1),
     ("MISSING_FILE", "no name", "", None),
+    ("MISSING_FILE", "add_library() needs missing file 'other'.", "add_library(a other)\n", 1),
+    ("MISSING_FILE", "add_library() needs missing file 'plant.cc'.", "add_library(a plant.cc)\n", 1),
+    ("MISSING_FILE", "install() needs missing file 'plant'.", "install(FILES plant)\n", 1),
+    ("MISSING_FILE", MISSING.format("lib/a.so"), "install(FILES ${CMAKE_CURRENT_SOURCE_DIR}/lib/a.so)\n", 1),
     ("EXTERNAL_FILE", "include() uses file '../nowhere.cmake' which is not in package.", "", 1),
     ("EXTERNAL_FILE", "include() uses file '/opt/common.cmake' which is not in package.", "", 1),
     ("MISSING_DEPEND", "missing build_depend on 'roscpp'.", "", 1),
@@ -52,14 +63,15 @@ STANDS = [
 
 
 def refuted(root: Path, rule: str, message: str, text: str, line: int | None) -> bool:
-    files = {"robot/package.xml": "", "robot/CMakeLists.txt": text, "common.cmake": ""}
-    return is_refuted(
-        rule,
-        message,
-        "robot",
-        Location("robot/CMakeLists.txt", line),
-        workspace(root, files, [Package("robot", "robot", ros=1)]),
-    )
+    files = {
+        "robot/package.xml": "",
+        "robot/CMakeLists.txt": text,
+        "common.cmake": "",
+        "robot/plant.cpp": "",
+        "robot/src/kernel.cu": "",
+    }
+    made = replace(workspace(root, files, [Package("robot", "robot", ros=1)]), names=frozenset(files))
+    return is_refuted(rule, message, "robot", Location("robot/CMakeLists.txt", line), made)
 
 
 @pytest.mark.parametrize(("rule", "message", "text", "line"), REFUTED)

@@ -50,7 +50,22 @@ REFUTED += [
     ("memleak", "Memory leak: maps", "// They leak on purpose: the library frees them twice.\nreturn (void)maps;\n"),
     ("memleak", "Memory leak: maps", "/* intentionally\n * leaked */\nauto * maps = new Maps;\nreturn (void)maps;\n"),
 ]
+REFUTED += [
+    ("missingReturn", EXIT, 'JSON_THROW(make(401, "a;b", this));\n}\n'),
+    ("missingReturn", EXIT, "  ROS_ASSERT(false);\n}\n"),
+    ("missingReturn", EXIT, "  ABSL_UNREACHABLE();\n}\n"),
+    ("missingReturn", EXIT, "  UNREACHABLE;\n}\n"),
+    ("missingReturn", EXIT, "  THROW_ERROR(a,\n    b(1));\n}\n"),
+]
 STANDS = [
+    ("missingReturn", EXIT, "  ROS_ERROR(1);\n}\n"),
+    ("missingReturn", EXIT, '  RCLCPP_ERROR_STREAM(log, "no" << a);\n}\n'),
+    ("missingReturn", EXIT, "  ROS_FATAL(1);\n}\n"),
+    ("missingReturn", EXIT, "  MY_LOG_INFO(1);\n}\n"),
+    ("missingReturn", EXIT, "  LOG(1);\n}\n"),
+    ("missingReturn", EXIT, "  Throw(1);\n}\n"),
+    ("missingReturn", EXIT, "  a = THROW(1);\n}\n"),
+    ("missingReturn", EXIT, "if (a)\n  MY_THROW(1);\n}\n"),
     ("missingReturn", EXIT, "store_exception(e);\n}\n"),
     ("missingReturn", EXIT, "std::rethrow_if_nested(e);\n}\n"),
     ("missingReturn", EXIT, "my_abort();\n}\n"),
@@ -122,3 +137,50 @@ def _line(message: str, text: str) -> int:
 )
 def test_the_line_of_an_initializer(text: str, line: int) -> None:
     assert self_initialized_line("Member variable 'a_' is initialized by itself.", 1, text) == line
+
+
+ENDED = [
+    "int f() {\n  fail();\n  JSON_THROW(make(1,\n    two()));\n",
+    "int f() {\n  if (a) return 1;\n  else\n    MY_FAIL(a);  // never back\n",
+    "  switch (a) {\n    default: PANIC(a);\n",
+]
+OPEN = [
+    "int f() {\n  if (a)\n    MY_THROW(1);\n",
+    "int f() {\n  if (a) {\n    MY_THROW(1);\n  }\n",
+    "int f() {\n  MY_THROW(1);\n  a = 1;\n",
+    "int f() {\n  // MY_THROW(1);\n",
+]
+
+
+@pytest.mark.parametrize("text", ENDED)
+def test_the_bracket_behind_a_macro(text: str) -> None:
+    assert is_refuted("missingReturn", EXIT, text.count("\n") + 1, text + "}\n")
+
+
+@pytest.mark.parametrize("text", OPEN)
+def test_the_bracket_behind_another_path(text: str) -> None:
+    assert not is_refuted("missingReturn", EXIT, text.count("\n") + 1, text + "}\n")
+
+
+FLOAT = "%g in format string (no. 1) requires 'double' but the argument type is '{}'."
+NAMED = [
+    ("invalidPrintfArgType_float", "number_t", "print(x);\nusing number_t = Number;\n"),
+    ("invalidPrintfArgType_float", "const number_t", "print(x);\ntypedef Number number_t;\n"),
+    ("invalidPrintfArgType_float", "T", "print(x);\ntemplate <class A, typename T>\n"),
+]
+KNOWN = [
+    ("invalidPrintfArgType_float", "int", "print(x);\nusing number_t = Number;\n"),
+    ("invalidPrintfArgType_float", "size_t {aka unsigned long}", "print(x);\n"),
+    ("invalidPrintfArgType_float", "std::string", "print(x);\nusing string = A;\n"),
+    ("invalidPrintfArgType_s", "number_t", "print(x);\nusing number_t = Number;\n"),
+]
+
+
+@pytest.mark.parametrize(("rule", "of", "text"), NAMED)
+def test_a_name_for_a_type_of_elsewhere(rule: str, of: str, text: str) -> None:
+    assert is_refuted(rule, FLOAT.format(of), 1, text)
+
+
+@pytest.mark.parametrize(("rule", "of", "text"), KNOWN)
+def test_a_known_type(rule: str, of: str, text: str) -> None:
+    assert not is_refuted(rule, FLOAT.format(of), 1, text)

@@ -62,3 +62,30 @@ def test_others_stay() -> None:
     others = (finding("cppcheck", "a", "'tf'", "robot/a"), finding("haros-ci", "undeclared-dependency", NEEDS, "a"))
     assert said_once(others, lambda path: path.partition("/")[0]) == others
     assert said_once(others, lambda path: None) == others
+
+
+NEEDS_CORE = "target '{}' depends on target 'core' which is not installed."
+
+
+def of_targets(*said: tuple[str, str, str]) -> list[tuple[str, int]]:
+    given = [finding("catkin_lint", rule, message, path) for rule, message, path in said]
+    return [(r.rule, len(r.related)) for r in said_once(given, lambda path: path.partition("/")[0])]
+
+
+def test_a_target_that_is_not_installed_is_said_once() -> None:
+    exported = ("UNINSTALLED_EXPORT_LIB", "exported library 'core' is not installed.", "robot/C")
+    left, right = (("UNINSTALLED_DEPEND", NEEDS_CORE.format(name), "robot/C") for name in ("left", "right"))
+    assert of_targets(left, right) == [("UNINSTALLED_DEPEND", 1)]
+    assert of_targets(exported, left, right) == [("UNINSTALLED_EXPORT_LIB", 2)]
+    assert joined("UNINSTALLED_DEPEND", left[1], "target-not-installed", "core of robot is not installed") == [
+        ("haros-ci:target-not-installed", ("catkin_lint:UNINSTALLED_DEPEND",))
+    ]
+
+
+def test_other_targets_are_said_for_themselves() -> None:
+    left = ("UNINSTALLED_DEPEND", NEEDS_CORE.format("left"), "robot/C")
+    other = ("UNINSTALLED_DEPEND", "target 'left' depends on target 'base' which is not installed.", "robot/C")
+    assert len(of_targets(left, other)) == 2
+    assert len(of_targets(left, (left[0], left[1], "arm/C"))) == 2
+    assert len(of_targets(left, ("UNINSTALLED_PLUGIN", "plugin file 'core' is not installed.", "robot/C"))) == 2
+    assert len(joined("UNINSTALLED_DEPEND", left[1], "target-not-installed", "left of robot is not installed")) == 2

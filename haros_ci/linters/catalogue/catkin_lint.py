@@ -42,7 +42,7 @@ GROUPS: tuple[Group, ...] = (
         (
             ("external_file", "Re", "File outside the package that is built or installed."),
             ("missing_directory", "Sw", "Directory that does not exist."),
-            ("missing_file", "Re", "File that does not exist."),
+            ("missing_file", "Se", "File that does not exist."),
             ("missing_plugin", "Re", "Exported plug-in description that does not exist."),
             ("plugin_export_prefix", "Re", "Exported plug-in description without ${prefix}."),
             ("script_not_executable", "Re", "Installed script without the execute bit."),

@@ -18,8 +18,10 @@ LEVELS = {"e": Level.ERROR, "w": Level.WARNING, "s": Level.NOTE}
 #: Checks that Cppcheck calls errors, and that hold only if it is right about a value, or do harm once a process ends.
 UNSURE = frozenset(
     """
-    bufferAccessOutOfBounds ctuArrayIndex ctuPointerArith ctunullpointer ctuuninitvar memleak memleakOnRealloc missingReturn
-    negativeIndex nullPointer zerodiv
+    IOWithoutPositioning bufferAccessOutOfBounds comparePointers ctuArrayIndex ctuPointerArith ctunullpointer
+    ctuuninitvar danglingLifetime eraseIteratorOutOfBounds invalidContainer memleak memleakOnRealloc missingReturn
+    negativeIndex negativeMemoryAllocationSize nullPointer nullPointerArithmetic subtractPointers
+    uninitdata zerodiv
     """.split()
 )
 

@@ -12,7 +12,7 @@ GROUPS: tuple[Group, ...] = (
         " documented for.",
         ("correctness", "library"),
         (
-            ("IOWithoutPositioning", "Be", "File read and written without repositioning."),
+            ("IOWithoutPositioning", "Bw", "File read and written without repositioning."),
             ("fflushOnInputStream", "Rs", "fflush on an input stream."),
             ("ignoredReturnErrorCode", "Ss", "Ignored error code."),
             ("ignoredReturnValue", "Rw", "Ignored result of a function without side effects."),

@@ -62,7 +62,7 @@ QUIET: tuple[tuple[str, str], ...] = (
 )
 
 #: Errors by their category that stop nothing: of which pylint itself says "possibly", that logging or a wildcard import
-#: alone meets, that are dead code or a value nobody wanted, or of layout in strings.
+#: alone meets, that are dead code or a value nobody wanted, or of layout in strings; and those that hold only if it is right about a value.
 NOT_FATAL = frozenset(
     """
     possibly-used-before-assignment function-redefined undefined-all-variable invalid-all-format invalid-all-object
@@ -71,6 +71,8 @@ NOT_FATAL = frozenset(
     logging-format-truncated logging-too-few-args logging-too-many-args logging-unsupported-format bad-super-call
     bidirectional-unicode invalid-character-backspace invalid-character-carriage-return invalid-character-esc
     invalid-character-nul invalid-character-sub invalid-character-zero-width-space declare-non-slot
+    bad-reversed-sequence invalid-sequence-index invalid-slice-index invalid-unary-operand-type not-callable
+    potential-index-error unsupported-binary-operation
     """.split()
 )
 

@@ -121,7 +121,7 @@ SAME_DEFECT: tuple[tuple[str, ...], ...] = (
     ("pylint:undefined-all-variable", "ruff:F822", "flake8:F822"),
     ("pylint:wildcard-import", "ruff:F403", "flake8:F403"),
     ("pylint:reimported", "ruff:F811", "flake8:F811"),
-    ("pylint:function-redefined", "ruff:F811", "flake8:F811", "mypy:no-redef"),
+    ("haros-ci:method-defined-twice", "pylint:function-redefined", "ruff:F811", "flake8:F811", "mypy:no-redef"),
     ("pylint:multiple-imports", "ruff:E401", "flake8:E401"),
     ("pylint:dangerous-default-value", "ruff:B006"),
     ("pylint:literal-comparison", "ruff:F632", "flake8:F632"),

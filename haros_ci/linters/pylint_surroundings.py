@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Messages of pylint that other files refute: how a method is called, and which of two modules of one name is imported."""
+
+from __future__ import annotations
+
+import re
+
+from haros_ci.linters.class_methods import method_at
+from haros_ci.model.workspace import Workspace
+from haros_ci.results.result import Result
+
+TOOL = "pylint"
+#: What pylint says of a member of the wrong module.
+_OF_MODULES = frozenset(
+    "not-callable not-an-iterable unsubscriptable-object no-member no-name-in-module no-value-for-parameter".split()
+)
+_NAME = re.compile(r"[A-Za-z_]\w*")
+_LONGEST = 400
+
+
+def is_refuted_around(result: Result, workspace: Workspace) -> bool:
+    """Whether other files of *workspace* refute what pylint says in *result*."""
+    line = result.location.line
+    if result.tool != TOOL or not line:
+        return False
+    if result.rule == "no-self-argument":
+        return _is_helper(line, workspace.text(result.location.path), workspace)
+    return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
+
+
+def _is_helper(line: int, text: str, workspace: Workspace) -> bool:
+    """Whether every use of the method at *line* goes through a class, ``Arm.by_name(x)``: it works, and lacks a decorator only."""
+    method = method_at(text, line)
+    if method is None:
+        return False
+    owner, name = method
+    use = re.compile(rf"(\w+|[)\]}}'\"])[ \t]*\.[ \t]*{re.escape(name)}\b")
+    texts = (workspace.text(file.path) for file in workspace.files if file.language in ("python", "launch"))
+    receivers = {found[1] for each in texts if name in each for found in use.finditer(each)}
+    return owner in receivers and all(each == owner or each[0].isupper() for each in receivers)
+
+
+def _is_shadowed(result: Result, line: int, workspace: Workspace) -> bool:
+    """Whether the name there is of a module beside the script that a directory elsewhere is called like.
+
+    Python looks beside the script first; pylint takes the directory for a package.
+    """
+    path, text = result.location.path, workspace.text(result.location.path)
+    lines = text.split("\n")
+    if line > len(lines):
+        return False
+    here = lines[line - 1][max((result.location.column or 1) - 1, 0) :][:_LONGEST].lstrip()
+    used = re.match(r"from[ \t]+(\w+)", here) or _NAME.match(here)
+    if used is None:
+        return False
+    name = re.escape(used[used.lastindex or 0])
+    imported = re.search(rf"(?m)^[ \t]*(?:import[ \t]+{name}|from[ \t]+{name}[ \t]+import)\b(?![.\w])", text)
+    renamed = re.search(
+        rf"(?m)^[ \t]*(?:import[ \t]+(\w+)[ \t]+as[ \t]+{name}|from[ \t]+(\w+)[ \t]+import[ \t][^\n#]{{0,300}}\b{name})\b",
+        text,
+    )
+    module = used[used.lastindex or 0] if imported else (renamed[1] or renamed[2]) if renamed else ""
+    beside = path[: path.rfind("/") + 1]
+    if not module or f"{beside}{module}.py" not in workspace.names:
+        return False
+    return any(f"/{module}/" in f"/{each}" for each in workspace.names)

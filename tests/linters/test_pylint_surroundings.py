@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Messages of pylint that other files refute, and those that they do not."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from haros_ci.linters.pylint_doubts import is_refuted
+from haros_ci.linters.pylint_surroundings import is_refuted_around
+from haros_ci.model.location import Location
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+from linter_samples import workspace
+
+KINDS = "class Kind:\n    def by_name(name):\n        return list(Kind)[name]\n"
+CALLED = "import kinds\nkinds.Kind.by_name('a')\n"
+
+
+def refuted(root: Path, rule: str, files: dict[str, str], path: str, line: int, column: int = 1) -> bool:
+    made = replace(workspace(root, files), names=frozenset(files))
+    return is_refuted_around(Result("pylint", rule, Level.ERROR, "", Location(path, line, column)), made)
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"main.py": CALLED},
+        {"main.py": CALLED + "Other.by_name(2)\n"},
+        {"main.py": CALLED, "other.py": "Kind.by_name (3)\nby_name(4)\n"},
+        {"main.py": "", "launch/a.launch.py": CALLED},
+    ],
+)
+def test_a_helper_that_is_called_on_its_class(tmp_path: Path, files: dict[str, str]) -> None:
+    assert refuted(tmp_path, "no-self-argument", {"kinds.py": KINDS, **files}, "kinds.py", 2)
+
+
+@pytest.mark.parametrize(
+    ("kinds", "main"),
+    [
+        (KINDS, ""),
+        (KINDS, CALLED + "kind.by_name(1)\n"),
+        (KINDS, CALLED + "Kind().by_name(1)\n"),
+        (KINDS, "self.by_name(1)\n"),
+        (KINDS, "Other.by_name(1)\n"),
+        (KINDS + "    def go(self):\n        self.by_name(1)\n", CALLED),
+        (KINDS, CALLED + "call_later(self.by_name)\n"),
+        ("def (:\n" + KINDS, CALLED),
+    ],
+)
+def test_a_method_that_is_called_on_an_object(tmp_path: Path, kinds: str, main: str) -> None:
+    assert not refuted(tmp_path, "no-self-argument", {"kinds.py": kinds, "main.py": main}, "kinds.py", 2)
+
+
+BESIDE = {"a/plan/plan.py": "class Plan: pass\n", "a/plan/other.py": ""}
+
+
+@pytest.mark.parametrize(
+    "main",
+    [
+        "import plan\nplan.Plan()\n",
+        "import plan as p\np.Plan()\n",
+        "from plan import Plan\nPlan()\n",
+    ],
+)
+def test_a_module_beside_the_script_comes_first(tmp_path: Path, main: str) -> None:
+    assert refuted(tmp_path, "not-callable", {**BESIDE, "a/plan/main.py": main}, "a/plan/main.py", 2)
+
+
+@pytest.mark.parametrize(
+    ("rule", "files", "main"),
+    [
+        ("not-callable", {"a/plan/other.py": ""}, "import plan\nplan.Plan()\n"),
+        ("not-callable", {"a/plan.py": ""}, "import plan\nplan.Plan()\n"),
+        ("not-callable", BESIDE, "plan = 1\nplan()\n"),
+        ("not-callable", BESIDE, "import planner\nplanner.Plan()\n"),
+        ("unreachable", BESIDE, "import plan\nplan.Plan()\n"),
+    ],
+)
+def test_other_modules(tmp_path: Path, rule: str, files: dict[str, str], main: str) -> None:
+    place = "a/main.py" if "a/plan.py" in files else "a/plan/main.py"
+    names = {name: text for name, text in files.items() if name != "a/plan/plan.py" or place != "a/main.py"}
+    assert not refuted(tmp_path, rule, {**names, place: main}, place, 2)
+
+
+def test_values_of_a_method_without_self() -> None:
+    assert is_refuted("invalid-sequence-index", 3, 0, KINDS)
+    assert is_refuted("not-callable", 3, 0, "class A:\n    def go(f):\n        f(1)\n")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        KINDS.replace("(name)", "(self, name)"),
+        KINDS.replace("[name]", "['a']"),
+        KINDS.replace("    def", "    @staticmethod\n    def", 1).replace("\n        return", " return"),
+        "def by_name(name):\n    x = 1\n    return list(x)[name]\n",
+        "class A:\n    def __init__(name):\n        return [][name]\n",
+    ],
+)
+def test_values_of_others(text: str) -> None:
+    assert not is_refuted("invalid-sequence-index", 3, 0, text)

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which single files are copies of well-known libraries."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from haros_ci.workspace.known_copies import copied_library, is_of_project
+
+NIELS = "// SPDX-FileCopyrightText: 2013-2023 Niels Lohmann <https://example.org>\n"
+REST = "int x;\n" * 200
+
+FIRES = [
+    ("a/json.hpp", NIELS, "json"),
+    ("json.hpp", "#pragma once\n/*\n * JSON for Modern C++\n * |_|  version 3.1.0\n */\n", "json"),
+    ("a/stb_image.h", "/* stb_image - v2.27 - public domain image loader - http://nothings.org/stb */\n", "stb"),
+    ("a/httplib.h", "//\n//  httplib.h\n//\n//  Copyright (c) 2023 Yuji Hirose. All rights reserved.\n", "httplib"),
+    ("a/tinyxml2.cpp", "/*\nOriginal code by Lee Thomason (www.example.org)\n*/\n", "tinyxml2"),
+    ("a/catch.hpp", "/*\n *  Catch v2.13.9\n *  Copyright (c) 2022 Two Blue Cubes Ltd.\n */\n", "catch"),
+    ("a/imgui_draw.cpp", "// dear imgui, v1.89\n", "imgui"),
+    (
+        "a/sqlite3.c",
+        "/****\n** This file is an amalgamation of many separate C source files from SQLite\n*/\n",
+        "sqlite3",
+    ),
+    ("a/unix.cc", "/* Copyright 2012 William Woodall and John Harrison\n * the Serial library\n */\n", "serial"),
+]
+QUIET = [
+    ("a/json.hpp", "", 200),
+    ("a/json.hpp", "// Reads the settings, by means of JSON for Modern C++.\n", 200),
+    ("a/json.hpp", "// Copyright 2020 Somebody Else\n", 200),
+    ("a/json.hpp", NIELS, 20),
+    ("a/settings.hpp", NIELS, 200),
+    ("a/json.hpp", "#include <x>\n" + NIELS, 200),
+    ("a/json.hpp", 'const char * s = "Copyright Niels Lohmann";\n', 200),
+    ("a/getopt.c", "// Copyright 2020 Somebody Else\n", 200),
+    ("a/serial.cc", "// Copyright 2020 Somebody Else, serial lines\n", 200),
+    ("a/imgui_panel.cpp", "// Our panel, drawn by imgui.\n", 200),
+    ("a/argparse.hpp", "/* Licensed under the MIT License */\n", 200),
+    ("a/my_stb_image.h", "/* http://nothings.org/stb */\n", 200),
+]
+
+
+@pytest.mark.parametrize(("path", "head", "library"), FIRES)
+def test_is_one(path: str, head: str, library: str) -> None:
+    assert copied_library(path, "cpp", (head + REST).encode()) == library
+
+
+@pytest.mark.parametrize(("path", "head", "lines"), QUIET)
+def test_is_none(path: str, head: str, lines: int) -> None:
+    assert copied_library(path, "cpp", (head + "int x;\n" * lines).encode()) == ""
+
+
+def test_python_is_none() -> None:
+    assert copied_library("a/json.hpp", "python", (NIELS + REST).encode()) == ""
+
+
+def test_the_project_itself() -> None:
+    assert is_of_project("serial", "serial") and is_of_project("magicenum", "magic_enum")
+    assert is_of_project("nanoflann", "nanoflann_vendor")
+    assert (
+        not is_of_project("json", None) and not is_of_project("json", "robot") and not is_of_project("json", "my_json")
+    )
+
+
+@pytest.mark.parametrize("filler", ["Copyright ", "Copyright William Woodall ", "amalgamation of ", "/", "version "])
+def test_long_comments_take_no_time(filler: str) -> None:
+    start = time.monotonic()
+    for name in ("json.hpp", "unix.cc", "sqlite3.c", "backward.hpp"):
+        copied_library(name, "cpp", b"/*" + filler.encode() * 3000 + b"*/" + b"\n" * 200)
+    assert time.monotonic() - start < 2
