@@ -92,7 +92,9 @@ def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Le
         f"{'this package' if one else 'these packages'}: on a machine without {'it' if one else 'them'} the node cannot load the "
         f"plug-in; add {listed([f'<{tag}>{name}</{tag}>' for name in lacking])}",
         about=(package.name, *lacking),
-        related=tuple((each.location, f"needs {name}") for name, plugins in lacking.items() for each in plugins[:_SHOWN]),
+        related=tuple(
+            (each.location, f"needs {name}") for name, plugins in lacking.items() for each in plugins[:_SHOWN]
+        ),
         apart=tuple(lacking),
         level=level,
     )
