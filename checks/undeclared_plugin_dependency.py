@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     dependency_place,
     is_aside,
     is_left_out,
+    is_to_be_had,
     plugins_in_parameters,
     plugins_in_yaml,
     provided,
@@ -60,7 +61,9 @@ def check(project: Project) -> Iterator[Finding]:
         if package is None or _ASIDE.search(place.path):
             continue
         needed = _package_of(named.plugin, package.ros, project, exported)
-        if needed is None or needed == package.name or needed in uses.get(package.name, ()):
+        if needed is None or not is_to_be_had(needed, package.ros, system):
+            continue
+        if needed == package.name or needed in uses.get(package.name, ()):
             continue  # a package that a launch file uses is of undeclared-launch-dependency
         use = _use(needed, place)
         if any(needed in found for found, _ in _got(package, named, uses, system, got)):
