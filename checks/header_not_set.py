@@ -44,15 +44,20 @@ class _Closed:
 
     def has(self, path: str, kind: str) -> bool:
         """Whether it is so of the messages of type *kind* that the file at *path* publishes."""
-        is_taken = False
-        for system in self.project.systems:
-            for channel in system.topics:
-                if not any(end.location.path == path and _message(end.type or "") == kind for end in channel.givers):
-                    continue
-                if "?" in channel.name or not all(end.in_source for end in channel.takers):
-                    return False
-                is_taken = is_taken or bool(channel.takers)
-        return is_taken and self._is_without_frames()
+        channels = [channel for system in self.project.systems for channel in system.topics]
+        names = {
+            channel.name
+            for channel in channels
+            if any(end.location.path == path and _message(end.type or "") == kind for end in channel.givers)
+        }
+        takers = [
+            end
+            for channel in channels
+            for end in channel.takers
+            if channel.name in names or ("?" in channel.name and end.type in (None, kind))
+        ]
+        is_here = bool(takers) and all(end.in_source and end.known for end in takers)
+        return is_here and not any("?" in name for name in names) and self._is_without_frames()
 
     def _is_without_frames(self) -> bool:
         if self._is_without is None:
