@@ -40,10 +40,8 @@ class Leftovers:
         return bool(uses) and all(_is_gone(use, package) for use in uses)
 
     def starts_only_gone(self, path: str, package: ProjectPackage) -> bool:
-        """Whether the launch file starts such programs alone, and includes nothing."""
-        uses = self._programs.get(path, ())
-        is_own = all(use.package == package.name for use in uses)
-        return is_own and path not in self._including and self.starts_nothing(path, package)
+        """Whether the launch file starts such programs alone of its package, and includes nothing."""
+        return path not in self._including and self.starts_nothing(path, package)
 
 
 def is_readable(package: ProjectPackage) -> bool:
