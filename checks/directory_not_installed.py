@@ -10,12 +10,14 @@ from dataclasses import dataclass, field
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 from haros_ci.api.launch import FileUse
 from haros_ci.api.packages import (
+    Leftovers,
     Programs,
     install_directory,
     install_line,
     install_place,
     installs_nothing,
     landings,
+    left_out_on_purpose,
     uninstalled,
 )
 
@@ -58,9 +60,10 @@ def check(project: Project) -> Iterator[Finding]:
         need = needs.setdefault((name, inner.partition("/")[0]), _Need())
         need.places.append((place, f"needs {inner}"))
         need.wrong = need.wrong or next(iter(found), "")
+    leftovers = Leftovers(project)
     for package in project.packages:
         if _is_readable(package):
-            for folder, place in _launch_folders(package):
+            for folder, place in _launch_folders(package, leftovers):
                 needs.setdefault((package.name, folder), _Need())
             yield from _headers(package)
     programs = Programs(project)
@@ -70,6 +73,10 @@ def check(project: Project) -> Iterator[Finding]:
     for name, things in wanting.items():
         package = project.package(name)
         if package is None:
+            continue
+        meant = left_out_on_purpose(package)
+        things = {thing: need for thing, need in things.items() if need.wrong or thing not in meant}
+        if not things:
             continue
         if not installs_nothing(package):
             for thing, need in things.items():
@@ -129,7 +136,7 @@ def _is_made(package: ProjectPackage, inner: str) -> bool:
     )
 
 
-def _launch_folders(package: ProjectPackage) -> Iterator[tuple[str, Location]]:
+def _launch_folders(package: ProjectPackage, leftovers: Leftovers) -> Iterator[tuple[str, Location]]:
     """Directories with launch files of which none is installed (ROS 2: ros2 launch finds none of them)."""
     if package.ros != 2:
         return
@@ -143,6 +150,8 @@ def _launch_folders(package: ProjectPackage) -> Iterator[tuple[str, Location]]:
                 files.setdefault(inner.partition("/")[0], []).append(file.path)
     for folder, paths in files.items():
         if _is_made(package, f"{folder}/"):
+            continue
+        if all(leftovers.starts_only_gone(path, package) for path in paths):
             continue
         if not any(landings(package, path) for path in paths):
             yield folder, Location(paths[0], 1)

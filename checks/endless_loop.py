@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from haros_ci.api import Check, Decidability, Finding, Level, Location, Project
-from haros_ci.api.code import Codebase, Routine, base_names, callees, class_named, owner_of
+from haros_ci.api.code import Codebase, Routine, callees, is_dead
 
 #: Text in a loop's body by which it may end, or by which more may happen than is seen.
 ENDS = re.compile(
@@ -35,13 +35,6 @@ _INTERRUPTION_POINT = re.compile(r"(?:wait|sleep|pop|join|take|receive|acquire)\
 _NO_INTERRUPTION_POINT = re.compile(
     r"\b(?:std::this_thread::sleep_\w+|(?:ros|rclcpp)::\w+|usleep|nanosleep|(?<!:)sleep|\w*(?:r|[rR]ate)_?\.sleep)\s*\("
 )
-#: Comments and texts of C++.
-_COMMENTS = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.)*\"", re.DOTALL)
-#: What stands before the name of a function that is declared or defined: ``void * Detector::``; and words that are no types.
-_DECLARED = re.compile(r"\b([A-Za-z_]\w*)[\s>*&]+(?:\w+\s*::\s*)*$")
-_NO_TYPES = frozenset("return co_return co_await co_yield throw new delete else do case not and or endif goto".split())
-#: The bases whose methods are known: they call none of a class that is not virtual.
-_NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode", "nodelet::Nodelet"))
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -51,7 +44,11 @@ def check(project: Project) -> Iterator[Finding]:
             if routine.is_test or not code.body(routine).loops or not _is_of_a_node(code, routine):
                 continue
             for statement, _ in code.body(routine).loops:
-                if _is_endless(statement) and not _may_end(code, routine, statement) and not _is_dead(code, routine):
+                if (
+                    _is_endless(statement)
+                    and not _may_end(code, routine, statement)
+                    and (routine.is_python or not is_dead(code, routine))
+                ):
                     yield _finding(code, routine, statement)
 
 
@@ -100,33 +97,6 @@ def _is_interrupted(code: Codebase, routine: Routine, text: str) -> bool:
         and any(_INTERRUPT.search(code.text(path)) for path in files & code.mentioning("interrupt"))
         and _INTERRUPTION_POINT.search(_NO_INTERRUPTION_POINT.sub(" ", text))
     )
-
-
-def _is_dead(code: Codebase, routine: Routine) -> bool:
-    """Whether nothing in the workspace calls the function of C++ or hands it on: it is named where it is declared and defined alone.
-
-    Of a class with a base that is not seen the base may call it.
-    """
-    function = routine.method.function
-    name = function.name.rpartition("::")[2]
-    if routine.is_python or function.kind != "function" or name == "main" or not name.isidentifier():
-        return False
-    owner = owner_of(code, routine)
-    if owner is not None and any(
-        class_named(code, base, owner[0]) is None for base in base_names(code, owner) - _NODES
-    ):
-        return False
-    word = re.compile(rf"(?<!\w){name}\b\s*(\(?)")
-    for path in sorted(code.mentioning(name)):
-        functions = code.by_path[path].program.functions
-        if any(each.is_virtual and each.name.rpartition("::")[2] == name for each in functions):
-            return False
-        text = _COMMENTS.sub(" ", code.text(path))
-        for found in word.finditer(text):
-            declared = _DECLARED.search(text, max(0, found.start() - 200), found.start())
-            if not found[1] or declared is None or declared[1] in _NO_TYPES:
-                return False
-    return True
 
 
 def _text(code: Codebase, routine: Routine, statement: Any) -> str | None:

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Decidability, Finding, Level, Project
-from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, type_of, uses, variable
+from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, is_dead, type_of, uses, variable
 
 STAMPED = "Accel AccelWithCovariance Point Polygon Pose PoseWithCovariance Quaternion Transform Twist TwistWithCovariance Vector3 Wrench"
 #: Messages of common_interfaces whose coordinates mean nothing without the frame that they are in.
@@ -26,11 +27,52 @@ HEADED = FRAMED | frozenset(
 #: Those of which only the stamp matters.
 TIMED = frozenset(("diagnostic_msgs/DiagnosticArray",))
 MAKERS = frozenset(("make_shared", "make_unique"))
+#: What has to do with frames, and files that may say so.
+_FRAMES = re.compile(
+    r"\btf2?(?:_\w+)?\b|\b(?:Transform(?:Listener|Broadcaster)|(?:static_transform|robot_state)_publisher)\b"
+    r"|\bmessage_filters\b|\bTimeSynchronizer\b"
+)
+_FILES = (".py", ".cpp", ".hpp", ".cc", ".cxx", ".h", ".launch", ".xml", ".yaml", ".yml", ".urdf", ".xacro")
+
+
+class _Closed:
+    """Whether all who subscribe to what a file publishes are in the workspace, and nothing there has to do with frames or RViz."""
+
+    def __init__(self, project: Project) -> None:
+        self.project = project
+        self._is_without: bool | None = None
+
+    def has(self, path: str, kind: str) -> bool:
+        """Whether it is so of the messages of type *kind* that the file at *path* publishes."""
+        channels = [channel for system in self.project.systems for channel in system.topics]
+        names = {
+            channel.name
+            for channel in channels
+            if any(end.location.path == path and _message(end.type or "") == kind for end in channel.givers)
+        }
+        takers = [
+            end
+            for channel in channels
+            for end in channel.takers
+            if channel.name in names or ("?" in channel.name and end.type in (None, kind))
+        ]
+        is_here = bool(takers) and all(end.in_source and end.known for end in takers)
+        return is_here and not any("?" in name for name in names) and self._is_without_frames()
+
+    def _is_without_frames(self) -> bool:
+        if self._is_without is None:
+            names = self.project.workspace.names
+            self._is_without = not any(
+                path.endswith(".rviz") or (path.endswith(_FILES) and _FRAMES.search(self.project.text(path)))
+                for path in names
+            )
+        return self._is_without
 
 
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
     seen: set[tuple[int, str]] = set()
+    closed = _Closed(project)
     for routine, call in calls_of(code, "publish"):
         if routine.is_test or call.receiver is None or len(call.args) != 1:
             continue
@@ -39,13 +81,13 @@ def check(project: Project) -> Iterator[Finding]:
         if name is None or kind is None or kind not in HEADED:
             continue
         said = _missing(code, routine, name, kind) if (id(routine), name) not in seen else None
-        if said:
+        if said and not is_dead(code, routine):
             seen.add((id(routine), name))
             yield Finding(
                 at=call_place(routine, call),
                 message=f"{name}, a {kind}, is published with {said}",
                 about=(routine.title, name, kind),
-                level=Level.NOTE if "without frame_id" in said else Level.WARNING,
+                level=Level.NOTE if "without frame_id" in said or closed.has(routine.path, kind) else Level.WARNING,
             )
 
 
@@ -94,7 +136,7 @@ def _made_here(code: Codebase, routine: Routine, name: str) -> str | None:
 
 
 def _message(name: str) -> str | None:
-    parts = [part for part in name.replace(".", "::").split("::") if part]
+    parts = [part for part in re.split(r"\.|::|/", name) if part]
     if len(parts) == 3 and parts[1] == "msg":
         parts.pop(1)
     return "/".join(parts) if len(parts) == 2 else None

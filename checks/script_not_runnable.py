@@ -6,9 +6,10 @@ from __future__ import annotations
 import ast
 import re
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed
 from haros_ci.api.launch import ProgramUse
 from haros_ci.api.packages import Installed
 
@@ -17,26 +18,104 @@ _LAUNCH = ("launch.py", "__init__.py", "setup.py", "conftest.py")
 _MODES = ("USE_SOURCE_PERMISSIONS", "PERMISSIONS", "FILE_PERMISSIONS")
 _SHELL = (".sh", ".bash")
 _PROSE = (".md", ".rst", "README.txt")
+#: Why the bit counts, of one script and of several.
+_DEVEL = "it does not start from a devel space, which runs it in place"
+_LINKED = "colcon build --symlink-install links to it, and ros2 run does not find it"
+_KEPT = "setup.py installs it with its file mode: ros2 run does not find it"
+_LAUNCHED = "roslaunch does not recognise it as a program"
+_RUN_BY_BUILD = "dynamic_reconfigure runs it during the build, which may stop there"
+_PLURALS = {
+    _DEVEL: "they do not start from a devel space, which runs them in place",
+    _LINKED: "colcon build --symlink-install links to them, and ros2 run does not find them",
+    _KEPT: "setup.py installs them with their file modes: ros2 run does not find them",
+    _LAUNCHED: "roslaunch does not recognise them as programs",
+    _RUN_BY_BUILD: "dynamic_reconfigure runs them during the build, which may stop there",
+}
+#: So many scripts without their bits show how a workspace is built.
+_FEW = 2
+#: Shell scripts that are sourced: by their names, by their lines, and by who names them.
+_SOURCED = re.compile(
+    r"(?:^|[/_.-])(?:(?:local_)?setup|hooks?|completions?|complete|bashrc|zshrc|aliases|env(?:ironment)?)\.(?:ba|z)?sh$"
+    r"|(?:^|/)(?:\w+[-_])?(?:hooks?|completions?)/[^/]+$|completion\.(?:ba|z)?sh$"
+)
+_SETTING = re.compile(r"#|export\b|source\b|\.\s|alias\b|unset\b|complete\b|[A-Za-z_]\w*=\S*$")
+#: Where people and machines are told how to build, and what they are told where the source's own bit counts.
+_TELLING = re.compile(
+    r"\.(?:md|rst|txt|sh|bash|zsh|ya?ml|json|toml|py|mk|meta|repos)$|(?:^|/)[^/.]*$|dockerfile|containerfile", re.I
+)
+_LINKING = re.compile(r"symlink[-_]install")
+
+
+@dataclass(frozen=True, slots=True)
+class _Bit:
+    """A script whose execute bit is missing, and why that counts."""
+
+    path: str
+    why: str
+    level: Level = Level.WARNING
 
 
 def check(project: Project) -> Iterator[Finding]:
     launched = _launched(project)
+    level = Level.NOTE if _is_copied(project) else Level.WARNING
     for package in project.packages:
-        seen: set[str] = set()
-        for each in package.build.installed:
-            if not _is_for_programs(each, package):
-                continue
-            if each.kind == "directory":
-                yield from _unpacked(each, package)
-            elif each.path not in seen and project.text(each.path):
-                seen.add(each.path)
-                yield from _first_line(each.path, package)
-                yield from _mode(each, package)
-        yield from _started(package, launched.get(package.name, {}), seen)
-        yield from _configured(package)
+        yield from _joined(package, _of(package, launched.get(package.name, {}), level))
 
 
-def _configured(package: ProjectPackage) -> Iterator[Finding]:
+def _of(package: ProjectPackage, launched: dict[str, Location], level: Level) -> Iterator[Finding | _Bit]:
+    seen: set[str] = set()
+    for each in package.build.installed:
+        if not _is_for_programs(each, package):
+            continue
+        if each.kind == "directory":
+            yield from _unpacked(each, package)
+        elif each.path not in seen and package.project.text(each.path) and not _is_sourced(each.path, package):
+            seen.add(each.path)
+            yield from _first_line(each.path, package)
+            yield from _mode(each, package, level)
+    yield from _started(package, launched, seen)
+    yield from _configured(package)
+
+
+def _joined(package: ProjectPackage, found: Iterable[Finding | _Bit]) -> Iterator[Finding]:
+    """The scripts of a package without the execute bit for which the same is at stake in one finding."""
+    groups: dict[tuple[str, Level], list[str]] = {}
+    for each in found:
+        if isinstance(each, Finding):
+            yield each
+        else:
+            groups.setdefault((each.why, each.level), []).append(each.path)
+    for (why, level), paths in groups.items():
+        yield _without_bit(package, list(dict.fromkeys(paths)), why, level)
+
+
+def _is_copied(project: Project) -> bool:
+    """Whether evidently nobody builds with links to the sources: no script (of two or more) of ament's install(PROGRAMS) has its bit, and nothing says so."""
+    bits = project.workspace.executables
+    paths = {
+        each.path
+        for package in project.packages
+        if package.ros == 2
+        for each in package.build.installed
+        if each.kind == "program" and not each.keeps_mode and _is_for_programs(each, package)
+        if project.text(each.path).startswith("#!") and not _is_sourced(each.path, package)
+    }
+    if bits is None or len(paths) < _FEW or not paths.isdisjoint(bits):
+        return False
+    told = (path for path in project.workspace.names if _TELLING.search(path))
+    return not any(_LINKING.search(project.text(path)) for path in told)
+
+
+def _is_sourced(path: str, package: ProjectPackage) -> bool:
+    """Whether a shell script is there to be sourced: by its name, or as it only sets things."""
+    if not path.endswith((".sh", ".bash", ".zsh")):
+        return False
+    lines = [line.strip() for line in package.project.text(path).splitlines()[:200]]
+    code = [line for line in lines if line and not line.startswith("#")]
+    return _SOURCED.search(path) is not None or (bool(code) and all(map(_SETTING.match, code)))
+
+
+def _configured(package: ProjectPackage) -> Iterator[_Bit]:
     """ROS 1's .cfg files: dynamic_reconfigure-macros.cmake runs them while building, by their own first line."""
     bits = package.project.workspace.executables
     if bits is None:
@@ -44,7 +123,7 @@ def _configured(package: ProjectPackage) -> Iterator[Finding]:
     for command in package.commands("generate_dynamic_reconfigure_options"):
         for path in () if command.is_conditional else map(command.place, command.arguments):
             if path and path.endswith(".cfg") and path not in bits and package.project.text(path).startswith("#!"):
-                yield _bit(path, package, "dynamic_reconfigure runs it during the build, which may stop there")
+                yield _Bit(path, _RUN_BY_BUILD)
 
 
 def _is_for_programs(each: Installed, package: ProjectPackage) -> bool:
@@ -107,7 +186,7 @@ def _without(path: str, package: ProjectPackage, lines: list[str]) -> Finding:
     )
 
 
-def _mode(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
+def _mode(each: Installed, package: ProjectPackage, level: Level) -> Iterator[Finding | _Bit]:
     """The execute bit: taken away by the installation, or missing where the source's own counts."""
     text = package.project.text(each.path)
     if not text.startswith("#!"):
@@ -129,22 +208,26 @@ def _mode(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
     if _is_given_to_another(each.path, package):
         return
     if each.keeps_mode:
-        why = "setup.py installs it with its file mode: ros2 run does not find it"
+        why = _KEPT
     elif package.ros == 1:
-        why = "it does not start from a devel space, which runs it in place"
+        why = _DEVEL
     else:
-        why = "colcon build --symlink-install links to it, and ros2 run does not find it"
+        why = _LINKED
     if each.keeps_mode or package.ros is not None:
-        yield _bit(each.path, package, why)
+        yield _Bit(each.path, why, level if why is _LINKED else Level.WARNING)
 
 
-def _bit(path: str, package: ProjectPackage, why: str, level: Level = Level.WARNING) -> Finding:
+def _without_bit(package: ProjectPackage, paths: list[str], why: str, level: Level) -> Finding:
+    """One finding for all *paths*: the first is its place, the others are related."""
+    have, reason = ("has", why) if len(paths) == 1 else ("have", _PLURALS[why])
     return Finding(
-        at=Location(path, 1),
-        message=f"{path} has no execute bit: {why}; set it (git update-index --chmod=+x)",
-        about=(package.name, path),
+        at=Location(paths[0], 1),
+        message=f"{listed(paths)} {have} no execute bit: {reason}; set it (git update-index --chmod=+x)",
+        about=(package.name, *paths),
+        apart=tuple(paths),
+        related=tuple((Location(path, 1), f"{path} has no execute bit") for path in paths[1:]),
         level=level,
-        fixes=(Fix("make it executable", (Edit.executable(path),)),),
+        fixes=(Fix("make it executable", tuple(map(Edit.executable, paths))),),
     )
 
 
@@ -168,7 +251,7 @@ def _unpacked(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
         )
 
 
-def _started(package: ProjectPackage, launched: dict[str, Location], seen: set[str]) -> Iterator[Finding]:
+def _started(package: ProjectPackage, launched: dict[str, Location], seen: set[str]) -> Iterator[Finding | _Bit]:
     """ROS 1: what launch files start and is not installed runs in place, if it can."""
     bits = package.project.workspace.executables
     if package.ros != 1 or bits is None:
@@ -179,7 +262,7 @@ def _started(package: ProjectPackage, launched: dict[str, Location], seen: set[s
         if name in launched and name not in targets and path not in seen and path not in bits:
             alike = [other for other in package.project.workspace.names if other.endswith(f"/{name}")]
             if not any(other in bits for other in alike):
-                yield _bit(path, package, "roslaunch does not recognise it as a program", Level.ERROR)
+                yield _Bit(path, _LAUNCHED, Level.ERROR)
                 yield from _first_line(path, package)
 
 

@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, System, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, System, listed
 from haros_ci.api.launch import PackageUse, included_by, is_optional, owner
 from haros_ci.api.packages import (
+    Leftovers,
     Package,
     closes_a_cycle,
     dependency_place,
@@ -31,12 +32,12 @@ class _Missing:
     uses: tuple[PackageUse, ...]
 
 
-def check(system: System) -> Iterator[Finding]:
+def check(project: Project) -> Iterator[Finding]:
     """One finding stands for a manifest and level, whatever configurations show it: the first system tells of all."""
-    every = [each for each in system.whole.systems if not each.is_refused]
-    if not every or system is not every[0]:
+    if not project.systems:
         return
-    used = _used(every)
+    system, leftovers = project.systems[0], Leftovers(project)
+    used = _used(project.systems)
     names = {name: _declarable(name, packages, system) for name, (_, packages) in used.items()}
     for package, packages in used.values():
         found, is_whole = provided(package, system)
@@ -45,6 +46,7 @@ def check(system: System) -> Iterator[Finding]:
             if name in found or not is_to_be_had(name, package.ros, system):
                 continue
             needing = tuple(use for use in uses if not is_optional(use, system))
+            needing = tuple(use for use in needing if not leftovers.has(use.location.path, package.name))
             if not needing or all(is_left_out(package, use, system) for use in needing):
                 continue
             if closes_a_cycle(package.name, name, system, names):
@@ -120,5 +122,5 @@ CHECK = Check(
     level=Level.WARNING,
     catalogue="L04",
     tags=("launch", "packages"),
-    run=check,
+    project=check,
 )

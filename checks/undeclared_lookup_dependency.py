@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
-from haros_ci.api.packages import Lookup, Provisions, last_dependency, lookups
+from haros_ci.api.packages import Lookup, Provisions, last_dependency, lookups, meant_here
 
 #: So many places of one package are related.
 _SHOWN = 3
@@ -34,9 +34,12 @@ def check(project: Project) -> Iterator[Finding]:
 def _is_to_be_had(name: str, package: ProjectPackage) -> bool:
     """Whether declaring it helps: unknown-package-in-code tells of what does not exist."""
     project = package.project
-    return project.package(name) is not None or (
-        project.knowledge.is_package(name) is True and project.knowledge.is_in(name, package.ros)
-    )
+    if project.package(name) is not None:
+        return True
+    if project.knowledge.is_package(name) is not True or not project.knowledge.is_in(name, package.ros):
+        return False
+    names = {each.name for each in project.packages}
+    return any(name in each.declared for each in project.packages) or meant_here(name, names) is None
 
 
 def _closes_a_cycle(name: str, package: ProjectPackage, provisions: Provisions) -> bool:

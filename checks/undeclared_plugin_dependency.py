@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     dependency_place,
     is_aside,
     is_left_out,
+    is_to_be_had,
     plugins_in_parameters,
     plugins_in_yaml,
     provided,
@@ -60,7 +61,9 @@ def check(project: Project) -> Iterator[Finding]:
         if package is None or _ASIDE.search(place.path):
             continue
         needed = _package_of(named.plugin, package.ros, project, exported)
-        if needed is None or needed == package.name or needed in uses.get(package.name, ()):
+        if needed is None or not is_to_be_had(needed, package.ros, system):
+            continue
+        if needed == package.name or needed in uses.get(package.name, ()):
             continue  # a package that a launch file uses is of undeclared-launch-dependency
         use = _use(needed, place)
         if any(needed in found for found, _ in _got(package, named, uses, system, got)):
@@ -92,7 +95,9 @@ def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Le
         f"{'this package' if one else 'these packages'}: on a machine without {'it' if one else 'them'} the node cannot load the "
         f"plug-in; add {listed([f'<{tag}>{name}</{tag}>' for name in lacking])}",
         about=(package.name, *lacking),
-        related=tuple((each.location, f"needs {name}") for name, plugins in lacking.items() for each in plugins[:_SHOWN]),
+        related=tuple(
+            (each.location, f"needs {name}") for name, plugins in lacking.items() for each in plugins[:_SHOWN]
+        ),
         apart=tuple(lacking),
         level=level,
     )

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, System
-from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, included_by, meant
+from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, included_by, meant, owner
 
 #: A declaration is this many lines long at most.
 LINES = 12
@@ -22,6 +22,19 @@ _KEPT = re.compile(
     r"|\bunused\b(?!-)|\bhas no effect\b|\breserved\b|\bplaceholder\b",
     re.I,
 )
+#: Comments by which something that is not seen needs the argument; the first do so below it, too.
+_NOT_TO_GO = re.compile(r"\b(?:do not|don't|never|must not be) (?:delete|remove|deleted|removed)\b", re.I)
+_NEEDED = re.compile(
+    rf"{_NOT_TO_GO.pattern}|\b(?:required|needed|used|expected|read) (?:by|for)\b|\bkept (?:for|as|because)\b|\bkeep\b",
+    re.I,
+)
+_NOTE = re.compile(r"<!--(.*?)-->|#(.*)")
+#: What a launch file reads and declares, and how near two names are.
+_READ = re.compile(r"""\$\((?:arg|var)\s+([\w-]+)\s*\)|\bLaunchConfiguration\(\s*["']([\w-]+)["']""")
+_DECLARED = re.compile(
+    r"""<(?:arg|let)\b[^<>]{0,200}?\bname\s*=\s*["']([\w-]+)["']|\b(?:DeclareLaunchArgument|SetLaunchConfiguration)\(\s*(?:name\s*=\s*)?["']([\w-]+)["']"""
+)
+_NEAR = 0.85
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -43,17 +56,44 @@ def check(system: System) -> Iterator[Finding]:
                 presence=use.presence,
             )
     for argument in system.facts(ArgumentDeclaration):
-        if argument.is_used is False and not any(why(argument, system) for why in (_stands_in, _is_passed, _is_kept)):
+        if argument.is_used is False and not any(
+            why(argument, system) for why in (_stands_in, _is_passed, _is_kept, _is_read_by_code)
+        ):
             yield Finding(
                 at=argument.location,
-                message=f"launch argument {argument.name!r} is declared, but never read: setting it has no effect; use it, or "
-                "remove the declaration",
+                message=f"launch argument {argument.name!r} is declared, but never read: setting it has no effect; "
+                f"{_advice(argument, system)}",
                 about=(argument.name,),
                 apart=(argument.name,),
                 flow=included_by(argument),
                 presence=argument.presence,
                 level=Level.NOTE if _is_of_family(argument, system) else None,
             )
+
+
+def _advice(argument: ArgumentDeclaration, system: System) -> str:
+    """What to do; with the name that the file reads without declaring it, where that is nearly the same."""
+    text = _text(argument, system)
+    read = {*_names(_READ, text)} - {*_names(_DECLARED, text)}
+    near = get_close_matches(argument.name, sorted(read), 1, _NEAR)
+    if near:
+        return f"the file reads {near[0]!r}, which it does not declare: give both the same name"
+    return "use it, or remove the declaration"
+
+
+def _names(pattern: re.Pattern[str], text: str) -> Iterator[str]:
+    return (match[1] or match[2] for match in pattern.finditer(text))
+
+
+def _text(argument: ArgumentDeclaration, system: System) -> str:
+    return system.workspace.text(argument.location.path) if system.workspace is not None else ""
+
+
+def _is_read_by_code(argument: ArgumentDeclaration, system: System) -> bool:
+    """Whether Python code that loads launch files and asks for their arguments may read it."""
+    package = owner(system, argument.location)
+    file = argument.location.path.rpartition("/")[2]
+    return package is not None and system.whole.launch_readers.may_read(argument.name, package.path, file)
 
 
 def _is_of_family(argument: ArgumentDeclaration, system: System) -> bool:
@@ -106,7 +146,16 @@ def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:
     after = "\n".join(rest)
     following = _NEXT.search(after)
     text = "\n".join((*lines[start:at], first, after[: following.start()] if following is not None else after))
-    return _KEPT.search(text) is not None
+    above = "\n".join((*lines[start:at], first))
+    below = lines[at + 1] if at + 1 < len(lines) and _COMMENT.match(lines[at + 1]) else ""
+    return any(
+        pattern.search(each)
+        for pattern, each in ((_KEPT, text), (_NEEDED, _comments(above)), (_NOT_TO_GO, _comments(below)))
+    )
+
+
+def _comments(text: str) -> str:
+    return "\n".join(match[1] or match[2] or "" for match in _NOTE.finditer(text))
 
 
 CHECK = Check(

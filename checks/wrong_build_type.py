@@ -10,11 +10,14 @@ from haros_ci.api.packages import (
     BUILD,
     EXPORTED,
     CMakeCommand,
+    Provisions,
+    Sources,
     add_dependency,
     add_export,
     build_types,
     exports,
     needs,
+    needs_of,
     place,
     set_text,
     word,
@@ -182,6 +185,8 @@ def _build_tool(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[F
     if package.ros == 2 and found is not None and [word(e) for e in build_types(package)] == ["ament_cmake"]:
         if not any(_is_cmake(need.name) or need.name in bringing for need in needs(package, *BUILD)):
             name = found.arguments[0]
+            if _is_undeclared(package, name):
+                return
             yield _finding(
                 package,
                 place(package, None),
@@ -194,6 +199,14 @@ def _build_tool(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[F
                 _only(add_dependency(package, "buildtool_depend", name)),
                 Level.WARNING,
             )
+
+
+def _is_undeclared(package: ProjectPackage, name: str) -> bool:
+    """Whether undeclared-dependency tells that the manifest lacks the CMake package *name*."""
+    provisions = Provisions(package.project)
+    provided = provisions.of(package, tests=False)
+    uses = (use for use in needs_of(package, Sources(package.project)) if use.what == f"find_package({name})")
+    return any(provisions.lacks(provided, use.providers) for use in uses)
 
 
 def _bringing(project: Project) -> frozenset[str]:

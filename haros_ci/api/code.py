@@ -45,6 +45,7 @@ from haros_ci.code.clients import (
     own_method,
 )
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.code.dead import is_dead
 from haros_ci.code.kinds import (
     attribute_values,
     class_of,
@@ -100,6 +101,7 @@ __all__ = [
     "group_of",
     "in_callbacks",
     "is_caught",
+    "is_dead",
     "is_local",
     "is_lookup",
     "is_node",

@@ -19,7 +19,8 @@ from haros_ci.checking.editing import (
     set_text,
 )
 from haros_ci.checking.imports import imports_of, is_called_after
-from haros_ci.checking.installing import install_directory, install_line, install_place, landings
+from haros_ci.checking.installing import install_directory, install_line, install_place, landings, left_out_on_purpose
+from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
 from haros_ci.checking.manifests import (
     BUILD,
@@ -120,6 +121,7 @@ __all__ = [
     "Interface",
     "InterfaceField",
     "Knowledge",
+    "Leftovers",
     "Link",
     "Lookup",
     "Need",
@@ -177,6 +179,7 @@ __all__ = [
     "knowledge",
     "landings",
     "last_dependency",
+    "left_out_on_purpose",
     "loaders",
     "lookups",
     "loose",

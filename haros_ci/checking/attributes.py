@@ -9,7 +9,7 @@ that they have in any distribution. One that makes attributes by name (``setattr
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from typing import Any
 
@@ -50,6 +50,10 @@ _NODE = frozenset(
     get_publishers_info_by_topic get_subscriptions_info_by_topic get_servers_info_by_service get_clients_info_by_service
     wait_for_node automatically_declare_parameters_from_overrides enable_rosout enable_logger_service PARAM_REL_TOL
     loaded_parameters type_description_service
+    """.split()
+)
+_LIFECYCLE = frozenset(
+    """
     create_lifecycle_publisher add_managed_entity trigger_configure trigger_cleanup trigger_activate trigger_deactivate
     trigger_shutdown on_configure on_cleanup on_activate on_deactivate on_shutdown on_error track_transition_callback
     """.split()
@@ -58,16 +62,16 @@ _NODE = frozenset(
 _KNOWN = {
     "rclpy.node.Node": _NODE,
     "rclpy.Node": _NODE,
-    "rclpy.lifecycle.Node": _NODE,
-    "rclpy.lifecycle.LifecycleNode": _NODE,
-    "rclpy.lifecycle.node.LifecycleNode": _NODE,
+    "rclpy.lifecycle.Node": _NODE | _LIFECYCLE,
+    "rclpy.lifecycle.LifecycleNode": _NODE | _LIFECYCLE,
+    "rclpy.lifecycle.node.LifecycleNode": _NODE | _LIFECYCLE,
     "threading.Thread": _THREAD,
 }
 
 
 @dataclass(frozen=True, slots=True)
 class Unset:
-    """Attribute *name* of class *owner* is read at *location* in *routine*; *known* are the attributes that it has."""
+    """Attribute *name* of class *owner* is read at *location* in *routine*; *known* are those that it and its bases have."""
 
     owner: str
     name: str
@@ -110,11 +114,22 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
         has = set().union(*(one.has for one in family), *(_KNOWN.get(name, frozenset()) for name in libraries))
         if "__init__" not in has:
             continue
+        known = set(each.has).union(*(_known(above, name, classes) for above, name in parents[key]))
+        if not libraries <= _PLAIN | {"threading.Thread"}:
+            has |= _LIFECYCLE  # rclpy may get these names for its plain nodes
         for name, routine in sorted(each.read.items()):
             is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
             if name in has or name in elsewhere or is_hidden or _is_asked(code.text(source.path), name):
                 continue
-            yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(has))
+            yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(known))
+
+
+def _known(above: Owner | None, name: str, classes: dict[tuple[str, str], _Attributes]) -> Set[str]:
+    """What a base has: a class of the workspace, or one of a library that is known."""
+    if above is None:
+        return _KNOWN.get(name, frozenset())
+    found = classes.get((above[0].path, above[1].name))
+    return found.has if found is not None else frozenset()
 
 
 def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:

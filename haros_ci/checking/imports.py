@@ -38,6 +38,12 @@ _TESTING = ("ament_add_pytest_test", "ament_add_nose_test", "add_launch_test", "
 _RUN = re.compile(r"/(test_[^/]*|[^/]*_test)\.py$")
 _ASIDE = re.compile(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(conftest|setup)\.py$")
 _TEST = re.compile(r"(^|/)(test_[^/]*|[^/]*_test)\.py$")
+#: What only tests have: the launch files of launch_testing, the cases of unittest, the functions and fixtures of pytest.
+_TEST_CODE = re.compile(
+    r"^[ \t]*(?:async[ \t]+)?def[ \t]+(?:generate_test_description[ \t]*\(|test_\w+[ \t]*\()"
+    r"|^[ \t]*(?:import|from)[ \t]+(?:launch_testing\w*|pytest)\b|^class[ \t]+\w+\([^()\n]*\bTestCase\b",
+    re.MULTILINE,
+)
 
 
 #: Modules that a program with a Python of its own has for its scripts: what else they import is there as well, or is not.
@@ -130,12 +136,13 @@ def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
         elif thing.kind != "directory":
             wanted.add(thing.path)
     unused = _unused(package, wanted, python)
+    tests = _test_code(package, wanted, python)
     share = [t.path for t in package.build.installed if t.kind == "directory" and t.destination.startswith("share")]
     for path in sorted({*python, *launch}):
         inner = path if package.path == "." else path[len(package.path) + 1 :]
         is_launch = path in launch or ".launch." in path or "launch" in inner.split("/")[:-1]
         places = share if is_launch else folders
-        if _ASIDE.search(inner) or path in unused:
+        if _ASIDE.search(inner) or path in unused or path in tests:
             continue
         # a program that is installed by its name is no test, whatever it is called; of a whole folder the tests are left out
         if path in wanted or (
@@ -173,6 +180,27 @@ def _unused(package: ProjectPackage, wanted: set[str], python: list[str]) -> fro
     imported = {each for found in imports.values() for each in found}
     used = _reached((every - {*below}) | ({*below} - imported - scripts), imports)
     return _reached(scripts - used, imports) - used
+
+
+def _test_code(package: ProjectPackage, wanted: Set[str], python: list[str]) -> frozenset[str]:
+    """The files with code for tests that are not installed and that only such files import, whatever their directories are called."""
+    project = package.project
+    folders = tuple(f"{each.path}/" for each in package.build.installed if each.kind == "directory")
+    loose = (path for path in python if path not in wanted and not path.startswith(folders))
+    found = {path for path in loose if not _is_in_package(path, package) and _TEST_CODE.search(project.text(path))}
+    if not found:
+        return frozenset()
+    words = {_name_of(path): path for path in found}
+    for file in project.workspace.files:
+        if file.path.endswith(".py") and file.path not in found and not _TEST.search(file.path):
+            for word in words.keys() & _imported_words(project.text(file.path)):
+                found.discard(words[word])
+    return frozenset(found)
+
+
+def _is_in_package(path: str, package: ProjectPackage) -> bool:
+    """Whether the file lies in a Python package, which is installed as a whole."""
+    return f"{path.rpartition('/')[0]}/__init__.py" in package.project.workspace.names
 
 
 def _reached(start: Set[str], imports: Mapping[str, Set[str]]) -> frozenset[str]:

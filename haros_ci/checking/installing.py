@@ -4,12 +4,60 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.location import Location
 from haros_ci.results.fix import Edit, Fix
 
 _PACKAGE_CALL = re.compile(r"(?m)^(?:ament_package|ament_auto_package|autoware_ament_auto_package)[ \t]*\(")
+#: The start of an install() in a comment; the line above which the template of catkin_create_pkg has there.
+_COMMENTED_CALL = re.compile(r"^[ \t]*#[ \t#]*install[ \t]*\(", re.IGNORECASE)
+_CALL = re.compile(r"^[ \t]*install[ \t]*\(", re.IGNORECASE)
+_WORD = re.compile(r"[\w./+${}-]+")
+
+
+def left_out_on_purpose(package: ProjectPackage) -> frozenset[str]:
+    """The words in comments inside the install() commands of *package*, in commands that are commented out, and alone on a line beside them.
+
+    What catkin_create_pkg writes as an example (below a line with ``##``) counts for nothing.
+    """
+    inside = package.inside("")
+    found: set[str] = set()
+    for path in package.project.workspace.names:
+        if path.startswith(inside) and path.endswith("CMakeLists.txt"):
+            text = package.project.text(path)
+            found.update(_left_out(text) if "install" in text else ())
+    return frozenset(word.replace("${PROJECT_NAME}", package.name).rstrip("/") for word in found)
+
+
+def _left_out(text: str) -> Iterator[str]:
+    """The words of such comments in one file of CMake."""
+    open_call = open_comment = 0
+    is_template = is_beside = False
+    for line in text.splitlines():
+        code, _, comment = line.partition("#")
+        if open_call <= 0 and not code.strip() and _COMMENTED_CALL.match(line) and not is_template:
+            open_comment = 0
+            yield from _WORD.findall(comment)
+            open_comment += comment.count("(") - comment.count(")")
+        elif open_comment > 0 and not code.strip() and comment:
+            yield from _WORD.findall(comment)
+            open_comment += comment.count("(") - comment.count(")")
+        else:
+            open_comment = 0
+            words = _WORD.findall(comment)
+            if open_call > 0 or (is_beside and not code.strip() and len(words) == 1):
+                yield from words
+            is_start = open_call <= 0 and _CALL.match(code) is not None
+            if is_start and comment:
+                yield from words
+            if is_start or open_call > 0:
+                open_call = max(open_call, 0) + code.count("(") - code.count(")")
+                is_beside = open_call <= 0
+            elif code.strip() or not comment:
+                is_beside = False
+        is_template = line.lstrip().startswith("##") or (is_template and bool(comment) and not code.strip())
 
 
 def landings(package: ProjectPackage, path: str) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from haros_ci.checking.launching import owner
+from haros_ci.checking.package_names import meant_here
 from haros_ci.checking.system import System
 from haros_ci.knowledge.knowledge import knowledge
 from haros_ci.model.launch_facts import PackageUse
@@ -108,7 +109,16 @@ def closes_a_cycle(name: str, used: str, system: System, uses: Mapping[str, froz
 def is_to_be_had(name: str, ros: int | None, system: System) -> bool:
     """Whether the workspace or a distribution has a package *name*, so that declaring it helps; unknown-package tells of slips."""
     known = knowledge()
-    return name in system.packages or not known.is_there or known.is_in(name, ros)
+    if name in system.packages:
+        return True
+    return (not known.is_there or known.is_in(name, ros)) and not _is_slip_of_one(name, system)
+
+
+def _is_slip_of_one(name: str, system: System) -> bool:
+    """Whether unknown-package takes *name* for a package of the workspace: no manifest there has it, and one is called nearly so."""
+    if any(each.name == name for package in system.packages.values() for each in package.dependencies):
+        return False
+    return meant_here(name, system.packages) is not None
 
 
 def is_left_out(package: Package, use: PackageUse, system: System) -> bool:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.checking.installing import landings
+from haros_ci.checking.installing import landings, left_out_on_purpose
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.build import Target
 from haros_ci.model.launch_facts import ProgramUse
@@ -77,8 +77,14 @@ def uninstalled(package: ProjectPackage, programs: Programs) -> Iterator[Uninsta
     if package.ros is None or package.raw.is_metapackage:
         return
     if package.build.commands and package.cmake.is_whole and not package.cmake.installs_unknown:
-        yield from _executables(package, programs)
-    yield from _scripts(package, programs)
+        yield from (each for each in _executables(package, programs) if not _is_left_out(package, each))
+    yield from (each for each in _scripts(package, programs) if not _is_left_out(package, each))
+
+
+def _is_left_out(package: ProjectPackage, each: Uninstalled) -> bool:
+    """Whether a comment at an install() has the program: it is left out on purpose."""
+    words = left_out_on_purpose(package)
+    return bool(words) and not words.isdisjoint((each.name, posixpath.basename(each.name)))
 
 
 def may_be_installed(package: ProjectPackage, target: Target) -> bool:

@@ -12,6 +12,7 @@ from haros_ci.model.launch_facts import ArgumentDeclaration, ConstructUse, Inclu
 from haros_ci.model.location import Location
 
 if TYPE_CHECKING:
+    from haros_ci.checking.launch_readers import LaunchReaders
     from haros_ci.checking.system import System
     from haros_ci.model.workspace import Workspace
 
@@ -155,6 +156,13 @@ class Whole:
         """The names of launch files in pages and scripts, those of CMake aside."""
         texts = (self._text(path) for path in self._paths if path.lower().endswith(_READ))
         return frozenset(name for text in texts for name in _LAUNCHED.findall(text))
+
+    @cached_property
+    def launch_readers(self) -> LaunchReaders:
+        """What code of the workspace reads of launch files that it loads itself."""
+        from haros_ci.checking.launch_readers import launch_readers
+
+        return launch_readers(self._workspace)
 
     @cached_property
     def repositories(self) -> frozenset[str]:
