@@ -8,7 +8,7 @@ import re
 import warnings
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, syntax
 from haros_ci.api.launch import ProgramUse
 from haros_ci.api.packages import Installed
 
@@ -204,7 +204,8 @@ def _is_program(path: str, project: Project) -> bool:
         return text.startswith("#!") or ("." not in path.rpartition("/")[2] and _imports(text))
     body = next((function.body for function in program.functions if function.kind == "module"), None) or ()
     return any(
-        (statement[0] == "do" and statement[1][0] == "call") or (statement[0] == "if" and "__name__" in statement[3])
+        (isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Call))
+        or (isinstance(statement, syntax.If) and "__name__" in statement.text)
         for statement in body
     )
 

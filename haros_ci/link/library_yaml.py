@@ -30,7 +30,7 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     These are loaded once at each place of the program for each base class, however often it is gone through.
     """
     named = _named(run, frame, loader, name, location)
-    of_base, base = run.context.of_base, loader.arguments[0][0] if loader.arguments else ""
+    of_base, base = run.context.of_base, loader.arguments[0].name if loader.arguments else ""
     if of_base is None or run.quiet or (location, base) in run.offered:
         return named
     run.offered.add((location, base))
