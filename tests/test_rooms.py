@@ -22,6 +22,8 @@ DOORS: dict[str, set[str]] = {
     "model": set(),
     # programs as front ends write them: typed nodes and their codec
     "syntax": set(),
+    # the digest of our own modules in keys
+    "own_sources": set(),
     "results": {"model"},
     "config": {"errors", "model", "results"},
     "workspace": {"errors", "model", "results", "scratch"},
@@ -137,7 +139,7 @@ DOORS: dict[str, set[str]] = {
     },
     # what the syntax says of functions, and the index of the programs of classes
     "measuring": {"code", "extract", "link", "model", "syntax"},
-    "measures": {"architecture", "code", "config", "forks", "linters", "measuring", "model", "results", "workspace"},
+    "measures": {"architecture", "code", "config", "forks", "linters", "measuring", "model", "own_sources", "results", "workspace"},
     "limits": {"linters", "report"},
     "metrics_command": {
         "cli",
@@ -165,6 +167,7 @@ DOORS: dict[str, set[str]] = {
         "forks",
         "link",
         "model",
+        "own_sources",
         "plugins",
         "syntax",
         "wanted",
