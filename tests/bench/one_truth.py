@@ -89,7 +89,10 @@ def main(arguments: list[str]) -> int:
                 if first is None:
                     first = found
                 is_same = found == first
-                print(f"{name}: {way}: {len(found)} characters, {'the same' if is_same else 'OTHER'}, {seconds:.1f} s", flush=True)
+                print(
+                    f"{name}: {way}: {len(found)} characters, {'the same' if is_same else 'OTHER'}, {seconds:.1f} s",
+                    flush=True,
+                )
                 if not is_same:
                     code = 1
                     print("\n".join(islice(differences(first, found), SHOWN)))
