@@ -118,7 +118,8 @@ def test_uses_of_a_variable() -> None:
         "m.data.push_back(m.y); auto & r = m; g([&]() { m.z = 1; }); return m; }"
     )
     found = [
-        (".".join(use.path), use.role, last_part(use.call.callee) if use.call else "") for use in uses(code, routine, "m")
+        (".".join(use.path), use.role, last_part(use.call.callee) if use.call else "")
+        for use in uses(code, routine, "m")
     ]
     assert found == [
         ("header.stamp", "set", ""),

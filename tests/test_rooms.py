@@ -139,7 +139,18 @@ DOORS: dict[str, set[str]] = {
     },
     # what the syntax says of functions, and the index of the programs of classes
     "measuring": {"code", "extract", "link", "model", "syntax"},
-    "measures": {"architecture", "code", "config", "forks", "linters", "measuring", "model", "own_sources", "results", "workspace"},
+    "measures": {
+        "architecture",
+        "code",
+        "config",
+        "forks",
+        "linters",
+        "measuring",
+        "model",
+        "own_sources",
+        "results",
+        "workspace",
+    },
     "limits": {"linters", "report"},
     "metrics_command": {
         "cli",

@@ -34,7 +34,24 @@ def test_to_and_from() -> None:
 
 @pytest.mark.parametrize(
     "value",
-    [0, -0.0, 1.0, 1e300, 5e-324, 2**63, 2**64, -(2**63), -(2**80), 10**99, 0.1, True, False, "", "a\u0000\n", "é\U0001f600\u2028"],
+    [
+        0,
+        -0.0,
+        1.0,
+        1e300,
+        5e-324,
+        2**63,
+        2**64,
+        -(2**63),
+        -(2**80),
+        10**99,
+        0.1,
+        True,
+        False,
+        "",
+        "a\u0000\n",
+        "é\U0001f600\u2028",
+    ],
 )
 def test_literals_come_back_as_they_are(value: Any) -> None:
     kind = {bool: syntax.Boolean, str: syntax.String}.get(type(value), syntax.Number)
@@ -69,7 +86,9 @@ def test_other_shapes(value: Any) -> None:
     assert decoded(json.dumps(value)) is None
 
 
-@pytest.mark.parametrize("text", [None, "", "[", '["cpp"', "\x00", '["cpp"] x', '["\\ud800"]', "[" * 100_000, '["cpp",[' * 50_000])
+@pytest.mark.parametrize(
+    "text", [None, "", "[", '["cpp"', "\x00", '["cpp"] x', '["\\ud800"]', "[" * 100_000, '["cpp",[' * 50_000]
+)
 def test_no_json(text: str | None) -> None:
     assert decoded(text) is None
 

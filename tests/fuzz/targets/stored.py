@@ -115,7 +115,14 @@ def cached_values(data: bytes) -> object:
     measured = facts.from_json(value)
     if measured is not None:
         facts.to_json(measured)
-    return answer, codec.decoded(data.decode("utf-8", "replace")), launch_xml.from_json(value), measured, kept.read(value), _kept(value)
+    return (
+        answer,
+        codec.decoded(data.decode("utf-8", "replace")),
+        launch_xml.from_json(value),
+        measured,
+        kept.read(value),
+        _kept(value),
+    )
 
 
 def _kept(value: Any) -> object:
