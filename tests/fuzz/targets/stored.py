@@ -243,7 +243,7 @@ TARGETS = {
         _JSON,
     ),
     "baseline": Entry(baseline, "compact baselines", ("results.compact",), _JSON),
-    "shards": Entry(shards, "shard files", ("shards.shard_file", "shards.values", "shards.joining"), _JSON),
+    "shards": Entry(shards, "shard files", ("shards.shard_file", "results.values", "shards.joining"), _JSON),
     "shard-costs": Entry(shard_costs, "costs of shards", ("shards.costs",), _JSON),
     "caches": Entry(caches, "files of the cache", ("workspace.cache",), _JSON),
     "cached-values": Entry(
