@@ -133,9 +133,9 @@ def _computed(code: Codebase, routine: Routine, value: syntax.Operation, steps: 
 
 def _called(code: Codebase, routine: Routine, call: syntax.Call) -> str:
     callee = call.callee
-    if isinstance(callee, syntax.Member) and callee.name == "now" and not call.arguments:
-        if code.ros_of(routine.source) == 2:
-            return "Time" if _is_clock(callee.object) else ""
+    is_now = isinstance(callee, syntax.Member) and callee.name == "now" and not call.arguments
+    if is_now and code.ros_of(routine.source) == 2:
+        return "Time" if _is_clock(callee) else ""
     name = dotted(code, routine, callee)
     if not name and isinstance(callee, syntax.Name):
         name = callee.name
@@ -143,10 +143,11 @@ def _called(code: Codebase, routine: Routine, call: syntax.Call) -> str:
     return "" if is_own else _RETURNED.get(name, "")
 
 
-def _is_clock(value: Expression) -> bool:
-    if not isinstance(value, syntax.Call):
-        return False
-    return isinstance(value.callee, syntax.Member) and value.callee.name == "get_clock"
+def _is_clock(callee: Expression) -> bool:
+    """Whether *callee* is a method of what ``get_clock()`` returns."""
+    value = callee.object if isinstance(callee, syntax.Member) else None
+    made = value.callee if isinstance(value, syntax.Call) else None
+    return isinstance(made, syntax.Member) and made.name == "get_clock"
 
 
 def _variable(code: Codebase, routine: Routine, name: str, steps: int) -> str:
