@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
-from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api import Check, Finding, Level, Location, Project, syntax
 from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, owner_of, resolved
 
 CPP = ("actionlib::SimpleActionServer", "actionlib::ActionServer")
@@ -25,11 +24,11 @@ def check(project: Project) -> Iterator[Finding]:
         started = (
             call.argument(3, "auto_start") if call.name == "SimpleActionServer" else call.argument(4, "auto_start")
         )
-        if any(each[0] in ("star", "starstar") for each in call.args):
+        if any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in call.args):
             continue
         if started is None:
             said = "auto_start defaults to True; pass auto_start=False, and call start() at the end of the set-up"
-        elif started[0] == "bool" and started[1]:
+        elif isinstance(started, syntax.Boolean) and started.value:
             said = "pass auto_start=False, and call start() at the end of the set-up"
         else:
             continue
@@ -53,26 +52,27 @@ def _cpp(code: Codebase, routine: Routine) -> Iterator[Finding]:
             )
 
 
-def _auto_starts(args: tuple[Any, ...]) -> bool:
+def _auto_starts(args: tuple[syntax.Expression, ...]) -> bool:
     """Whether the last argument is true: one of (name, auto_start), (name, callback, auto_start), a node handle before them."""
-    return len(args) >= 2 and args[-1][0] == "bool" and bool(args[-1][1])
+    return len(args) >= 2 and args[-1] == syntax.Boolean(True)
 
 
-def _made(code: Codebase, routine: Routine) -> Iterator[tuple[str, tuple[Any, ...], Location]]:
+def _made(code: Codebase, routine: Routine) -> Iterator[tuple[str, tuple[syntax.Expression, ...], Location]]:
     """The action servers that a routine makes: by member initialisers, variables and ``new``."""
     owner = owner_of(code, routine)
     if routine.function.kind == "constructor" and owner is not None:
         fields = {field.name: field for field in owner[1].fields}
-        for name, _, args, line, column in routine.function.inits:
-            if name in fields and _is_server(code, routine, fields[name].type):
-                yield name, tuple(args), Location(routine.path, line, column)
+        for init in routine.function.inits:
+            if init.name in fields and _is_server(code, routine, fields[init.name].type):
+                yield init.name, init.arguments, Location(routine.path, init.line, init.column)
     for name, every in code.body(routine).variables.items():
         for each in every:
-            if each.init is not None and each.init[0] in ("(", "{") and _is_server(code, routine, each.type):
-                yield name, tuple(each.init[1]), Location(routine.path, each.line, each.column)
+            is_made = isinstance(each.init, (syntax.Parentheses, syntax.Braces))
+            if is_made and _is_server(code, routine, each.type):
+                yield name, each.parts, Location(routine.path, each.line, each.column)
     for kind, args, line, column in code.body(routine).news:
         if _is_server(code, routine, kind):
-            yield kind[0], tuple(args), Location(routine.path, line, column)
+            yield kind.name, args, Location(routine.path, line, column)
     for call in code.body(routine).calls:
         if (
             call.name in ("make_shared", "make_unique")
@@ -82,13 +82,13 @@ def _made(code: Codebase, routine: Routine) -> Iterator[tuple[str, tuple[Any, ..
             yield call.name, call.args, call_place(routine, call)
 
 
-def _is_server(code: Codebase, routine: Routine, kind: Any) -> bool:
-    if not isinstance(kind, (tuple, list)) or len(kind) != 3 or not isinstance(kind[0], str):
+def _is_server(code: Codebase, routine: Routine, kind: syntax.Argument) -> bool:
+    if not isinstance(kind, syntax.Type):
         return False
     found = resolved(code, kind, routine.method.function.name.rpartition("::")[0], routine.source)
-    if found[0] in ("std::shared_ptr", "boost::shared_ptr", "std::unique_ptr", "boost::scoped_ptr"):
+    if found.name in ("std::shared_ptr", "boost::shared_ptr", "std::unique_ptr", "boost::scoped_ptr"):
         return False
-    return found[0] in CPP
+    return found.name in CPP
 
 
 CHECK = Check(

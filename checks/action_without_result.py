@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, Project
+from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, syntax
 from haros_ci.api.code import (
     Codebase,
     Routine,
@@ -43,7 +42,7 @@ def check(project: Project) -> Iterator[Finding]:
         if not any(last_part(call.callee) in OUTCOMES for call in code.body(routine).calls):
             continue
 
-        def does(expression: Any, routine: Routine = routine, names: frozenset[str] = names) -> bool:
+        def does(expression: syntax.Expression, routine: Routine = routine, names: frozenset[str] = names) -> bool:
             return _does(code, routine, expression, names)
 
         function = routine.function
@@ -78,20 +77,24 @@ def _executing(code: Codebase) -> Iterator[tuple[Routine, str]]:
 
 def _takes_handle(code: Codebase, routine: Routine) -> bool:
     """Whether it is given a goal handle of rclcpp_action, and is not the one that accepts or cancels goals."""
-    if routine.function.returns[0] != "void":  # what is asked whether to accept or cancel, or is called again and again
+    if (
+        routine.function.returns.name != "void"
+    ):  # what is asked whether to accept or cancel, or is called again and again
         return False
     parameters = (parameter for parameter in routine.function.parameters if parameter.name)
-    return any(type_name(code, routine, ("name", each.name)) in HANDLES for each in parameters)
+    return any(type_name(code, routine, syntax.Name(each.name)) in HANDLES for each in parameters)
 
 
-def _does(code: Codebase, routine: Routine, expression: Any, names: frozenset[str], depth: int = 2) -> bool:
+def _does(
+    code: Codebase, routine: Routine, expression: syntax.Expression, names: frozenset[str], depth: int = 2
+) -> bool:
     """Whether *expression* sets the outcome, or may: it hands the goal on, or calls what sets it."""
     for node in nodes(expression):
-        if node[0] == "lambda" or (node[0] == "set" and _is_handed(node[3], names)):
+        if isinstance(node, syntax.Lambda) or (isinstance(node, syntax.Assignment) and _is_handed(node.value, names)):
             return True
-        if node[0] != "call":
+        if not isinstance(node, syntax.Call):
             continue
-        if last_part(node[1]) in OUTCOMES or any(_is_handed(each, names) for each in node[2]):
+        if last_part(node.callee) in OUTCOMES or any(_is_handed(each, names) for each in node.arguments):
             return True
         for target in called(code, routine, node) if depth else ():
             if any(_does(code, target, call.whole, frozenset(), depth - 1) for call in code.body(target).calls):
@@ -99,11 +102,11 @@ def _does(code: Codebase, routine: Routine, expression: Any, names: frozenset[st
     return False
 
 
-def _is_handed(value: Any, names: frozenset[str]) -> bool:
+def _is_handed(value: syntax.Expression, names: frozenset[str]) -> bool:
     """Whether *value* is the goal or its handle itself: *names* are the function's parameters."""
-    while value[0] in ("*", "&", "kw", "cast", "star"):
-        value = value[-1]
-    return value[0] == "name" and value[1] in names
+    while isinstance(value, (syntax.Dereference, syntax.Address, syntax.Keyword, syntax.Cast, syntax.Star)):
+        value = value.value
+    return isinstance(value, syntax.Name) and value.name in names
 
 
 CHECK = Check(

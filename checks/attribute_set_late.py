@@ -6,9 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
-from haros_ci.api import Check, Finding, Level, Location, Project, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, listed, syntax
 from haros_ci.api.code import Callback, Codebase, Routine, base_names, callbacks, methods, owner_of
 
 _KINDS = frozenset(("subscription", "service", "timer"))
@@ -62,17 +61,18 @@ def _of_constructor(project: Project, made: list[Callback]) -> Iterator[Finding]
             yield _finding(project, late)
 
 
-def _late(code: Codebase, callback: Callback, statements: tuple[Any, ...], given: frozenset[str]) -> _Late | None:
+def _late(code: Codebase, callback: Callback, statements: syntax.Block, given: frozenset[str]) -> _Late | None:
     maker, routine = callback.maker, callback.routine
     ros = code.ros_of(maker.source)
     at = next(
-        (n for n, each in enumerate(statements) if any(node is callback.call.whole for node in _nodes(each))), None
+        (n for n, each in enumerate(statements) if any(node is callback.call.whole for node in syntax.preorder(each))),
+        None,
     )
-    if at is None or statements[at][0] not in ("do", "set") or routine.owner != maker.owner or ros is None:
+    if at is None or not isinstance(statements[at], syntax.Do) or routine.owner != maker.owner or ros is None:
         return None
     before = _made(code, maker, statements[: at + 1])
     read = _read_first(routine)
-    sets = [_sets(each) if each[0] == "do" else set() for each in statements[at + 1 :]]
+    sets = [_sets(each) if isinstance(each, syntax.Do) else set() for each in statements[at + 1 :]]
     names = [name for name in read if name not in before | given and any(name in each for each in sets)]
     if not names:
         return None
@@ -82,56 +82,43 @@ def _late(code: Codebase, callback: Callback, statements: tuple[Any, ...], given
     return _Late(callback, tuple(names), waits) if ros == 1 or waits else None
 
 
-def _nodes(node: Any) -> Iterator[Any]:
-    """*node* and all statements and expressions in it, in the order of the text."""
-    waiting = [node]
-    while waiting:
-        each = waiting.pop()
-        if isinstance(each, (tuple, list)) and each:
-            yield each
-            waiting.extend(reversed(each))
+def _own(node: syntax.Part) -> str:
+    """The attribute of self that *node* is; "" of anything else."""
+    return node.name if isinstance(node, syntax.Member) and isinstance(node.object, syntax.This) else ""
 
 
-def _is_own(node: Any) -> bool:
-    return (
-        len(node) == 3
-        and node[0] == "field"
-        and isinstance(node[1], (tuple, list))
-        and node[1][:1] in (("this",), ["this"])
-    )
-
-
-def _sets(statement: Any) -> set[str]:
+def _sets(part: syntax.Part) -> set[str]:
     """The attributes of self that a statement sets, anywhere in it."""
     found: set[str] = set()
-    for node in _nodes(statement):
-        if node[0] == "set" and len(node) == 4:
-            targets = node[2][1] if node[2][0] == "list" else (node[2],)
-            found.update(str(each[2]) for each in targets if _is_own(each))
+    for node in syntax.everything(part):
+        if isinstance(node, syntax.Assignment):
+            targets = node.target.items if isinstance(node.target, syntax.ListLiteral) else (node.target,)
+            found.update(name for each in targets if (name := _own(each)))
     return found
 
 
-def _calls(statement: Any) -> Iterator[str]:
-    for node in _nodes(statement):
-        if node[0] == "call" and len(node) == 6:
-            yield str(node[1][2] if node[1][0] == "field" else node[1][1] if node[1][0] == "name" else "")
+def _calls(statement: syntax.Statement) -> Iterator[str]:
+    for node in syntax.preorder(statement):
+        if isinstance(node, syntax.Call):
+            yield syntax.name_of(node.callee)
 
 
-def _made(code: Codebase, maker: Routine, statements: tuple[Any, ...]) -> set[str]:
+def _made(code: Codebase, maker: Routine, statements: syntax.Block) -> set[str]:
     """What statements set, themselves or in methods of the object that they call; each method is seen once."""
     found: set[str] = set()
     owner = owner_of(code, maker)
     if owner is None:
         return _sets(statements)
-    waiting: list[tuple[Any, ...]] = [statements]
+    waiting = [statements]
     seen: set[str] = set()
     while waiting:
         block = waiting.pop()
         found |= _sets(block)
-        for node in _nodes(block):
-            if node[0] == "call" and len(node) == 6 and _is_own(node[1]) and node[1][2] not in seen:
-                seen.add(node[1][2])
-                waiting += [each.function.body or () for each in methods(code, owner, str(node[1][2]))]
+        for node in syntax.preorder(block):
+            name = _own(node.callee) if isinstance(node, syntax.Call) else ""
+            if name and name not in seen:
+                seen.add(name)
+                waiting += [each.function.body or () for each in methods(code, owner, name)]
     return found
 
 
@@ -152,16 +139,16 @@ def _given(code: Codebase, maker: Routine) -> frozenset[str]:
     return frozenset(found)
 
 
-def _classes(code: Codebase) -> dict[str, list[tuple[str, Any]]]:
+def _classes(code: Codebase) -> dict[str, list[tuple[str, syntax.Class]]]:
     """The Python classes by name, with their files."""
     key = "attribute-set-late"
     if key not in code.kept:
-        made: dict[str, list[tuple[str, Any]]] = {}
+        made: dict[str, list[tuple[str, syntax.Class]]] = {}
         for source in code.sources:
             for each in source.program.classes if source.program.language == "python" else ():
                 made.setdefault(each.name, []).append((source.path, each))
         code.kept[key] = made
-    found: dict[str, list[tuple[str, Any]]] = code.kept[key]  # type: ignore[assignment]
+    found: dict[str, list[tuple[str, syntax.Class]]] = code.kept[key]  # type: ignore[assignment]
     return found
 
 
@@ -172,39 +159,38 @@ def _read_first(routine: Routine) -> list[str]:
     waiting = list(reversed(routine.function.body or ()))
     while waiting:
         each = waiting.pop()
-        kind = each[0]
-        if kind == "block":
-            waiting.extend(reversed(each[1]))
+        if isinstance(each, syntax.Nested):
+            waiting.extend(reversed(each.body))
             continue
-        if kind not in ("do", "var", "if", "return", "each"):
+        if not isinstance(each, (syntax.Do, syntax.Variable, syntax.If, syntax.Return, syntax.Each)):
             break
-        part = each[4] if kind == "if" else each[6] if kind == "each" else each
+        part = each.test if isinstance(each, syntax.If) else each.iterable if isinstance(each, syntax.Each) else each
         found.update((name, None) for name in _reads(part) if name not in known)
         known |= _sets(part)
-        if kind == "return" or (
-            kind == "if" and any(node[0] in ("return", "throw") for node in _nodes((each[5], each[8])))
-        ):
+        if isinstance(each, syntax.Return) or (isinstance(each, syntax.If) and _may_leave((each.then, each.other))):
             break
-        if kind in ("if", "each"):
+        if isinstance(each, (syntax.If, syntax.Each)):
             known |= _sets(each)
     return list(found)
 
 
-def _reads(part: Any) -> Iterator[str]:
+def _may_leave(part: syntax.Part) -> bool:
+    return any(isinstance(node, (syntax.Return, syntax.Throw)) for node in syntax.everything(part))
+
+
+def _reads(part: syntax.Part) -> Iterator[str]:
     """The attributes of self that are read in a part of a statement; not what it sets."""
-    waiting = [part]
+    waiting = syntax.below((part,))
     while waiting:
         node = waiting.pop()
-        if not isinstance(node, (tuple, list)) or not node:
-            continue
-        if node[0] == "set" and len(node) == 4 and node[1] == "=":
-            waiting += [node[3]] if _is_own(node[2]) else [node[3], node[2]]
-        elif node[0] in ("if", "op") and len(node) > 2 and node[1] in ("&&", "||"):
-            waiting.append(node[2][0])
-        elif _is_own(node):
-            yield str(node[2])
+        if isinstance(node, syntax.Assignment) and node.operator == "=":
+            waiting += [node.value] if _own(node.target) else [node.value, node.target]
+        elif isinstance(node, syntax.Operation) and node.operator in ("&&", "||"):
+            waiting.append(node.operands[0])
+        elif name := _own(node):
+            yield name
         else:
-            waiting.extend(reversed(node))
+            waiting += reversed(syntax.below(node))
 
 
 def _finding(project: Project, late: _Late) -> Finding:

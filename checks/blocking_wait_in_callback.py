@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
-from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api import Check, Finding, Level, Project, syntax
 from haros_ci.api.code import (
     Call,
     Codebase,
@@ -67,15 +66,20 @@ DEADLOCK = (
 
 def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
     routine = each.routine
-    if call.name in SPINS and call.callee[0] == "name" and call.callee[1] == f"rclcpp::{call.name}" and call.args:
+    if (
+        call.name in SPINS
+        and isinstance(call.callee, syntax.Name)
+        and call.callee.name == f"rclcpp::{call.name}"
+        and call.args
+    ):
         if _is_spun(code, each, call.args[0]):
             return (
                 'spins its own node, which an executor already spins: this throws std::runtime_error ("Node has already '
                 'been added to an executor"); pass a callback to async_send_request, or make the call from a separate '
                 "node"
             )
-    if call.name == "add_node" and call.args and call.receiver is not None and call.receiver[0] == "name":
-        local = variable(code, routine, call.receiver[1])
+    if call.name == "add_node" and call.args and call.receiver is not None and isinstance(call.receiver, syntax.Name):
+        local = variable(code, routine, call.receiver.name)
         is_new = isinstance(local, tuple) and len(local) == 2 and local[0] is routine
         if is_new and _is_spun(code, each, call.args[0]) and not code.mentioning("remove_node") & {routine.path}:
             return (
@@ -96,7 +100,7 @@ def _node(code: Codebase, each: Reached) -> str | None:
     return node_name(code, made.maker, made.call.receiver) if made.maker.owner == each.routine.owner else None
 
 
-def _is_spun(code: Codebase, each: Reached, node: Any) -> bool:
+def _is_spun(code: Codebase, each: Reached, node: syntax.Expression) -> bool:
     """Whether *node* is the one whose executor runs the callback."""
     own = _node(code, each)
     return own is not None and own == node_name(code, each.routine, node)
@@ -107,9 +111,9 @@ def _polls(call: Call) -> bool:
     if call.name != "wait_for" or not call.args:
         return False
     inner = call.args[0]
-    while inner[0] == "call" and len(inner[2]) == 1:
-        inner = inner[2][0]
-    return bool(inner[0] == "num" and inner[1] == 0)
+    while isinstance(inner, syntax.Call) and len(inner.arguments) == 1:
+        inner = inner.arguments[0]
+    return bool(isinstance(inner, syntax.Number) and inner.value == 0)
 
 
 def _is_awaited(code: Codebase, routine: Routine, call: Call) -> bool:
@@ -126,32 +130,31 @@ def _is_awaited(code: Codebase, routine: Routine, call: Call) -> bool:
     )
 
 
-def _whole(future: Any) -> Any:
+def _whole(future: syntax.Expression | None) -> syntax.Expression | None:
     """A future itself: ``result`` of ``result.future``."""
+    return future.object if isinstance(future, syntax.Member) and future.name == "future" else future
+
+
+def _awaited(code: Codebase, routine: Routine, future: syntax.Expression) -> syntax.Expression | None:
+    """The client of the request that a future is of: ``client->async_send_request(...)``, through a local variable."""
+    if isinstance(future, syntax.Member) and future.name == "future":
+        future = future.object
+    if isinstance(future, syntax.Name):
+        local = variable(code, routine, future.name)
+        if not (isinstance(local, tuple) and len(local) == 2) or local[1].value is None:
+            return None
+        future = local[1].value
     return (
-        list(future[1])
-        if future is not None and future[0] == "field" and future[2] == "future"
-        else future and list(future)
+        _client(future, "async_send_request")
+        if isinstance(future, syntax.Call) and len(future.arguments) == 1
+        else None
     )
 
 
-def _awaited(code: Codebase, routine: Routine, future: Any) -> Any:
-    """The client of the request that a future is of: ``client->async_send_request(...)``, through a local variable."""
-    if future[0] == "field" and future[2] == "future":
-        future = future[1]
-    if future[0] == "name":
-        local = variable(code, routine, future[1])
-        if not (isinstance(local, tuple) and len(local) == 2) or local[1].init is None or local[1].init[0] == "each":
-            return None
-        future = (
-            local[1].init[1]
-            if local[1].init[0] == "="
-            else local[1].init[1][0]
-            if len(local[1].init[1]) == 1
-            else future
-        )
-    is_request = future[0] == "call" and future[1][0] == "field" and future[1][2] == "async_send_request"
-    return future[1][1] if is_request and len(future[2]) == 1 else None
+def _client(call: syntax.Expression, method: str) -> syntax.Expression | None:
+    """What *method* is called on; None for other calls."""
+    callee = call.callee if isinstance(call, syntax.Call) else None
+    return callee.object if isinstance(callee, syntax.Member) and callee.name == method else None
 
 
 def _python(code: Codebase, each: Reached, call: Call) -> str | None:
@@ -178,16 +181,16 @@ def _python(code: Codebase, each: Reached, call: Call) -> str | None:
     if routine.path not in code.mentioning("rclpy.spin(", ".spin()"):
         return None  # a loop of spin_once() adds the node again each time
     is_given = call.argument(2 if call.name == "spin_until_future_complete" else 1, "executor") is not None
-    return None if is_given or any(each[0] in ("star", "starstar") for each in call.args) else REMOVED.format(call.name)
+    is_given = is_given or any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in call.args)
+    return None if is_given else REMOVED.format(call.name)
 
 
-def _requested(code: Codebase, routine: Routine, future: Any) -> Any:
+def _requested(code: Codebase, routine: Routine, future: syntax.Expression) -> syntax.Expression | None:
     """The client of ``client.call_async(...)`` that a future is from."""
-    if future[0] in ("name", "field"):
-        values = [value for target, _, value, _ in code.body(routine).sets if list(target) == list(future)]
+    if isinstance(future, (syntax.Name, syntax.Member)):
+        values = [value for target, _, value, _ in code.body(routine).sets if target == future]
         future = values[0] if len(values) == 1 else future
-    is_request = future[0] == "call" and future[1][0] == "field" and future[1][2] == "call_async"
-    return future[1][1] if is_request else None
+    return _client(future, "call_async")
 
 
 CHECK = Check(

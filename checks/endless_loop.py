@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, Project
+from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, syntax
 from haros_ci.api.code import Codebase, Routine, callees, is_dead
 
 #: Text in a loop's body by which it may end, or by which more may happen than is seen.
@@ -56,35 +55,35 @@ def _is_of_a_node(code: Codebase, routine: Routine) -> bool:
     program = routine.source.program
     if routine.is_python:
         # rclpy leaves KeyboardInterrupt to Python; rospy takes it (rospy/core.py: register_signals)
-        heads = {alias.type[0].partition(".")[0] for alias in program.aliases}
+        heads = {alias.type.name.partition(".")[0] for alias in program.aliases}
         return "rospy" in heads and "rclpy" not in heads
     files = {routine.path, *code.cpp.reach(routine.path)}
     includes = (each.strip('<>"') for path in files for each in code.by_path[path].program.includes)
     return any(each in ROS or each.startswith("rclcpp") for each in includes)
 
 
-def _is_endless(statement: Any) -> bool:
-    condition = statement[6]
+def _is_endless(statement: syntax.Loop) -> bool:
+    condition = statement.test
     if condition is None:
-        return bool(statement[1] == "for")
-    return _is_uncalled(condition) or (condition[0] in ("bool", "num") and bool(condition[1]))
+        return bool(statement.keyword == "for")
+    return _is_uncalled(condition) or (isinstance(condition, (syntax.Boolean, syntax.Number)) and bool(condition.value))
 
 
-def _is_uncalled(condition: Any) -> bool:
+def _is_uncalled(condition: syntax.Expression | None) -> bool:
     """Whether it names the function that tells of a shutdown, and does not call it: the address of a function always holds."""
-    return condition is not None and condition[0] == "name" and condition[1].removeprefix("::") in _ASKED
+    return condition is not None and isinstance(condition, syntax.Name) and condition.name.removeprefix("::") in _ASKED
 
 
-def _may_end(code: Codebase, routine: Routine, statement: Any) -> bool:
+def _may_end(code: Codebase, routine: Routine, statement: syntax.Loop) -> bool:
     """Whether there is a way out of the loop, or may be one in what is not seen."""
     text = _text(code, routine, statement)
-    if text is None or ENDS.search(text) or _POWER.search(code.lines(routine, statement[2])):
+    if text is None or ENDS.search(text) or _POWER.search(code.lines(routine, statement.line)):
         return True
     if not routine.is_python:
         if _is_interrupted(code, routine, text):
             return True
         return bool(re.search(r"\bdetach\s*\(", code.text(routine.path)))  # such a thread ends with the process
-    calls = {call.name for call in code.body(routine).calls if statement[2] <= call.line}
+    calls = {call.name for call in code.body(routine).calls if statement.line <= call.line}
     called = (code.lines(each, each.function.line) for call, each in callees(code, routine) if call.name in calls)
     return any(RAISES.search(each) for each in (text, *called))
 
@@ -99,18 +98,18 @@ def _is_interrupted(code: Codebase, routine: Routine, text: str) -> bool:
     )
 
 
-def _text(code: Codebase, routine: Routine, statement: Any) -> str | None:
+def _text(code: Codebase, routine: Routine, statement: syntax.Loop) -> str | None:
     """The loop's text without comments and strings; None where it cannot be told."""
-    lines = code.text(routine.path).split("\n")[statement[2] - 1 :]
+    lines = code.text(routine.path).split("\n")[statement.line - 1 :]
     if routine.is_python:
-        indent = statement[3] - 1
+        indent = statement.column - 1
         body = [lines[0]]
         for line in lines[1:]:
             if line.strip() and len(line) - len(line.lstrip()) <= indent:
                 break
             body.append(re.sub(r"#.*|\"[^\"]*\"|'[^']*'", "", line))
         return "\n".join(body)
-    text = "\n".join([lines[0][statement[3] - 1 :], *lines[1:]])
+    text = "\n".join([lines[0][statement.column - 1 :], *lines[1:]])
     text = re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)*'", " ", text, flags=re.S)
     start = text.find("{")
     if start < 0 or ";" in text[:start].replace("(;;)", "").replace("( ; ; )", ""):
@@ -123,13 +122,15 @@ def _text(code: Codebase, routine: Routine, statement: Any) -> str | None:
     return None
 
 
-def _finding(code: Codebase, routine: Routine, statement: Any) -> Finding:
+def _finding(code: Codebase, routine: Routine, statement: syntax.Loop) -> Finding:
     ros = code.ros_of(routine.source)
     asked = "not rospy.is_shutdown()" if routine.is_python else "ros::ok()" if ros == 1 else "rclcpp::ok()"
-    why = "names " + statement[6][1] + " and does not call it, so that the loop" if _is_uncalled(statement[6]) else ""
+    test, why = statement.test, ""
+    if isinstance(test, syntax.Name) and _is_uncalled(test):
+        why = f"names {test.name} and does not call it, so that the loop"
     said = f": its condition {why} always holds" if why else ""
     return Finding(
-        at=Location(routine.path, statement[2], statement[3]),
+        at=Location(routine.path, statement.line, statement.column),
         message=f"the loop in {routine.title} has no exit{said}: it continues after a shutdown, and the process hangs or "
         f"is killed; test {asked} in its condition",
         about=(routine.title, "endless loop"),

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Project
+from haros_ci.api import Check, Decidability, Finding, Level, Project, syntax
 from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, is_dead, type_of, uses, variable
 
 STAMPED = "Accel AccelWithCovariance Point Polygon Pose PoseWithCovariance Quaternion Transform Twist TwistWithCovariance Vector3 Wrench"
@@ -91,48 +91,50 @@ def check(project: Project) -> Iterator[Finding]:
             )
 
 
-def _given(argument: tuple[object, ...]) -> str | None:
+def _given(node: syntax.Expression) -> str | None:
     """The variable that is published: ``a``, ``*a``, ``std::move(a)``."""
-    node: tuple[object, ...] = argument
     while True:
-        if node[0] == "*":
-            node = node[1]  # type: ignore[assignment]
-        elif node[0] == "call" and node[1][:2] == ("name", "std::move"):  # type: ignore[index]
-            node = node[2][0]  # type: ignore[index]
+        if isinstance(node, syntax.Dereference):
+            node = node.value
+        elif isinstance(node, syntax.Call) and node.callee == syntax.Name("std::move") and node.arguments:
+            node = node.arguments[0]
         else:
-            return str(node[1]) if node[0] == "name" else None
+            return node.name if isinstance(node, syntax.Name) else None
 
 
 def _made_here(code: Codebase, routine: Routine, name: str) -> str | None:
     """The message type of a local variable that is made empty in the routine itself."""
     if routine.is_python:
-        values = [value for target, operator, value, _ in code.body(routine).sets if list(target) == ["name", name]]
+        values = [value for target, operator, value, _ in code.body(routine).sets if target == syntax.Name(name)]
         if (
             len(values) != 1
-            or values[0][0] != "call"
-            or values[0][2]
+            or not isinstance(values[0], syntax.Call)
+            or values[0].arguments
             or any(p.name == name for p in routine.function.parameters)
         ):
             return None
-        return _message(dotted(code, routine, values[0][1]))
+        return _message(dotted(code, routine, values[0].callee))
     found = variable(code, routine, name)
     if not (isinstance(found, tuple) and len(found) == 2) or found[0] is not routine or found[1].is_static:
         return None
     init = found[1].init
-    is_empty = init is None or (init[0] in ("{", "(") and not init[1])
-    if init is not None and init[0] == "=":
-        value = init[1]
-        is_empty = value[0] == "call" and not value[2] and value[1][0] == "name"
-        if is_empty and value[1][1].rpartition("::")[2] not in MAKERS:
-            is_empty = value[1][1][:1] != "" and _message(value[1][1]) is not None
-    if not is_empty or any(mark in found[1].type[2] for mark in "&*"):
+    is_empty = init is None or (isinstance(init, (syntax.Braces, syntax.Parentheses)) and not init.arguments)
+    if isinstance(init, syntax.Equals):
+        value = init.value
+        made = value.callee if isinstance(value, syntax.Call) and not value.arguments else None
+        is_empty = isinstance(made, syntax.Name)
+        if isinstance(made, syntax.Name) and made.name.rpartition("::")[2] not in MAKERS:
+            is_empty = made.name != "" and _message(made.name) is not None
+    if not is_empty or any(mark in found[1].type.marks for mark in "&*"):
         return None
-    kind = type_of(code, routine, ("name", name))
-    while kind is not None and kind[0] in ("std::shared_ptr", "boost::shared_ptr", "std::unique_ptr") and kind[1]:
+    kind = type_of(code, routine, syntax.Name(name))
+    while (
+        kind is not None and kind.name in ("std::shared_ptr", "boost::shared_ptr", "std::unique_ptr") and kind.arguments
+    ):
         if init is None:  # a pointer to nothing
             return None
-        kind = kind[1][0]
-    return _message(kind[0]) if kind is not None else None
+        kind = kind.of(0)
+    return _message(kind.name) if kind is not None else None
 
 
 def _message(name: str) -> str | None:
@@ -155,8 +157,8 @@ def _missing(code: Codebase, routine: Routine, name: str, kind: str) -> str | No
             is_published = (
                 use.role == "argument"
                 and use.call is not None
-                and use.call[1][0] == "field"
-                and use.call[1][2] == "publish"
+                and isinstance(use.call.callee, syntax.Member)
+                and use.call.callee.name == "publish"
             )
             if not is_published:
                 return None

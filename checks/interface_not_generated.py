@@ -269,7 +269,7 @@ def _uses(project: Project) -> dict[str, Location]:
             if header not in written and (name := by_header.get(header)) is not None:
                 found.setdefault(name, Location(path, _line_with(project.text(path), header)))
         for alias in program.aliases if program.language == "python" else ():
-            if (name := modules.get(str(alias.type[0]))) is not None:
+            if (name := modules.get(str(alias.type.name))) is not None:
                 found.setdefault(name, Location(path, _line_with(project.text(path), name.rpartition("/")[2])))
     return found
 

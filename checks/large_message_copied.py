@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api import Check, Finding, Level, Project, syntax
 from haros_ci.api.code import Call, Codebase, Routine, call_place, calls_of, is_local, ros_type, type_name, type_of
 
 LARGE = frozenset(
@@ -69,26 +69,27 @@ def _copied(code: Codebase, routine: Routine, call: Call, is_shared: bool) -> st
     Where a message *is_shared* to be published, any pointer to it will do; else it has to be one that is made here, to be given away.
     """
     value = call.args[0]
-    inner = value[1] if value[0] == "*" else value
-    if inner[0] not in ("name", "field"):
+    inner = value.value if isinstance(value, syntax.Dereference) else value
+    if not isinstance(inner, (syntax.Name, syntax.Member)):
         return None
-    if value[0] != "*" and not (inner[0] == "name" and is_local(code, routine, inner[1])):  # a member has to stay
+    is_own = isinstance(inner, syntax.Name) and is_local(code, routine, inner.name)
+    if not isinstance(value, syntax.Dereference) and not is_own:  # a member has to stay
         return None
-    if not is_shared and not (inner[0] == "name" and is_local(code, routine, inner[1])):
+    if not is_shared and not is_own:
         return None
     kind = type_of(code, routine, inner)
-    if not is_shared and inner[1] in {each.name for each in routine.function.parameters}:
-        if kind is None or kind[0] != "std::unique_ptr":  # others hold it, too
+    if not is_shared and inner.name in {each.name for each in routine.function.parameters}:
+        if kind is None or kind.name != "std::unique_ptr":  # others hold it, too
             return None
-    if kind is None or "*" in kind[2]:
+    if kind is None or "*" in kind.marks:
         return None
-    if kind[0] in POINTERS:
-        if value[0] != "*" or not kind[1]:
+    if kind.name in POINTERS:
+        if not isinstance(value, syntax.Dereference) or not kind.arguments:
             return None
-        kind = kind[1][0]
-    elif value[0] == "*":
+        kind = kind.of(0)
+    elif isinstance(value, syntax.Dereference):
         return None
-    return ros_type(kind[0])
+    return ros_type(kind.name) if kind is not None else None
 
 
 CHECK = Check(

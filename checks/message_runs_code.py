@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
-from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api import Check, Finding, Level, Project, syntax
 from haros_ci.api.code import (
     Call,
     Callback,
@@ -102,26 +101,24 @@ def _is_bound(callback: Callback) -> bool:
     """Whether the first parameter may be given where the callback is registered."""
     if not callback.maker.is_python:
         return False
-    values = [each[2] if each[0] == "kw" else each for each in callback.call.args]
-    return any(value[0] == "call" for value in values)
+    values = [each.value if isinstance(each, syntax.Keyword) else each for each in callback.call.args]
+    return any(isinstance(value, syntax.Call) for value in values)
 
 
-def _sink(code: Codebase, routine: Routine, call: Call) -> tuple[Any, str, bool] | None:
+def _sink(code: Codebase, routine: Routine, call: Call) -> tuple[syntax.Expression, str, bool] | None:
     """What a call runs, how, and whether it has to be known to be text."""
     if not call.args or called(code, routine, call.whole):
         return None
     first = call.args[0]
     if not routine.is_python:
-        name = call.callee[1].removeprefix("::") if call.callee[0] == "name" else ""
+        name = call.callee.name.removeprefix("::") if isinstance(call.callee, syntax.Name) else ""
         return (first, "is run by a shell", True) if name in ("system", "std::system", "popen") else None
     name = dotted(code, routine, call.callee)
     if name in SHELLS:
         return first, "is run by a shell", True
     if name in PROCESSES:
-        is_shell = any(
-            each[0] == "kw" and each[1] == "shell" and each[2][0] == "bool" and each[2][1] for each in call.args
-        )
-        return (first, "is run by a shell", True) if is_shell and first[0] != "list" else None
+        is_shell = any(each == syntax.Keyword("shell", syntax.Boolean(True)) for each in call.args)
+        return (first, "is run by a shell", True) if is_shell and not isinstance(first, syntax.ListLiteral) else None
     if name in ("eval", "exec") and not is_local(code, routine, name):
         return first, "is run as code", False
     if name in LOADS:
@@ -132,14 +129,18 @@ def _sink(code: Codebase, routine: Routine, call: Call) -> tuple[Any, str, bool]
         )
     if name == "yaml.load":
         loader = call.argument(1, "Loader")
-        if any(each[0] == "starstar" for each in call.args):
+        if any(isinstance(each, syntax.DoubleStar) for each in call.args):
             return None
-        if loader is None or (loader[0] == "field" and loader[2] in ("Loader", "UnsafeLoader", "CLoader")):
+        if loader is None or (
+            isinstance(loader, syntax.Member) and loader.name in ("Loader", "UnsafeLoader", "CLoader")
+        ):
             return first, "is loaded by a YAML loader that creates objects of any class", False
     return None
 
 
-def _is_text(project: Project, callback: Callback, content: frozenset[tuple[str, ...]], value: Any) -> bool:
+def _is_text(
+    project: Project, callback: Callback, content: frozenset[tuple[str, ...]], value: syntax.Expression
+) -> bool:
     """Whether one of the members is surely a text; numbers run nothing."""
     kind = _message(project.code, callback)
     for path in content:
@@ -159,9 +160,10 @@ def _message(code: Codebase, callback: Callback) -> str | None:
         value = call.argument(position, {"Subscriber": "data_class", "Service": "service_class"}.get(call.name, ""))
         found = dotted(code, maker, value) if value is not None else ""
         return ros_type(found)
-    if call.templates and isinstance(call.templates[0], (tuple, list)):
-        return ros_type(str(call.templates[0][0]))
-    return ros_type(str(callback.routine.function.parameters[0].type[0]))
+    kind = call.templates[0] if call.templates else None
+    if isinstance(kind, syntax.Type):
+        return ros_type(kind.name)
+    return ros_type(str(callback.routine.function.parameters[0].type.name))
 
 
 def _field(project: Project, kind: str, path: tuple[str, ...], role: str) -> str | None:

@@ -6,8 +6,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project
-from haros_ci.api.code import Call, Codebase, Routine, base_names, calls_of, dotted, own_method, owner_of, type_name
+from haros_ci.api import Check, Finding, Level, Location, Project, syntax
+from haros_ci.api.code import (
+    Call,
+    Codebase,
+    Routine,
+    base_names,
+    calls_of,
+    dotted,
+    last_part,
+    own_method,
+    owner_of,
+    type_name,
+)
 
 #: By ROS: the required parameters of what is imported, by its module's first part and its own name, in their order.
 _FUNCTIONS = {
@@ -89,7 +100,7 @@ def _of_method(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding
     receiver, wanted = call.receiver, _METHODS[call.name]
     if receiver is None or own_method(code, routine, call):
         return
-    if receiver[0] == "this":
+    if isinstance(receiver, syntax.This):
         owner = owner_of(code, routine)
         is_node = owner is not None and bool(_NODES & base_names(code, owner))
     else:
@@ -98,6 +109,10 @@ def _of_method(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding
     is_typed = first is not None and _TYPE.fullmatch(dotted(code, routine, first)) is not None
     if is_node or (is_typed and not _is_defined(code, call.name)):
         yield from _lacking(routine, call, call.name, wanted)
+
+
+def _topic(given: syntax.Expression) -> str:
+    return given.value if isinstance(given, syntax.String) else syntax.name_of(given)
 
 
 def _is_defined(code: Codebase, name: str, separator: str = ".") -> bool:
@@ -114,10 +129,10 @@ def _is_defined(code: Codebase, name: str, separator: str = ".") -> bool:
 
 
 def _lacking(routine: Routine, call: Call, name: str, wanted: tuple[str, ...]) -> Iterator[Finding]:
-    if any(each[0] in ("star", "starstar") for each in call.args):
+    if any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in call.args):
         return
-    keywords = {str(each[1]) for each in call.args if each[0] == "kw"}
-    plain = sum(each[0] != "kw" for each in call.args)
+    keywords = {each.name for each in call.args if isinstance(each, syntax.Keyword)}
+    plain = sum(not isinstance(each, syntax.Keyword) for each in call.args)
     if keywords & {*_OLD} or (name in _BY_KEYWORD and plain):
         return
     lacking = [each for at, each in enumerate(wanted) if at >= plain and each not in keywords]
@@ -142,13 +157,20 @@ def _of_cpp(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding]:
     is_subscription = call.name == "create_subscription"
     if call.name not in ("create_subscription", "create_publisher") or not call.templates or call.receiver is None:
         return
-    if len(call.args) != (2 if is_subscription else 1) or "::msg::" not in str(call.templates[0][0]):
+    kind = call.templates[0]
+    if (
+        len(call.args) != (2 if is_subscription else 1)
+        or not isinstance(kind, syntax.Type)
+        or "::msg::" not in kind.name
+    ):
         return
     if own_method(code, routine, call) or _is_defined(code, call.name, "::"):
         return
     given = call.args[-1]
-    is_callback = given[0] == "lambda" or (given[0] == "call" and str(given[1][-1]).rpartition("::")[2] == "bind")
-    if given[0] != "str" if not is_subscription else not is_callback:
+    is_callback = isinstance(given, syntax.Lambda) or (
+        isinstance(given, syntax.Call) and last_part(given.callee) == "bind"
+    )
+    if not isinstance(given, syntax.String) if not is_subscription else not is_callback:
         return
     where = "between the topic and the callback" if is_subscription else "after the topic"
     yield Finding(
@@ -156,7 +178,7 @@ def _of_cpp(code: Codebase, routine: Routine, call: Call) -> Iterator[Finding]:
         message=f"{call.name}() is called without a quality of service: this does not compile since ROS 2 Foxy; pass a queue "
         f"size or rclcpp::QoS {where}",
         about=(routine.title, call.name, "qos"),
-        apart=(routine.title, call.name, str(call.args[0])),
+        apart=(routine.title, call.name, _topic(call.args[0])),
     )
 
 

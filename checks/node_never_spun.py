@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api import Check, Finding, Level, Project, syntax
 from haros_ci.api.code import Call, Callback, Codebase, Routine, call_place, callbacks, calls_of, dotted
 
 #: Whatever may call callbacks: a text that has one of these words is not looked at.
@@ -58,7 +58,7 @@ def _is_used(callback: Callback, routine: Routine, text: str) -> bool:
 def _name(code: Codebase, routine: Routine, call: Call) -> str:
     if routine.is_python:
         return dotted(code, routine, call.callee)
-    return str(call.callee[1]).removeprefix("::") if call.callee[0] == "name" else ""
+    return call.callee.name.removeprefix("::") if isinstance(call.callee, syntax.Name) else ""
 
 
 def _program(code: Codebase, routine: Routine) -> set[str]:

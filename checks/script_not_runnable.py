@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed, syntax
 from haros_ci.api.launch import ProgramUse
 from haros_ci.api.packages import Installed
 
@@ -287,7 +287,8 @@ def _is_program(path: str, project: Project) -> bool:
         return text.startswith("#!") or ("." not in path.rpartition("/")[2] and _imports(text))
     body = next((function.body for function in program.functions if function.kind == "module"), None) or ()
     return any(
-        (statement[0] == "do" and statement[1][0] == "call") or (statement[0] == "if" and "__name__" in statement[3])
+        (isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Call))
+        or (isinstance(statement, syntax.If) and "__name__" in statement.text)
         for statement in body
     )
 

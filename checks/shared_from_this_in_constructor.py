@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api import Check, Finding, Level, Location, Project, syntax
 from haros_ci.api.code import Call, Codebase, Routine, called, calls_of, own_method
 
 _NAME = "shared_from_this"
@@ -48,7 +48,7 @@ def _paths(code: Codebase) -> Iterator[str]:
 
 
 def _is_of_this(call: Call) -> bool:
-    return call.receiver is None or call.receiver[0] == "this"
+    return call.receiver is None or isinstance(call.receiver, syntax.This)
 
 
 def _ways(code: Codebase, constructor: Routine, using: dict[int, list[Call]]) -> Iterator[_Way]:
@@ -74,7 +74,7 @@ def _is_of_class(call: Call, routine: Routine, target: Routine) -> bool:
     made = target.function
     if made.kind != "function" or not target.owner or made.is_static:
         return False
-    return call.receiver is not None or "::" not in str(call.callee[1]) or target.owner == routine.owner
+    return call.receiver is not None or "::" not in syntax.name_of(call.callee) or target.owner == routine.owner
 
 
 def _is_tried(call: Call) -> bool:

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
-from haros_ci.api import Check, Decidability, Finding, Level, Project
+from haros_ci.api import Check, Decidability, Finding, Level, Project, syntax
 from haros_ci.api.code import (
     Call,
     Callback,
@@ -140,7 +139,7 @@ def _is_after_failure(code: Codebase, routine: Routine, call: Call) -> bool:
     """Whether it stands where something has failed, and the routine begins again or returns: nothing is done for others then."""
     body = code.body(routine)
     for place in call.around:
-        if place.kind == "handler" or (place.kind == "then" and _is_failure(place.statement)):
+        if place.kind == "handler" or (place.kind == "then" and place.test is not None and _is_failure(place.test)):
             if any(place in around for _, around in body.returns):
                 return True
             if any(place in other.around and AGAIN.search(other.name) for other in body.calls):
@@ -148,10 +147,10 @@ def _is_after_failure(code: Codebase, routine: Routine, call: Call) -> bool:
     return False
 
 
-def _is_failure(test: Any) -> bool:
+def _is_failure(test: syntax.Expression) -> bool:
     """Whether a condition is the negation of something, or names a failure."""
-    words = (str(node[-1]) for node in nodes(test) if node[0] in ("name", "field"))
-    return (test[0] == "op" and test[1] == "!") or any(map(FAILURE.search, words))
+    words = (syntax.name_of(node) for node in nodes(test) if isinstance(node, (syntax.Name, syntax.Member)))
+    return (isinstance(test, syntax.Operation) and test.operator == "!") or any(map(FAILURE.search, words))
 
 
 def _is_minor(code: Codebase, each: Reached, call: Call, seconds: float) -> bool:
@@ -167,34 +166,38 @@ def _is_initialising(each: Reached, call: Call) -> bool:
     """Whether it is done once, when hardware is brought up: in a service for that, or while a flag says that it is not initialized yet."""
     callback = each.callback
     if callback.kind == "service":
-        named = (callback.routine.function.name, *(str(given[1]) for given in callback.call.args if given[0] == "str"))
+        texts = (given.value for given in callback.call.args if isinstance(given, syntax.String))
+        named = (callback.routine.function.name, *texts)
         if any(INITIAL.search(name.rpartition(":")[2].rpartition(".")[2]) for name in named):
             return True
     around = (place for _, step in (*each.path, (each.routine, call)) for place in step.around)
-    return any(place.kind in ("then", "else") and _asks_for_flag(place.statement) for place in around)
+    tests = (place.test for place in around)
+    return any(test is not None and _asks_for_flag(test) for test in tests)
 
 
-def _asks_for_flag(test: Any) -> bool:
-    return any(INITIALISED.search(str(node[-1])) for node in nodes(test) if node[0] in ("name", "field"))
+def _asks_for_flag(test: syntax.Expression) -> bool:
+    named = (node for node in nodes(test) if isinstance(node, (syntax.Name, syntax.Member)))
+    return any(INITIALISED.search(syntax.name_of(node)) for node in named)
 
 
 def _is_bounded(place: Place) -> bool:
     """Whether it is a loop over things or numbers, as of retries, that ends by itself."""
-    kind, *rest = place.statement
-    return kind == "each" or (rest[0] == "for" and _condition(place) not in (None, ("none",)))
+    loop = place.statement
+    if isinstance(loop, syntax.Loop):
+        return loop.keyword == "for" and loop.test not in (None, syntax.Null())
+    return isinstance(loop, syntax.Each)
 
 
 def _depends(step: tuple[Routine, Call]) -> bool:
     """Whether a condition on a parameter of the routine stands around the call: a timeout that may be zero."""
     routine, call = step
     parameters = {parameter.name for parameter in routine.function.parameters}
-    conditions = (place.statement if place.kind in ("then", "else") else _condition(place) for place in call.around)
+    conditions = (place.test or _condition(place) for place in call.around)
     return any(parameters & names_in(each) for each in conditions if each is not None)
 
 
-def _condition(place: Place) -> Any:
-    is_loop = place.kind == "loop" and place.statement[0] == "loop"
-    return place.statement[6] if is_loop else None
+def _condition(place: Place) -> syntax.Expression | None:
+    return place.statement.test if isinstance(place.statement, syntax.Loop) else None
 
 
 def _holds_up(code: Codebase, callback: Callback) -> bool:
@@ -217,10 +220,11 @@ def sleeps(code: Codebase, routine: Routine, call: Call) -> float | None:
     if routine.is_python:
         if dotted(code, routine, call.callee) in ("time.sleep", "rospy.sleep"):
             return _number(call.args[0]) if call.args else -1
-        is_rate = call.name == "sleep" and call.receiver is not None
-        return -1 if is_rate and type_name(code, routine, call.receiver) in PYTHON_RATES else None
-    if call.callee[0] == "name":
-        name = call.callee[1].removeprefix("::")
+        if call.name != "sleep" or call.receiver is None:
+            return None
+        return -1 if type_name(code, routine, call.receiver) in PYTHON_RATES else None
+    if isinstance(call.callee, syntax.Name):
+        name = call.callee.name.removeprefix("::")
         if name in ("sleep", "usleep", "nanosleep"):
             seconds = _number(call.args[0]) if call.args else -1
             return (
@@ -234,37 +238,37 @@ def sleeps(code: Codebase, routine: Routine, call: Call) -> float | None:
     kind = type_name(code, routine, call.receiver)
     if kind in DURATIONS:
         made = call.receiver
-        return _number(made[2][0]) if made[0] == "call" and len(made[2]) == 1 else -1
+        return _number(made.arguments[0]) if isinstance(made, syntax.Call) and len(made.arguments) == 1 else -1
     return -1 if kind in RATES else None
 
 
-def _number(expression: Any) -> float:
-    return float(expression[1]) if expression[0] == "num" else -1
+def _number(expression: syntax.Expression) -> float:
+    return float(expression.value) if isinstance(expression, syntax.Number) else -1
 
 
-def _pause(code: Codebase, routine: Routine, expression: Any) -> float:
+def _pause(code: Codebase, routine: Routine, expression: syntax.Expression) -> float:
     """The seconds of a duration, through local variables (``std::chrono::milliseconds pause(5)``); of several the longest."""
-    made = code.body(routine).variables.get(expression[1]) if expression[0] == "name" else None
+    made = code.body(routine).variables.get(expression.name) if isinstance(expression, syntax.Name) else None
     if made is None:
         return _chrono(expression)
     pauses = [_chrono(_value(each)) for each in made]
     return -1 if any(each < 0 for each in pauses) else max(pauses)
 
 
-def _value(variable: Variable) -> Any:
+def _value(variable: Variable) -> syntax.Expression:
     """What a variable is made of, as the call that it amounts to."""
-    if variable.init is None or variable.init[0] == "each":
-        return ("none",)
-    if variable.init[0] == "=":
-        return variable.init[1]
-    return ("call", ("name", variable.type[0]), tuple(variable.init[1]), (), 0, 0)
+    if isinstance(variable.init, (syntax.Parentheses, syntax.Braces)):
+        return syntax.Call(syntax.Name(variable.type.name), variable.init.arguments, (), 0, 0)
+    return variable.assigned or syntax.Null()
 
 
-def _chrono(expression: Any) -> float:
+def _chrono(expression: syntax.Expression) -> float:
     """The seconds of ``100ms`` or ``std::chrono::milliseconds(100)``."""
-    if expression[0] != "call" or expression[1][0] != "name" or len(expression[2]) != 1:
+    if not isinstance(expression, syntax.Call) or not isinstance(expression.callee, syntax.Name):
         return -1
-    name, number = expression[1][1], _number(expression[2][0])
+    if len(expression.arguments) != 1:
+        return -1
+    name, number = expression.callee.name, _number(expression.arguments[0])
     unit = (
         UNITS.get(name.removeprefix('operator""'))
         if name.startswith("operator")

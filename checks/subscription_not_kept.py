@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api import Check, Finding, Level, Project, syntax
 from haros_ci.api.code import Call, Codebase, Routine, call_place, called, calls_of, is_node, own_method
 
 #: What they are made by, and what that makes.
@@ -75,17 +75,16 @@ def _finding(routine: Routine, call: Call, what: str, said: str) -> Finding:
 
 
 def _topic(call: Call) -> str:
-    return next((str(each[1]) for each in call.args if each[0] == "str"), "")
+    return next((each.value for each in call.args if isinstance(each, syntax.String)), "")
 
 
 def _dropped(code: Codebase, routine: Routine, call: Call) -> str | None:
     """The local variable that alone keeps what a call makes, in a function that just goes on and returns."""
     for name, every in code.body(routine).variables.items():
         for each in every:
-            if each.init is None or each.init[0] == "each" or each.is_static or len(every) > 1:
+            if each.is_static or len(every) > 1:
                 continue
-            value = each.init[1] if each.init[0] == "=" else each.init[1][0] if len(each.init[1]) == 1 else None
-            if value is not call.whole or "&" in each.type[2]:
+            if each.value is not call.whole or "&" in each.type.marks:
                 continue
             if routine.function.kind == "lambda" or any(place.kind == "loop" for place in each.around):
                 return None

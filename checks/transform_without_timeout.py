@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Project
+from haros_ci.api import Check, Decidability, Finding, Level, Project, syntax
 from haros_ci.api.code import ASKED, call_place, in_callbacks, is_lookup, nodes, type_name
 
 LOOKUPS = frozenset(("lookupTransform", "lookup_transform"))
@@ -36,7 +36,7 @@ def check(project: Project) -> Iterator[Finding]:
             if not is_lookup(code, each.routine, call):
                 continue
             is_old = type_name(code, each.routine, call.receiver) in OLD
-            at_stamp = any(node[0] == "field" and node[2] == "stamp" for node in nodes(call.args[2]))
+            at_stamp = any(isinstance(node, syntax.Member) and node.name == "stamp" for node in nodes(call.args[2]))
             if not at_stamp or (len(call.args) == 4 and not is_old):
                 continue
             seen.add(id(call))

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, syntax
 from haros_ci.api.code import calls_of, dotted
 from haros_ci.api.launch import ProgramUse, meant
 
@@ -25,7 +25,8 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if _NODES.fullmatch(dotted(code, routine, call.callee)) is None:
             continue
-        given = {str(each[1]): str(each[2][1]) for each in call.args if each[0] == "kw" and each[2][0] == "str"}
+        keywords = (each for each in call.args if isinstance(each, syntax.Keyword))
+        given = {each.name: each.value.value for each in keywords if isinstance(each.value, syntax.String)}
         package, program = project.package(given.get("package", "")), given.get("executable", "")
         if package is None or not program or not _lacks(package, program):
             continue

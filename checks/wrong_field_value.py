@@ -5,10 +5,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api import Check, Finding, Level, Location, Project, syntax
 from haros_ci.api.code import Codebase, Routine, attribute_values, calls_of, owner_of
 from haros_ci.api.interfaces import WrongValue, wrong_values
 
+#: What is published as it is.
+_PUBLISHED: dict[type[syntax.Node], str] = {
+    syntax.String: "a str",
+    syntax.Format: "a str",
+    syntax.Number: "a number",
+    syntax.Boolean: "a bool",
+}
 _KINDS = {"int": "an int", "float": "a float", "bool": "a bool", "str": "a str", "none": "None", "list": "a list"}
 
 
@@ -56,7 +63,8 @@ def _published(code: Codebase) -> Iterator[Finding]:
     for routine, call in calls_of(code, "publish"):
         if not routine.is_python or len(call.args) != 1 or call.receiver is None or code.ros_of(routine.source) != 2:
             continue
-        kind = {"str": "a str", "format": "a str", "num": "a number", "bool": "a bool"}.get(str(call.args[0][0]))
+        value = call.args[0]
+        kind = _PUBLISHED.get(type(value))
         if (
             kind is None
             or any(place.kind == "try" for place in call.around)
@@ -68,16 +76,30 @@ def _published(code: Codebase) -> Iterator[Finding]:
             message=f"publish() is given {kind}: rclpy raises TypeError, for it takes an object of the message's class; make one and "
             "set its field",
             about=(routine.title, "publish"),
-            apart=(routine.title, str(call.args[0][1])[:50]),
+            apart=(routine.title, _written(value)[:50]),
         )
 
 
-def _is_publisher(code: Codebase, routine: Routine, receiver: tuple[object, ...]) -> bool:
+def _written(value: syntax.Expression) -> str:
+    """What tells *value* from others that are published in the same function."""
+    if isinstance(value, syntax.Format):
+        return "".join(each.value for each in value.parts if isinstance(each, syntax.String))
+    return str(value.value) if isinstance(value, (syntax.String, syntax.Number, syntax.Boolean)) else ""
+
+
+def _is_publisher(code: Codebase, routine: Routine, receiver: syntax.Expression) -> bool:
     """Whether all that the attribute of self is given are publishers of rclpy."""
-    owner = owner_of(code, routine) if receiver[0] == "field" and receiver[1][0] == "this" else None  # type: ignore[index]
-    values = attribute_values(code, owner, str(receiver[2])) if owner is not None else ()
-    made = [value[1][2] if value[0] == "call" and value[1][0] == "field" else "" for _, value in values]
+    if not isinstance(receiver, syntax.Member) or not isinstance(receiver.object, syntax.This):
+        return False
+    owner = owner_of(code, routine)
+    values = attribute_values(code, owner, receiver.name) if owner is not None else ()
+    made = [_method(value) for _, value in values]
     return bool(made) and set(made) <= {"create_publisher", "create_lifecycle_publisher"}
+
+
+def _method(value: syntax.Expression) -> str:
+    """The method of which *value* is a call."""
+    return value.callee.name if isinstance(value, syntax.Call) and isinstance(value.callee, syntax.Member) else ""
 
 
 CHECK = Check(

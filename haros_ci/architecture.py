@@ -8,12 +8,10 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from haros_ci import __version__
 from haros_ci.config.settings import Settings
 from haros_ci.extract.apis.tables import rows
 from haros_ci.extract.cpp.exact import ExactCall, Place, pick
 from haros_ci.extract.parameter_library import read_parameter_library
-from haros_ci.extract.program_json import from_json, to_json
 from haros_ci.forks import shared
 from haros_ci.link import hints
 from haros_ci.link.index import Source
@@ -31,13 +29,14 @@ from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.package import SourceFile
-from haros_ci.model.program import Program
 from haros_ci.model.workspace import Problem, Store, Workspace
+from haros_ci.own_sources import OF_FACTS, OF_FOLLOWED, digest
+from haros_ci.syntax import Program
+from haros_ci.syntax.codec import decoded, encoded
 from haros_ci.wanted import configurations
 from haros_ci.workspace.build import builds
 
-#: Part of every key: a front end that says something else of the same bytes gets another.
-FACTS = f"{__version__}-10"
+TOO_DEEP = "nested too deeply to be read; split the statements"
 
 
 def architecture(
@@ -143,19 +142,20 @@ def keeper(workspace: Workspace, store: Store) -> Keeper:
     files[XML_FILES] = digest_of(known)  # directories are listed, too
     languages = {file.path: file.language for file in workspace.files}
 
-    def program(path: str, digest: str) -> Program | None:
-        return from_json(store.get(f"facts-{languages[path]}", path, f"{FACTS} {digest}"))
+    def program(path: str, bytes_: str) -> Program | None:
+        return decoded(store.get_text(f"facts-{languages[path]}", path, f"{digest(OF_FACTS)} {bytes_}"))
 
     state = digest_of(sorted(files.items()))
+    code = digest(OF_FOLLOWED)
 
     def get(key: str) -> Any:
-        own = store.get("linked", f"nodes {state}", f"{FACTS} {key}")
-        last = store.get("linked", "last", f"{FACTS} {key}") if own is None else None
-        return store.get("linked", f"nodes {last}", f"{FACTS} {key}") if isinstance(last, str) else own
+        own = store.get("linked", f"nodes {state}", f"{code} {key}")
+        last = store.get("linked", "last", f"{code} {key}") if own is None else None
+        return store.get("linked", f"nodes {last}", f"{code} {key}") if isinstance(last, str) else own
 
     def put(key: str, data: Any) -> None:
-        store.put("linked", f"nodes {state}", f"{FACTS} {key}", data)
-        store.put("linked", "last", f"{FACTS} {key}", state)
+        store.put("linked", f"nodes {state}", f"{code} {key}", data)
+        store.put("linked", "last", f"{code} {key}", state)
 
     return Keeper(files, get, put, program)
 
@@ -177,15 +177,15 @@ def programs(
     roots = [(directory, name) for build in built.values() for name, directory in build.python_roots]
     sources = []
     files = [file for file in workspace.files if file.language in ("cpp", "python")]
-    kept = {file.path: from_json(store.get(*_place(file))) for file in files}
+    kept = {file.path: decoded(store.get_text(*_place(file))) for file in files}
     new = [file for file in files if kept[file.path] is None]
     jobs = [partial(_read, workspace, file.path, file.language) for file in new]
-    for file, data in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
-        store.put(*_place(file), data)
-        kept[file.path] = from_json(data)
+    for file, text in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
+        if text:
+            store.put_text(*_place(file), text)
+        kept[file.path] = decoded(text)
     for file in files:
-        program = kept[file.path]
-        assert program is not None
+        program = kept[file.path] or Program(file.language or "", problems=((1, TOO_DEEP),))
         problems += [Problem(file.path, message, line) for line, message in program.problems]
         module = module_name(file.path, roots) if file.language == "python" else ""
         sources.append(Source(file.path, file.package, program, module))
@@ -208,17 +208,17 @@ def parameter_libraries(workspace: Workspace, built: Mapping[str, Build], proble
 
 def _place(file: SourceFile) -> tuple[str, str, str]:
     """Where the facts of a file are kept: their kind, the path, and all that they depend on."""
-    return f"facts-{file.language}", file.path, f"{FACTS} {file.digest}"
+    return f"facts-{file.language}", file.path, f"{digest(OF_FACTS)} {file.digest}"
 
 
-def _read(workspace: Workspace, path: str, language: str) -> Any:
-    """A file's facts as JSON has them."""
+def _read(workspace: Workspace, path: str, language: str) -> str:
+    """A file's facts as JSON has them; whoever asks for them decodes it, whether they are just read or come from the cache."""
     read: Callable[[str], Program]
     if language == "cpp":
         from haros_ci.extract.cpp.read import read_cpp as read
     else:
         from haros_ci.extract.python.read import read_python as read
-    return to_json(read(workspace.text(path)))
+    return encoded(read(workspace.text(path))) or ""
 
 
 def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:

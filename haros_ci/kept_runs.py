@@ -12,7 +12,7 @@ from hashlib import blake2b
 from typing import Any
 
 from haros_ci.model.workspace import Reader, Store, Workspace
-from haros_ci.program_digest import program_digest
+from haros_ci.own_sources import program_digest
 from haros_ci.results.result import Run
 from haros_ci.results.values import NotThat, plain, read
 from haros_ci.workspace.base import Base

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
-from haros_ci import __version__
 from haros_ci.architecture import programs
 from haros_ci.code.codebase import codebase
 from haros_ci.config.settings import Settings
@@ -22,13 +21,12 @@ from haros_ci.measuring.totals import of_files, of_packages
 from haros_ci.model.measurement import Measurement
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.own_sources import OF_MEASURES, digest
 from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level
 from haros_ci.workspace.build import builds
 
 Progress = Callable[[str], None]
-#: Part of every key: a change of how we measure gets another.
-FACTS = f"{__version__}-3"
 #: What has these metrics.
 TOOL = "metrics"
 
@@ -107,7 +105,7 @@ def structure(workspace: Workspace, store: Store, processes: int) -> Structure:
 
 def _place(file: SourceFile) -> tuple[str, str, str]:
     """Where the facts of a file are kept: their kind, the path, and all that they depend on."""
-    return f"measured-{file.language}", file.path, f"{FACTS} {file.digest}"
+    return f"measured-{file.language}", file.path, f"{digest(OF_MEASURES)} {file.digest}"
 
 
 def _read(workspace: Workspace, path: str, language: str) -> object:

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from haros_ci import syntax
 from haros_ci.code.body import body_of, last_part, nodes
 from haros_ci.code.codebase import Codebase, Routine, codebase
 from haros_ci.code.paths import undone_ways
@@ -28,8 +29,8 @@ def python(text: str) -> tuple[Codebase, Routine]:
     return code, next(each for each in code.routines("a.py") if each.function.kind == "function")
 
 
-def does(expression: Any) -> bool:
-    return any(node[0] == "call" and last_part(node[1]) == "done" for node in nodes(expression))
+def does(expression: syntax.Expression) -> bool:
+    return any(isinstance(node, syntax.Call) and last_part(node.callee) == "done" for node in nodes(expression))
 
 
 def undone(body: str) -> bool:
@@ -117,7 +118,8 @@ def test_uses_of_a_variable() -> None:
         "m.data.push_back(m.y); auto & r = m; g([&]() { m.z = 1; }); return m; }"
     )
     found = [
-        (".".join(use.path), use.role, last_part(use.call[1]) if use.call else "") for use in uses(code, routine, "m")
+        (".".join(use.path), use.role, last_part(use.call.callee) if use.call else "")
+        for use in uses(code, routine, "m")
     ]
     assert found == [
         ("header.stamp", "set", ""),
@@ -208,11 +210,11 @@ def test_a_body_is_facts_in_the_order_of_the_text() -> None:
     assert [call.is_bare for call in body.calls] == [True, False, False, False, True]
     assert [place.kind for place in body.calls[4].around] == ["then"]
     assert body.variables["s"][0].is_static and not body.variables["x"][0].is_static
-    assert [kind[0] for kind, _, _, _ in body.news] == ["T"]
+    assert [kind.name for kind, _, _, _ in body.news] == ["T"]
 
 
 def test_arguments_by_position_or_keyword() -> None:
     code, routine = python("def f():\n  g(1, b=2)\n  g(*c)\n")
     first, second = code.body(routine).calls
-    assert first.argument(0, "a") == ("num", 1) and first.argument(1, "b") == ("num", 2)
+    assert first.argument(0, "a") == syntax.Number(1) and first.argument(1, "b") == syntax.Number(2)
     assert first.argument(2, "c") is None and second.argument(0, "a") is None

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pytest
 
+from haros_ci import syntax
 from haros_ci.code.callbacks import Callback, callbacks, excludes
 from haros_ci.code.calls import called, callers, reached
 from haros_ci.code.clients import client_made, is_node, own_method
@@ -217,19 +218,19 @@ def test_how_a_client_was_made() -> None:
         n_cpp=NODE.format(make='c_ = create_client<S>("s"); d_ = node_->create_client<S>("s", q, g_);', members=members)
     )
     where = routine(code, "N::tick")
-    client = client_made(code, where, ("name", "c_"))
+    client = client_made(code, where, syntax.Name("c_"))
     assert client is not None and (client.node, client.group) == ("N.this", "")
-    client = client_made(code, where, ("name", "d_"))
+    client = client_made(code, where, syntax.Name("d_"))
     assert client is not None and (client.node, client.group) == ("N.node_", "N.g_")
-    assert client_made(code, where, ("name", "e_")) is None
+    assert client_made(code, where, syntax.Name("e_")) is None
 
 
 def test_whether_something_is_a_node() -> None:
     code = made(n_cpp=NODE.format(make="", members="ros::NodeHandle nh_; Foo foo_; void create_timer();"))
     where = routine(code, "N::tick")
-    assert is_node(code, where, None) and is_node(code, where, ("name", "nh_"))
-    assert not is_node(code, where, ("name", "foo_")) and not is_node(code, where, ("name", "unknown_"))
-    assert type_name(code, where, ("name", "nh_")) == "ros::NodeHandle"
+    assert is_node(code, where, None) and is_node(code, where, syntax.Name("nh_"))
+    assert not is_node(code, where, syntax.Name("foo_")) and not is_node(code, where, syntax.Name("unknown_"))
+    assert type_name(code, where, syntax.Name("nh_")) == "ros::NodeHandle"
     body = made(n_cpp=NODE.format(make="create_timer(1s, x); create_service<S>(y);", members="void create_timer();"))
     calls = {call.name: call for call in body.body(routine(body, "N::N")).calls}
     assert own_method(body, routine(body, "N::N"), calls["create_timer"])

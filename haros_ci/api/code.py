@@ -62,8 +62,8 @@ from haros_ci.code.transforms import ASKED, is_caught, is_lookup
 from haros_ci.code.uses import Use, uses
 from haros_ci.code.ways import Reached, in_callbacks
 from haros_ci.code.ways import place as call_place
-from haros_ci.model.program import Parameter as FunctionParameter
-from haros_ci.model.program import Program
+from haros_ci.syntax import Parameter as FunctionParameter
+from haros_ci.syntax import Program
 
 __all__ = [
     "ASKED",

@@ -8,18 +8,21 @@ them, and still a change of theirs is one of the interface. Names have ``?`` for
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias, TypeGuard
 
+from haros_ci import syntax
 from haros_ci.changes.change import shown
 from haros_ci.changes.endpoints import WORDS
 from haros_ci.changes.names import UNKNOWN
 from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
-from haros_ci.model.program import Program
+from haros_ci.syntax import Expression, Program
+from haros_ci.syntax.walk import preorder
 
 #: Rows by the last part of the call's name.
+Arguments: TypeAlias = tuple[Expression, ...]
 Rows = Mapping[str, tuple[Row, ...]]
 _INDEX = re.compile(r"\d+$")
 _OF_TYPE = re.compile(r"type(?:name|of)\((.*)\)$")
@@ -77,28 +80,22 @@ def calls_in(path: str, program: Program, rows: Rows, wrapper: Callable[[str], M
     found: dict[tuple[int, int, str], Call] = {}
     for function in program.functions:
         for part in (function.body, function.inits):
-            for callee, args, types, line, column in calls_below(part):
-                made = made_by(callee, args, types, rows)
-                if made is None and any(_is(arg, "str") for arg in args):
-                    made = wrapper(_last(_callee(callee)))
+            for call in preorder(part):
+                if not isinstance(call, syntax.Call):
+                    continue
+                made = made_by(call, rows)
+                if made is None and any(isinstance(arg, syntax.String) for arg in call.arguments):
+                    made = wrapper(_last(syntax.name_of(call.callee)))
                 if made is not None:
-                    found.setdefault((line, column, made.what), _call(made, args, Location(path, line, column)))
+                    at = Location(path, call.line, call.column)
+                    found.setdefault((call.line, call.column, made.what), _call(made, call.arguments, at))
     return tuple(found[key] for key in sorted(found))
 
 
-def calls_below(value: Any, depth: int = 0) -> Iterator[tuple[Any, Any, Any, int, int]]:
-    """Every call in a block, outer ones first: callee, arguments, template arguments, line and column."""
-    if not isinstance(value, (tuple, list)) or depth > MAX_DEPTH:
-        return
-    if len(value) == 6 and value[0] == "call" and isinstance(value[4], int) and isinstance(value[2], (tuple, list)):
-        yield value[1], value[2], value[3], value[4], value[5]
-    for item in value:
-        yield from calls_below(item, depth + 1)
-
-
-def made_by(callee: Any, args: Any, types: Any, rows: Rows) -> Made | None:
+def made_by(call: syntax.Call, rows: Rows) -> Made | None:
     """What a call of a ROS library makes that changes are told of; None for all other calls."""
-    name = _callee(callee)
+    callee, args, types = call.callee, call.arguments, call.templates
+    name = syntax.name_of(callee)
     fitting = [row for row in rows.get(_last(name), ()) if not row.args or len(args) in row.args] if name else []
     ranked = sorted((-_rank(row, callee, name), bool(row.when), number) for number, row in enumerate(fitting))
     if not ranked or not ranked[0][0]:
@@ -114,18 +111,19 @@ def made_by(callee: Any, args: Any, types: Any, rows: Rows) -> Made | None:
     return None
 
 
-def _rank(row: Row, callee: Any, name: str) -> int:
+def _rank(row: Row, callee: Expression, name: str) -> int:
     """How well the call fits the row by who is called: methods are of classes, which begin with a capital."""
     owner = _last(re.sub(r"(::|\.)[^:.]+$", "", row.call))
-    if _is(callee, "field"):
-        receiver = _last(_callee(callee[1]))
+    if isinstance(callee, syntax.Member):
+        receiver = _last(syntax.name_of(callee.object))
         return 3 if receiver == owner else 2 if owner[:1].isupper() else 0
     above = _last(re.sub(r"(::|\.)?[^:.]+$", "", name))
     return 3 if above == owner else 2 if not above and owner[:1].isupper() else 0 if above else 1
 
 
-def _call(made: Made, args: Any, at: Location) -> Call:
-    name = _text(argument_of(made.name, args))
+def _call(made: Made, args: Arguments, at: Location) -> Call:
+    given = argument_of(made.name, args)
+    name = UNKNOWN if given is None else _text(given)
     value = argument_of(made.value, args)
     return Call(
         what=made.what,
@@ -137,15 +135,15 @@ def _call(made: Made, args: Any, at: Location) -> Call:
     )
 
 
-def _type(position: int | str | None, args: Any, types: Any) -> str | None:
+def _type(position: int | str | None, args: Arguments, types: tuple[syntax.Argument, ...]) -> str | None:
     """The type as written: the template argument, else the argument that names a class."""
-    if types and isinstance(types[0], (tuple, list)) and types[0]:
-        return str(types[0][0]).replace("::", "/")
+    if types and isinstance(types[0], syntax.Type):
+        return types[0].name.replace("::", "/")
     given = argument_of(position, args)
-    return _last(_callee(given)) or None if given is not None else None
+    return _last(syntax.name_of(given)) or None if given is not None else None
 
 
-def _selected(template: Template | None, args: Any) -> int | str | None:
+def _selected(template: Template | None, args: Arguments) -> int | str | None:
     """The argument that a template selects: its number, or a Python keyword."""
     if template is None or len(template.parts) != 1 or isinstance(template.parts[0], str):
         return None
@@ -156,41 +154,31 @@ def _selected(template: Template | None, args: Any) -> int | str | None:
     return None
 
 
-def argument_of(position: int | str | None, args: Any) -> Any:
+def argument_of(position: int | str | None, args: Arguments) -> Expression | None:
     """The argument at a number, or of a keyword; None if it is not given."""
     if isinstance(position, int):
-        plain = [arg for arg in args if not _is(arg, "kw", "star", "starstar")]
+        plain = [arg for arg in args if not isinstance(arg, (syntax.Keyword, syntax.Star, syntax.DoubleStar))]
         return plain[position] if position < len(plain) else None
-    return next((arg[2] for arg in args if _is(arg, "kw") and arg[1] == position), None)
-
-
-def _is(value: Any, *kinds: str) -> bool:
-    return isinstance(value, (tuple, list)) and bool(value) and value[0] in kinds
-
-
-def _callee(value: Any) -> str:
-    if _is(value, "field"):
-        return str(value[2])
-    return str(value[1]) if _is(value, "name") else ""
+    return next((arg.value for arg in args if isinstance(arg, syntax.Keyword) and arg.name == position), None)
 
 
 def _last(name: str) -> str:
     return name.rpartition("::")[2].rpartition(".")[2]
 
 
-def _text(value: Any, depth: int = 0) -> str:
+def _text(value: Expression, depth: int = 0) -> str:
     """The text that an expression has, ``?`` for unknown parts."""
     if depth < MAX_DEPTH:
-        if _is(value, "str"):
-            return str(value[1])
-        if _is(value, "op") and value[1] == "+":
-            return _joined(_text(part, depth + 1) for part in value[2])
-        if _is(value, "format"):
-            return _joined(_text(part, depth + 1) for part in value[1])
-        if _is(value, "cast"):
-            return _text(value[2], depth + 1)
-        if _is(value, "call") and len(value[2]) == 1 and _last(_callee(value[1])) in _CONVERSIONS:
-            return _text(value[2][0], depth + 1)
+        if isinstance(value, syntax.String):
+            return value.value
+        if isinstance(value, syntax.Operation) and value.operator == "+":
+            return _joined(_text(part, depth + 1) for part in value.operands)
+        if isinstance(value, syntax.Format):
+            return _joined(_text(part, depth + 1) for part in value.parts)
+        if isinstance(value, syntax.Cast):
+            return _text(value.value, depth + 1)
+        if _is_conversion(value):
+            return _text(value.arguments[0], depth + 1)
     return UNKNOWN
 
 
@@ -198,19 +186,27 @@ def _joined(parts: Iterable[str]) -> str:
     return re.sub(r"\?+", "?", "".join(parts))
 
 
-def _value(value: Any, depth: int = 0) -> str | None:
+def _is_conversion(value: Expression) -> TypeGuard[syntax.Call]:
+    """Whether *value* is the conversion of one argument."""
+    if not isinstance(value, syntax.Call) or len(value.arguments) != 1:
+        return False
+    return _last(syntax.name_of(value.callee)) in _CONVERSIONS
+
+
+def _value(value: Expression, depth: int = 0) -> str | None:
     """A literal as text; None for all else."""
     if depth > MAX_DEPTH:
         return None
-    if _is(value, "str", "bool", "num"):
-        return shown(value[1])
-    if _is(value, "op") and value[1] == "-" and len(value[2]) == 1 and _is(value[2][0], "num"):
-        return shown(-value[2][0][1])
-    if _is(value, "cast"):
-        return _value(value[2], depth + 1)
-    if _is(value, "call") and len(value[2]) == 1 and _last(_callee(value[1])) in _CONVERSIONS:
-        return _value(value[2][0], depth + 1)
-    if _is(value, "list"):
-        items = [_value(item, depth + 1) for item in value[1]]
+    if isinstance(value, (syntax.String, syntax.Boolean, syntax.Number)):
+        return shown(value.value)
+    if isinstance(value, syntax.Operation) and value.operator == "-" and len(value.operands) == 1:
+        inner = value.operands[0]
+        return shown(-inner.value) if isinstance(inner, syntax.Number) else None
+    if isinstance(value, syntax.Cast):
+        return _value(value.value, depth + 1)
+    if _is_conversion(value):
+        return _value(value.arguments[0], depth + 1)
+    if isinstance(value, syntax.ListLiteral):
+        items = [_value(item, depth + 1) for item in value.items]
         return None if None in items else f"[{', '.join(map(str, items))}]"
     return None

@@ -15,8 +15,8 @@ from haros_ci.changes.settings import Value
 from haros_ci.changes.wrappers import Wrappers
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.changes import Changes
-from haros_ci.model.program import Program
 from haros_ci.model.workspace import Workspace
+from haros_ci.syntax import Program
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,10 +9,11 @@ such thing.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
-from haros_ci.changes.calls import Made, Rows, argument_of, calls_below, made_by
-from haros_ci.model.program import Function, Program
+from haros_ci import syntax
+from haros_ci.changes.calls import Made, Rows, argument_of, made_by
+from haros_ci.syntax import Expression, Function, Program
+from haros_ci.syntax.walk import preorder
 
 #: Wrappers in wrappers are followed so far.
 MAX_DEPTH = 3
@@ -44,38 +45,34 @@ class Wrappers:
 
     def _made(self, function: Function, rows: Rows, depth: int) -> Made | None:
         names = [parameter.name.lstrip("*") for parameter in function.parameters]
-        for callee, args, types, _, _ in calls_below(function.body):
-            made = made_by(callee, args, types, rows)
+        for call in preorder(function.body):
+            if not isinstance(call, syntax.Call):
+                continue
+            made = made_by(call, rows)
             if made is None:
-                inner = (
-                    callee[2]
-                    if callee and callee[0] == "field"
-                    else callee[1]
-                    if callee and callee[0] == "name"
-                    else ""
-                )
-                made = self.named(str(inner).rpartition("::")[2], depth + 1) if inner else None
+                inner = syntax.name_of(call.callee)
+                made = self.named(inner.rpartition("::")[2], depth + 1) if inner else None
             if made is None:
                 continue
-            at = _position(argument_of(made.name, args), names)
+            at = _position(argument_of(made.name, call.arguments), names)
             if at is not None:
-                value = argument_of(made.value, args) if made.value is not None else None
+                value = argument_of(made.value, call.arguments) if made.value is not None else None
                 return Made(made.what, at, _position(value, names))
         return None
 
 
-def _position(value: Any, names: list[str]) -> int | None:
+def _position(value: Expression | None, names: list[str]) -> int | None:
     """Which parameter *value* is, or ends with."""
-    while isinstance(value, (tuple, list)) and value:
-        if value[0] == "name":
-            return names.index(value[1]) if value[1] in names else None
-        if value[0] in ("op", "format"):
-            parts = value[2] if value[0] == "op" and value[1] == "+" else value[1] if value[0] == "format" else ()
+    while value is not None:
+        if isinstance(value, syntax.Name):
+            return names.index(value.name) if value.name in names else None
+        if isinstance(value, (syntax.Operation, syntax.Format)):
+            parts = value.parts if isinstance(value, syntax.Format) else value.operands if value.operator == "+" else ()
             value = parts[-1] if parts else None
-        elif value[0] == "call":
-            value = value[2][-1] if value[2] else None
-        elif value[0] in ("cast", "kw"):
-            value = value[2]
+        elif isinstance(value, syntax.Call):
+            value = value.arguments[-1] if value.arguments else None
+        elif isinstance(value, (syntax.Cast, syntax.Keyword)):
+            value = value.value
         else:
             return None
     return None

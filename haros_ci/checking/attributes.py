@@ -11,13 +11,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Set
 from dataclasses import dataclass
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.checking.project import Project
 from haros_ci.code.classes import Owner, bases
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Block, Expression
+from haros_ci.syntax.walk import below, everything
 
 #: Code that gives objects attributes by name, or asks for them so.
 _BY_NAME = re.compile(
@@ -159,58 +160,52 @@ def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
 
 def _add(one: _Attributes, routine: Routine) -> None:
     """What a method reads and sets; what stands where an AttributeError is caught counts as neither."""
-    waiting: list[Any] = [routine.function.body or ()]
+    waiting = below(routine.function.body)[::-1]
     while waiting:
         node = waiting.pop()
-        if not isinstance(node, (tuple, list)) or not node:
-            continue
-        if node[0] == "try" and len(node) == 3 and any(_catches(each) for each in node[2]):
-            one.has.update(_set_in(node[1]))
-            waiting.append(node[2])
-        elif node[0] == "set" and len(node) == 4 and node[1] == "=":
-            one.has.update(name for is_own, name in _targets(node[2]) if is_own)
-            waiting += [*_rest(node[2]), node[3]]
-        elif node[0] == "field" and len(node) == 3 and tuple(node[1]) == ("this",):
-            one.read.setdefault(str(node[2]), routine)
+        if isinstance(node, syntax.Try) and any(_catches(each) for each in node.handlers):
+            one.has.update(_set_in(node.body))
+            waiting += node.handlers
+        elif isinstance(node, syntax.Assignment) and node.operator == "=":
+            one.has.update(name for is_own, name in _targets(node.target) if is_own)
+            waiting += [*_rest(node.target), node.value]
+        elif isinstance(node, syntax.Member) and isinstance(node.object, syntax.This):
+            one.read.setdefault(node.name, routine)
         else:
-            waiting.extend(reversed(node))
+            waiting += reversed(below(node))
 
 
-def _catches(handler: Any) -> bool:
-    return not str(handler[2]).strip() or "AttributeError" in str(handler[2])
+def _catches(handler: syntax.Handler) -> bool:
+    return not handler.text.strip() or "AttributeError" in handler.text
 
 
-def _set_in(block: Any) -> Iterator[str]:
-    waiting = [block]
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, (tuple, list)) and node:
-            if node[0] == "set" and len(node) == 4:
-                yield from (name for is_own, name in _targets(node[2]) if is_own)
-            waiting.extend(node)
+def _set_in(block: Block) -> Iterator[str]:
+    for node in everything(block):
+        if isinstance(node, syntax.Assignment):
+            yield from (name for is_own, name in _targets(node.target) if is_own)
 
 
 def _targets(target: Expression) -> Iterator[tuple[bool, str]]:
     """The attributes that an assignment sets: whether it is one of ``self``, and its name."""
-    if target[0] == "list":
-        for each in target[1]:
+    if isinstance(target, syntax.ListLiteral):
+        for each in target.items:
             yield from _targets(each)
-    elif target[0] in ("star", "starstar"):
-        yield from _targets(target[1])
-    elif target[0] == "field":
-        yield tuple(target[1]) == ("this",), str(target[2])
+    elif isinstance(target, (syntax.Star, syntax.DoubleStar)):
+        yield from _targets(target.value)
+    elif isinstance(target, syntax.Member):
+        yield isinstance(target.object, syntax.This), target.name
 
 
 def _rest(target: Expression) -> Iterator[Expression]:
     """What an assignment's target reads."""
-    if target[0] == "list":
-        for each in target[1]:
+    if isinstance(target, syntax.ListLiteral):
+        for each in target.items:
             yield from _rest(each)
-    elif target[0] in ("star", "starstar"):
-        yield from _rest(target[1])
-    elif target[0] == "field":
-        if tuple(target[1]) != ("this",):
-            yield target[1]
+    elif isinstance(target, (syntax.Star, syntax.DoubleStar)):
+        yield from _rest(target.value)
+    elif isinstance(target, syntax.Member):
+        if not isinstance(target.object, syntax.This):
+            yield target.object
     else:
         yield target
 

@@ -10,9 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
-from haros_ci.model.program import Function, Program
+from haros_ci import syntax
+from haros_ci.code.body import last_part
+from haros_ci.syntax import Block, Expression, Function, Program, Statement
+from haros_ci.syntax.walk import everything
 
 _SWITCH = re.compile(r"publish|broadcast|tf|transform|enable|use_|static", re.IGNORECASE)
 _READS = ("get_parameter", "get_parameter_or", "declare_parameter", "param", "getParam", "get_param", "getParamCached")
@@ -42,10 +44,10 @@ class Sent:
 @dataclass(slots=True)
 class _Facts:
     #: What is assigned to a variable or field, by its path as text, with the function where it is a local one.
-    assigned: dict[tuple[str, str], list[Any]] = field(default_factory=dict)
+    assigned: dict[tuple[str, str], list[Expression]] = field(default_factory=dict)
     #: The texts of conditions around calls of a function, by its last name.
     guards: dict[str, list[str]] = field(default_factory=dict)
-    sends: list[tuple[Function, Any, tuple[str, ...]]] = field(default_factory=list)
+    sends: list[tuple[Function, syntax.Call, tuple[str, ...]]] = field(default_factory=list)
     locals: dict[str, set[str]] = field(default_factory=dict)
 
 
@@ -65,87 +67,89 @@ def sent(program: Program) -> tuple[Sent, ...]:
         if any(each for each in around) or any(_SWITCH.search(text) for text in facts.guards.get(name, ())):
             continue
         key = str(program.functions.index(function))
-        child, parent = _frames(facts, program, key, call[2])
-        found.append(Sent(function.owner, child, parent, _path(call[1][1]), call[4], call[5]))
+        child, parent = _frames(facts, program, key, call.arguments)
+        receiver = _path(call.callee.object) if isinstance(call.callee, syntax.Member) else ""
+        found.append(Sent(function.owner, child, parent, receiver, call.line, call.column))
     return tuple(found)
 
 
-def _statements(block: Any, around: tuple[str, ...]) -> Iterator[tuple[Any, tuple[str, ...]]]:
+def _statements(block: Block, around: tuple[str, ...]) -> Iterator[tuple[Statement, tuple[str, ...]]]:
     """All statements, with the conditions around each; what follows a conditional return about publishing is under it."""
-    for statement in block or ():
-        kind = statement[0]
+    for statement in block:
         yield statement, around
-        if kind == "if":
-            text = str(statement[3])
-            yield from _statements(statement[5], (*around, text))
-            yield from _statements(statement[8], (*around, text))
-            if _SWITCH.search(text) and any(each[0] == "return" for each in statement[5]):
+        if isinstance(statement, syntax.If):
+            text = str(statement.text)
+            yield from _statements(statement.then, (*around, text))
+            yield from _statements(statement.other, (*around, text))
+            if _SWITCH.search(text) and any(isinstance(each, syntax.Return) for each in statement.then):
                 around = (*around, text)
-        elif kind == "loop":
-            yield from _statements(statement[5], around)
-            yield from _statements(statement[7], around)
-        elif kind == "each":
-            yield from _statements(statement[7], (*around, "each"))
-        elif kind == "switch":
-            for _, inner in statement[5]:
-                yield from _statements(inner, (*around, str(statement[3])))
-        elif kind == "try":
-            yield from _statements(statement[1], around)
-            for handler in statement[2]:
-                yield from _statements(handler[5], (*around, "catch"))
-        elif kind == "pre":
-            for branch in statement[1]:
-                yield from _statements(branch[3], (*around, str(branch[2])))
-        elif kind == "block":
-            yield from _statements(statement[1], around)
-        elif kind == "static":
-            yield from _statements((statement[1],), around)
+        elif isinstance(statement, syntax.Loop):
+            yield from _statements(statement.before, around)
+            yield from _statements(statement.body, around)
+        elif isinstance(statement, syntax.Each):
+            yield from _statements(statement.body, (*around, "each"))
+        elif isinstance(statement, syntax.Switch):
+            for case in statement.cases:
+                yield from _statements(case.body, (*around, statement.text))
+        elif isinstance(statement, syntax.Try):
+            yield from _statements(statement.body, around)
+            for handler in statement.handlers:
+                yield from _statements(handler.body, (*around, "catch"))
+        elif isinstance(statement, syntax.Preprocessor):
+            for branch in statement.branches:
+                yield from _statements(branch.body, (*around, branch.text))
+        elif isinstance(statement, syntax.Nested):
+            yield from _statements(statement.body, around)
+        elif isinstance(statement, syntax.Static):
+            yield from _statements((statement.statement,), around)
 
 
-def _note(facts: _Facts, function: Function, key: str, statement: Any, around: tuple[str, ...]) -> None:
-    kind = statement[0]
-    if kind == "var":
-        facts.locals[key].add(statement[1])
-        if statement[3] is not None:
+def _note(facts: _Facts, function: Function, key: str, statement: Statement, around: tuple[str, ...]) -> None:
+    if isinstance(statement, syntax.Variable):
+        facts.locals[key].add(statement.name)
+        init = statement.init
+        if init is not None:
             value = (
-                statement[3][1]
-                if statement[3][0] == "="
-                else ("call", ("type", statement[2]), statement[3][1], (), 0, 0)
+                init.value
+                if isinstance(init, syntax.Equals)
+                else syntax.Call(syntax.TypeName(statement.type), init.arguments, (), 0, 0)
             )
-            facts.assigned.setdefault((key, statement[1]), []).append(value)
+            facts.assigned.setdefault((key, statement.name), []).append(value)
     for expression in _expressions(statement):
-        for each in _within(expression):
-            if each[0] == "set" and each[1] == "=":
-                _assign(facts, function, key, each[2], each[3])
-            elif each[0] == "call":
+        for each in everything(expression):
+            if isinstance(each, syntax.Assignment) and each.operator == "=":
+                _assign(facts, function, key, each.target, each.value)
+            elif isinstance(each, syntax.Call):
                 _called(facts, function, key, each, around)
 
 
-def _assign(facts: _Facts, function: Function, key: str, target: Any, value: Any) -> None:
+def _assign(facts: _Facts, function: Function, key: str, target: Expression, value: Expression) -> None:
     path = _path(target)
     if path:
         if function.kind == "module" or path.partition(".")[0] not in facts.locals[key]:
-            is_python_local = target[0] == "name" and value and function.kind != "module" and "." not in path
+            is_python_local = isinstance(target, syntax.Name) and function.kind != "module" and "." not in path
             if is_python_local and not path.endswith("_"):
                 facts.locals[key].add(path)
         scope = key if path.partition(".")[0] in facts.locals[key] else ""
         facts.assigned.setdefault((scope, path), []).append(value)
 
 
-def _called(facts: _Facts, function: Function, key: str, call: Any, around: tuple[str, ...]) -> None:
-    callee = call[1]
-    name = callee[2] if callee[0] == "field" else callee[1].rpartition("::")[2] if callee[0] == "name" else ""
-    if name == "sendTransform" and callee[0] == "field":
+def _called(facts: _Facts, function: Function, key: str, call: syntax.Call, around: tuple[str, ...]) -> None:
+    callee = call.callee
+    name = last_part(callee)
+    if name == "sendTransform" and isinstance(callee, syntax.Member):
         facts.sends.append((function, call, around))
     elif name:
         facts.guards.setdefault(name, []).extend(around)
-    if name in _READS and len(call[2]) > 1 and call[2][1][0] in ("name", "field"):
-        path = _path(call[2][1])
+    if name in _READS and len(call.arguments) > 1 and isinstance(call.arguments[1], (syntax.Name, syntax.Member)):
+        path = _path(call.arguments[1])
         scope = key if path.partition(".")[0] in facts.locals[key] else ""
         facts.assigned.setdefault((scope, path), []).append(call)
 
 
-def _frames(facts: _Facts, program: Program, key: str, given: Any) -> tuple[Frame | None, Frame | None]:
+def _frames(
+    facts: _Facts, program: Program, key: str, given: tuple[Expression, ...]
+) -> tuple[Frame | None, Frame | None]:
     """Child and parent of what sendTransform is *given*."""
     if len(given) == 5:  # tf of ROS 1 in Python: translation, rotation, time, child, parent
         return _frame(facts, program, key, given[3]), _frame(facts, program, key, given[4])
@@ -154,10 +158,11 @@ def _frames(facts: _Facts, program: Program, key: str, given: Any) -> tuple[Fram
     made = given[0]
     path = _path(made)
     values = facts.assigned.get((key, path)) or facts.assigned.get(("", path)) or []
-    if made[0] != "call" and len(values) == 1 and values[0][0] == "call":
+    if not isinstance(made, syntax.Call) and len(values) == 1 and isinstance(values[0], syntax.Call):
         made = values[0]
-    if made[0] == "call" and _type_name(made[1]).endswith("StampedTransform") and len(made[2]) == 4:
-        return _frame(facts, program, key, made[2][3]), _frame(facts, program, key, made[2][2])
+    if isinstance(made, syntax.Call) and _type_name(made.callee).endswith("StampedTransform"):
+        if len(made.arguments) == 4:
+            return _frame(facts, program, key, made.arguments[3]), _frame(facts, program, key, made.arguments[2])
     if not path:
         return None, None
     child = _set(facts, program, key, f"{path}.child_frame_id")
@@ -172,24 +177,22 @@ def _set(facts: _Facts, program: Program, key: str, path: str) -> Frame | None:
     return frames.pop() if len(frames) == 1 else None
 
 
-def _frame(facts: _Facts, program: Program, key: str, value: Any, depth: int = 0) -> Frame | None:
+def _frame(facts: _Facts, program: Program, key: str, value: Expression, depth: int = 0) -> Frame | None:
     """The frame that an expression says: a literal, a constant, or what is read from a parameter."""
     if depth > 5:
         return None
-    if value[0] == "str":
-        return Frame(value[1]) if value[1] else None
-    if value[0] == "call":
+    if isinstance(value, syntax.String):
+        return Frame(value.value) if value.value else None
+    if isinstance(value, syntax.Call):
         return _read(facts, program, key, value, depth)
-    if value[0] == "field" and value[2] in _UNWRAPS:
-        return _frame(facts, program, key, value[1], depth + 1)
+    if isinstance(value, syntax.Member) and value.name in _UNWRAPS:
+        return _frame(facts, program, key, value.object, depth + 1)
     path = _path(value)
     if not path:
         return None
     values = [*facts.assigned.get((key, path), ()), *facts.assigned.get(("", path), ())]
     if not values:
-        values = [
-            each.init[1] for each in _constants(program) if _last(each.name) == _last(path) and each.init[0] == "="
-        ]
+        values = [init for name, init in _constants(program) if _last(name) == _last(path)]
     frames = {_frame(facts, program, key, each, depth + 1) for each in values}
     named = {frame for frame in frames if frame is not None and frame.parameter}
     if len(named) == 1 and None not in frames:
@@ -197,69 +200,57 @@ def _frame(facts: _Facts, program: Program, key: str, value: Any, depth: int = 0
     return frames.pop() if len(frames) == 1 else None
 
 
-def _read(facts: _Facts, program: Program, key: str, call: Any, depth: int) -> Frame | None:
-    callee = call[1]
-    if callee[0] == "field" and callee[2] in _UNWRAPS:
-        return _frame(facts, program, key, callee[1], depth + 1)
-    name = callee[2] if callee[0] == "field" else callee[1].rpartition("::")[2] if callee[0] == "name" else ""
-    if name in _READS and call[2] and call[2][0][0] == "str":
-        return Frame(parameter=call[2][0][1])
+def _read(facts: _Facts, program: Program, key: str, call: syntax.Call, depth: int) -> Frame | None:
+    callee = call.callee
+    if isinstance(callee, syntax.Member) and callee.name in _UNWRAPS:
+        return _frame(facts, program, key, callee.object, depth + 1)
+    name = last_part(callee)
+    if name in _READS and call.arguments and isinstance(call.arguments[0], syntax.String):
+        return Frame(parameter=call.arguments[0].value)
     return None
 
 
-def _constants(program: Program) -> Iterator[Any]:
+def _constants(program: Program) -> Iterator[tuple[str, Expression]]:
+    """The variables and members that are assigned where they are declared, and to what."""
     for each in (*program.variables, *(each for one in program.classes for each in one.fields)):
-        if each.init and each.init[0] == "=":
-            yield each
+        if isinstance(each.init, syntax.Equals):
+            yield each.name, each.init.value
 
 
 def _last(path: str) -> str:
     return path.replace("::", ".").rpartition(".")[2]
 
 
-def _type_name(callee: Any) -> str:
-    if callee[0] == "type":
-        return str(callee[1][0])
-    return str(callee[1]) if callee[0] == "name" else str(callee[2]) if callee[0] == "field" else ""
+def _type_name(callee: Expression) -> str:
+    return callee.type.name if isinstance(callee, syntax.TypeName) else syntax.name_of(callee)
 
 
-def _path(value: Any) -> str:
+def _path(value: Expression) -> str:
     """``a.b.c`` of names and fields; "" of anything else. ``this`` and ``self`` are left out."""
     parts: list[str] = []
-    while value[0] in ("field", "*", "&"):
-        if value[0] == "field":
-            parts.append(value[2])
-        value = value[1]
-    if value[0] == "name":
-        parts.append(value[1])
-    elif value[0] != "this":
+    while isinstance(value, (syntax.Member, syntax.Dereference, syntax.Address)):
+        if isinstance(value, syntax.Member):
+            parts.append(value.name)
+        value = value.object if isinstance(value, syntax.Member) else value.value
+    if isinstance(value, syntax.Name):
+        parts.append(value.name)
+    elif not isinstance(value, syntax.This):
         return ""
     return ".".join(reversed(parts))
 
 
-def _expressions(statement: Any) -> Iterator[Any]:
+def _expressions(statement: Statement) -> Iterator[Expression]:
     """The expressions of one statement, without those of the statements inside it."""
-    kind = statement[0]
-    if kind in ("do", "step", "return", "throw") and statement[1] is not None:
-        yield statement[1]
-    elif kind == "var" and statement[3] is not None:
-        yield from statement[3][1] if statement[3][0] != "=" else (statement[3][1],)
-    elif kind in ("if", "switch"):
-        yield statement[4]
-    elif kind == "loop" and statement[6] is not None:
-        yield statement[6]
-
-
-def _within(expression: Any) -> Iterator[Any]:
-    """*expression* and all expressions in it."""
-    pending = [expression]
-    while pending:
-        each = pending.pop()
-        if not isinstance(each, (tuple, list)) or not each:
-            continue
-        if isinstance(each[0], str):
-            yield each
-        pending.extend(part for part in each if isinstance(part, (tuple, list)))
+    if isinstance(statement, (syntax.Do, syntax.Step, syntax.Return, syntax.Throw)):
+        yield from (statement.value,) if statement.value is not None else ()
+    elif isinstance(statement, syntax.Variable):
+        yield from syntax.started(statement.init)
+    elif isinstance(statement, syntax.If):
+        yield statement.test
+    elif isinstance(statement, syntax.Switch):
+        yield statement.value
+    elif isinstance(statement, syntax.Loop) and statement.test is not None:
+        yield statement.test
 
 
 def resolved(frame: Frame | None, parameters: Mapping[str, str]) -> str | None:

@@ -11,15 +11,16 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from haros_ci import syntax
 from haros_ci.checking.message_fields import Typed, expressions, typed_routines
 from haros_ci.checking.project import Project
-from haros_ci.code.body import nodes
+from haros_ci.code.body import names_in, nodes
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.code.kinds import dotted
 from haros_ci.interfaces.definitions import FieldType, field_type
 from haros_ci.interfaces.structs import Struct
 from haros_ci.model.location import Location
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 #: What calls return, by dotted names.
 _RETURNED = {
@@ -27,6 +28,14 @@ _RETURNED = {
     **dict.fromkeys(("float", "time.time", "math.sin", "math.cos", "math.atan2", "math.sqrt", "math.radians"), "float"),
     **dict.fromkeys(("str", "repr", "json.dumps"), "str"),
     "bool": "bool",
+}
+#: What literals are.
+_LITERALS: dict[type[syntax.Node], str] = {
+    syntax.Boolean: "bool",
+    syntax.String: "str",
+    syntax.Format: "str",
+    syntax.Null: "none",
+    syntax.ListLiteral: "list",
 }
 _INTEGERS = {f"{sign}int{bits}": bits for sign in ("", "u") for bits in (8, 16, 32, 64)}
 _FLOATS = frozenset(("float32", "float64"))
@@ -68,28 +77,29 @@ def _given(code: Codebase, typed: Typed) -> Iterator[tuple[str, str, Expression,
     """The types of fields that are given values, with the kind of the value, the value, and how the field is written."""
     for expression in expressions(typed.routine.function.body or ()):
         for node in nodes(expression):
-            if node[0] == "set" and node[1] == "=":
-                field = _field(node[2], typed)
-                kind = kind_of(code, typed.routine, node[3]) if field is not None else ""
+            if isinstance(node, syntax.Assignment) and node.operator == "=":
+                field = _field(node.target, typed)
+                kind = kind_of(code, typed.routine, node.value) if field is not None else ""
                 if field is not None and kind:
-                    yield field[0], kind, node[3], field[1]
-            elif node[0] == "call":
-                struct = typed.struct_of(code, node)
-                for each in node[2] if struct is not None else ():
-                    kind = kind_of(code, typed.routine, each[2]) if each[0] == "kw" else ""
-                    if kind and struct is not None and each[1] in struct.fields:
-                        yield struct.fields[each[1]], kind, each[2], f"{struct.name.rpartition('.')[2]}({each[1]}="
+                    yield field[0], kind, node.value, field[1]
+            elif isinstance(node, syntax.Call) and (struct := typed.struct_of(code, node)) is not None:
+                maker = struct.name.rpartition(".")[2]
+                for each in node.arguments:
+                    if isinstance(each, syntax.Keyword) and each.name in struct.fields:
+                        kind = kind_of(code, typed.routine, each.value)
+                        if kind:
+                            yield struct.fields[each.name], kind, each.value, f"{maker}({each.name}="
 
 
 def _field(target: Expression, typed: Typed) -> tuple[str, str] | None:
     """The type of the field that *target* is, and how it is written; None if that is not known."""
     chain: list[str] = []
-    while target[0] == "field":
-        chain.append(str(target[2]))
-        target = target[1]
-    if not chain or target[0] not in ("name", "this"):
+    while isinstance(target, syntax.Member):
+        chain.append(target.name)
+        target = target.object
+    if not chain or not isinstance(target, (syntax.Name, syntax.This)):
         return None
-    written = str(target[1]) if target[0] == "name" else f"self.{chain.pop()}"
+    written = target.name if isinstance(target, syntax.Name) else f"self.{chain.pop()}"
     struct: Struct | None = typed.variables.get(written)
     while struct is not None and chain:
         name = chain.pop()
@@ -102,40 +112,42 @@ def _field(target: Expression, typed: Typed) -> tuple[str, str] | None:
 
 def kind_of(code: Codebase, routine: Routine, value: Expression, steps: int = 3) -> str:
     """``int``, ``float``, ``bool``, ``str``, ``none``, ``list`` or ``Time`` (an object of the client library); "" if it is not known."""
-    tag = value[0]
-    if tag == "num":
-        return "int" if isinstance(value[1], int) else "float"
-    if tag in ("bool", "str", "none", "list"):
-        return str(tag)
-    if tag == "format":
-        return "str"
-    if tag == "op":
+    if isinstance(value, syntax.Number):
+        return "int" if isinstance(value.value, int) else "float"
+    if isinstance(value, syntax.Operation):
         return _computed(code, routine, value, steps)
-    if tag == "call":
+    if isinstance(value, syntax.Call):
         return _called(code, routine, value)
-    if tag == "name" and steps > 0:
-        return _variable(code, routine, str(value[1]), steps - 1)
-    return ""
+    if isinstance(value, syntax.Name):
+        return _variable(code, routine, value.name, steps - 1) if steps > 0 else ""
+    return _LITERALS.get(type(value), "")
 
 
-def _computed(code: Codebase, routine: Routine, value: Expression, steps: int) -> str:
+def _computed(code: Codebase, routine: Routine, value: syntax.Operation, steps: int) -> str:
     """Of numbers: a sign, a product, a quotient."""
-    kinds = {kind_of(code, routine, each, steps - 1) for each in value[2]} if steps > 0 else {""}
-    if not kinds <= {"int", "float"} or value[1] not in ("+", "-", "*", "/"):
+    kinds = {kind_of(code, routine, each, steps - 1) for each in value.operands} if steps > 0 else {""}
+    if not kinds <= {"int", "float"} or value.operator not in ("+", "-", "*", "/"):
         return ""
-    return "float" if "float" in kinds or value[1] == "/" else "int"
+    return "float" if "float" in kinds or value.operator == "/" else "int"
 
 
-def _called(code: Codebase, routine: Routine, call: Expression) -> str:
-    callee = call[1]
-    if callee[0] == "field" and callee[2] == "now" and not call[2] and code.ros_of(routine.source) == 2:
-        inner = callee[1]
-        return "Time" if inner[0] == "call" and inner[1][0] == "field" and inner[1][2] == "get_clock" else ""
-    name = str(callee[1]) if callee[0] == "name" else dotted(code, routine, callee)
-    if callee[0] == "name" and dotted(code, routine, callee) not in ("", name):
-        name = dotted(code, routine, callee)
+def _called(code: Codebase, routine: Routine, call: syntax.Call) -> str:
+    callee = call.callee
+    is_now = isinstance(callee, syntax.Member) and callee.name == "now" and not call.arguments
+    if is_now and code.ros_of(routine.source) == 2:
+        return "Time" if _is_clock(callee) else ""
+    name = dotted(code, routine, callee)
+    if not name and isinstance(callee, syntax.Name):
+        name = callee.name
     is_own = any(each.name == name for each in routine.source.program.functions)
     return "" if is_own else _RETURNED.get(name, "")
+
+
+def _is_clock(callee: Expression) -> bool:
+    """Whether *callee* is a method of what ``get_clock()`` returns."""
+    value = callee.object if isinstance(callee, syntax.Member) else None
+    made = value.callee if isinstance(value, syntax.Call) else None
+    return isinstance(made, syntax.Member) and made.name == "get_clock"
 
 
 def _variable(code: Codebase, routine: Routine, name: str, steps: int) -> str:
@@ -149,11 +161,9 @@ def _variable(code: Codebase, routine: Routine, name: str, steps: int) -> str:
         return ""
     kinds: set[str] = set()
     for target, operator, value, _ in body.sets:
-        if target[0] == "name" and target[1] == name:
+        if isinstance(target, syntax.Name) and target.name == name:
             kinds.add(kind_of(code, routine, value, steps) if operator == "=" else "")
-        elif target[0] not in ("field", "index") and any(
-            node[0] == "name" and node[1] == name for node in nodes(target)
-        ):
+        elif not isinstance(target, (syntax.Member, syntax.Subscript)) and name in names_in(target):
             return ""
     return kinds.pop() if len(kinds) == 1 and name not in _shared(code, routine) else ""
 
@@ -184,11 +194,11 @@ def _fits(kind: str, value: Expression, written: str, ros: int) -> bool:
 
 
 def _fits_list(kind: str, value: Expression, wanted: FieldType, ros: int) -> bool:
-    if kind == "list" and value[0] == "list":
-        items = value[1]
+    if kind == "list" and isinstance(value, syntax.ListLiteral):
+        items = value.items
         if len(items) > _MANY or wanted.base not in _FLOATS or ros == 1:
             return True
-        return not any(each[0] == "num" and isinstance(each[1], int) for each in items)
+        return not any(isinstance(each, syntax.Number) and isinstance(each.value, int) for each in items)
     return kind in ("list", "str") if ros == 1 else kind == "list"
 
 
@@ -207,9 +217,9 @@ def _fits_one(kind: str, wanted: FieldType, ros: int) -> bool:
 
 def _shown(value: Expression) -> str:
     """The value as text, where it is short."""
-    if value[0] in ("num", "bool", "str"):
-        text = repr(value[1])
-    elif value[0] == "none":
+    if isinstance(value, (syntax.Number, syntax.Boolean, syntax.String)):
+        text = repr(value.value)
+    elif isinstance(value, syntax.Null):
         text = "None"
     else:
         return ""

@@ -13,7 +13,7 @@ from haros_ci.checking.provision import Sources, exists
 from haros_ci.checking.worlds import serves_both
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
-from haros_ci.model.program import Program
+from haros_ci.syntax import Program
 
 _IMPORT = re.compile(r"^(?:import[ \t]+([^#\n;]+)|from[ \t]+([\w.]+)[ \t]+import\b)", re.M)
 _IMPORTS = re.compile(
@@ -115,7 +115,7 @@ def _is_left(modules: Set[str], package: ProjectPackage) -> bool:
 
 def imported(path: str, text: str, program: Program | None) -> Iterator[tuple[str, Location]]:
     """The top-level modules of imports that begin a line; with the *program* of the file, those only that it has, too."""
-    known = None if program is None else {str(alias.type[0]).partition(".")[0] for alias in program.aliases}
+    known = None if program is None else {str(alias.type.name).partition(".")[0] for alias in program.aliases}
     for match in _IMPORT.finditer(text):
         words = [match[2]] if match[2] else [part.split()[0] for part in match[1].split(",") if part.split()]
         for word in words:

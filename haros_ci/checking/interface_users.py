@@ -62,7 +62,7 @@ class InterfaceUsers:
         made: dict[Reference, list[tuple[str, str]]] = {}
         for path, program in self.project.programs.items():
             if program.language == "python":
-                named = {str(alias.type[0]): of_import(str(alias.type[0])) for alias in program.aliases}
+                named = {str(alias.type.name): of_import(str(alias.type.name)) for alias in program.aliases}
             else:
                 named = {written: of_include(written.strip('"<>')) for written in program.includes}
             for written, reference in named.items():

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from haros_ci import syntax
 from haros_ci.checking.interface_users import defined_in
 from haros_ci.checking.project import Project
 from haros_ci.code.body import nodes
@@ -21,7 +22,7 @@ from haros_ci.code.kinds import attribute_values, dotted
 from haros_ci.interfaces.definitions import Definitions
 from haros_ci.interfaces.structs import Struct, Structs
 from haros_ci.model.location import Location
-from haros_ci.model.program import Block, Expression
+from haros_ci.syntax import Block, Expression
 
 _INTERFACE = re.compile(r"\.(?:msg|srv|action)(?:\.|\Z)")
 #: Code that asks which ROS it runs in is for both.
@@ -58,9 +59,9 @@ class Typed:
     structs: Structs
     variables: dict[str, Struct]
 
-    def struct_of(self, code: Codebase, call: Expression) -> Struct | None:
+    def struct_of(self, code: Codebase, call: syntax.Call) -> Struct | None:
         """The class of which *call* makes an object."""
-        return self.structs.named(_imported(code, self.routine, call[1]))
+        return self.structs.named(_imported(code, self.routine, call.callee))
 
 
 def missing_fields(project: Project) -> Iterator[Missing]:
@@ -81,7 +82,7 @@ def typed_routines(project: Project) -> Iterator[Typed]:
     for source in code.sources:
         if source.program.language != "python" or source.path.endswith(".pyi"):
             continue
-        if not any(_INTERFACE.search(str(alias.type[0])) for alias in source.program.aliases):
+        if not any(_INTERFACE.search(str(alias.type.name)) for alias in source.program.aliases):
             continue
         ros = code.ros_of(source)
         if ros not in structs or source.package in both or _EITHER.search(project.text(source.path)):
@@ -111,7 +112,7 @@ def _in_routine(code: Codebase, each: Typed) -> Iterator[Missing]:
         struct = each.struct_of(code, call.whole)
         if struct is None or any(place.kind == "try" for place in call.around):
             continue
-        given = [str(each[1]) for each in call.args if each[0] == "kw"]
+        given = [one.name for one in call.args if isinstance(one, syntax.Keyword)]
         lacking = [name for name in given if not struct.has(name) and (struct.name, name) not in seen]
         seen.update((struct.name, name) for name in lacking)
         if lacking:
@@ -130,12 +131,12 @@ def _in_routine(code: Codebase, each: Typed) -> Iterator[Missing]:
 def _lacking(node: Expression, typed: dict[str, Struct], structs: Structs) -> tuple[Struct, str, str] | None:
     """For ``msg.a.b``: the first part that is not there, with the class that lacks it and the text up to it."""
     chain: list[str] = []
-    while node[0] == "field":
-        chain.append(str(node[2]))
-        node = node[1]
-    if not chain or node[0] not in ("name", "this"):
+    while isinstance(node, syntax.Member):
+        chain.append(str(node.name))
+        node = node.object
+    if not chain or not isinstance(node, (syntax.Name, syntax.This)):
         return None
-    written = str(node[1]) if node[0] == "name" else f"self.{chain.pop()}"
+    written = node.name if isinstance(node, syntax.Name) else f"self.{chain.pop()}"
     struct = typed.get(written)
     for name in reversed(chain):
         if struct is None:
@@ -153,13 +154,13 @@ def _locals(code: Codebase, routine: Routine, structs: Structs) -> dict[str, Str
     values: dict[str, list[Expression | None]] = {each.name.lstrip("*"): [None] for each in routine.function.parameters}
     for target, operator, value, _ in body.sets:
         for node in nodes(target):
-            if node[0] == "name":
-                values.setdefault(str(node[1]), []).append(value if node is target and operator == "=" else None)
-            elif node[0] in ("field", "index") and node is target:
+            if isinstance(node, syntax.Name):
+                values.setdefault(str(node.name), []).append(value if node is target and operator == "=" else None)
+            elif isinstance(node, (syntax.Member, syntax.Subscript)) and node is target:
                 break  # what is set is a part of an object
     for name, variables in body.variables.items():
         for each in variables:
-            values.setdefault(name, []).append(each.init[1] if each.init is not None and each.init[0] == "=" else None)
+            values.setdefault(name, []).append(each.assigned)
     found = {name: _made(code, structs, [(routine, each) for each in given]) for name, given in values.items()}
     return {name: struct for name, struct in found.items() if struct is not None}
 
@@ -172,7 +173,8 @@ def _attributes(code: Codebase, routine: Routine, structs: Structs) -> dict[str,
     key = ("message attributes", id(owner[1]), structs.known.ros)
     if key not in code.kept:
         made: dict[str, Struct] = {}
-        names = {str(t[2]) for each in code.routines(routine.path) for t, *_ in code.body(each).sets if t[0] == "field"}
+        every = (target for each in code.routines(routine.path) for target, *_ in code.body(each).sets)
+        names = {target.name for target in every if isinstance(target, syntax.Member)}
         for name in sorted(names):
             struct = _made(code, structs, list(attribute_values(code, owner, name)))
             if struct is not None and not _is_shared(code, routine.path, f"{owner[1].name}.{name}"):
@@ -195,25 +197,25 @@ def _made(code: Codebase, structs: Structs, values: Sequence[tuple[Routine, Expr
     """What all of *values* make, if each is a call of one and the same constructor."""
     made = set()
     for routine, value in values:
-        made.add(_imported(code, routine, value[1]) if value is not None and value[0] == "call" else "")
+        made.add(_imported(code, routine, value.callee) if isinstance(value, syntax.Call) else "")
     return structs.named(made.pop()) if len(made) == 1 else None
 
 
 def _imported(code: Codebase, routine: Routine, expression: Expression) -> str:
     """The dotted name that *expression* has through imports; "" where the file defines the name itself, too."""
     head = expression
-    while head[0] == "field":
-        head = head[1]
+    while isinstance(head, syntax.Member):
+        head = head.object
     program = routine.source.program
     names = {*(each.name for each in program.classes), *(each.name for each in program.functions)}
-    own = head[0] == "name" and head[1] in names
+    own = isinstance(head, syntax.Name) and head.name in names
     return "" if own else dotted(code, routine, expression)
 
 
 def _is_asked(code: Codebase, routine: Routine, name: str) -> bool:
     """Whether code looks what the object has, or another function may set the variable."""
     for call in code.body(routine).calls:
-        if call.name in ASKING and any(each[0] == "name" and each[1] == name for each in call.args):
+        if call.name in ASKING and any(isinstance(each, syntax.Name) and each.name == name for each in call.args):
             return True
     shared = re.compile(rf"^\s*(?:global|nonlocal)\s[^\n]*\b{re.escape(name)}\b", re.M)
     return shared.search(code.text(routine.path)) is not None
@@ -245,14 +247,14 @@ def _parameters(code: Codebase, structs: dict[int, Structs]) -> dict[int, dict[s
 def _types(code: Codebase, callback: Callback) -> tuple[str, ...]:
     """The dotted names of the types that the callback's parameters have, in order; () if they are not known."""
     row = _REGISTERED.get((callback.call.name, callback.ros or 0))
-    if row is None or any(each[0] == "kw" and each[1] == "raw" for each in callback.call.args):
+    if row is None or any(isinstance(each, syntax.Keyword) and each.name == "raw" for each in callback.call.args):
         return ()
     (position, keyword), roles, parts = row
-    given = [each for each in callback.call.args if each[0] != "starstar"]
-    taken = next((each for each in given if each[0] == "kw" and each[1] == callback.role), None)
-    value = taken[2] if taken is not None else given[int(callback.role)] if callback.role.isdigit() else None
+    given = [each for each in callback.call.args if not isinstance(each, syntax.DoubleStar)]
+    taken = next((each for each in given if isinstance(each, syntax.Keyword) and each.name == callback.role), None)
+    value = taken.value if taken is not None else given[int(callback.role)] if callback.role.isdigit() else None
     written = callback.call.argument(position, keyword)
-    if callback.role not in roles or written is None or value is None or value[0] == "call":
+    if callback.role not in roles or written is None or value is None or isinstance(value, syntax.Call):
         return ()
     name = _imported(code, callback.maker, written)
     return tuple(f"{name}{part}" for part in parts) if name else ()
@@ -268,8 +270,13 @@ def _is_used_besides(code: Codebase, routine: Routine, times: int) -> bool:
 
 def _is_set(code: Codebase, routine: Routine, name: str) -> bool:
     body = code.body(routine)
-    targets = (node for target, *_ in body.sets for node in nodes(target) if target[0] not in ("field", "index"))
-    return name in body.variables or any(node[0] == "name" and node[1] == name for node in targets)
+    targets = (
+        node
+        for target, *_ in body.sets
+        for node in nodes(target)
+        if not isinstance(target, (syntax.Member, syntax.Subscript))
+    )
+    return name in body.variables or any(isinstance(node, syntax.Name) and node.name == name for node in targets)
 
 
 def _location(code: Codebase, routine: Routine, written: str) -> Location:
@@ -292,28 +299,27 @@ def _location(code: Codebase, routine: Routine, written: str) -> Location:
 def expressions(block: Block) -> Iterator[Expression]:
     """All expressions of a function's own body but those that a try stands around."""
     for statement in block:
-        kind = statement[0]
-        if kind in ("do", "step") or (kind in ("return", "throw") and statement[1] is not None):
-            yield statement[1]
-        elif kind == "var" and statement[3] is not None:
-            yield from (statement[3][1],) if statement[3][0] == "=" else statement[3][1]
-        elif kind == "if":
-            yield statement[4]
-            yield from expressions(statement[5])
-            yield from expressions(statement[8])
-        elif kind == "loop":
-            yield from expressions(statement[5])
-            yield from (statement[6],) if statement[6] is not None else ()
-            yield from expressions(statement[7])
-        elif kind == "each":
-            yield statement[6]
-            yield from expressions(statement[7])
-        elif kind == "switch":
-            yield statement[4]
-            for _, inner in statement[5]:
-                yield from expressions(inner)
-        elif kind == "try":
-            for handler in statement[2]:
-                yield from expressions(handler[5])
-        elif kind == "block":
-            yield from expressions(statement[1])
+        if isinstance(statement, (syntax.Do, syntax.Step, syntax.Return, syntax.Throw)):
+            yield from (statement.value,) if statement.value is not None else ()
+        elif isinstance(statement, syntax.Variable) and statement.init is not None:
+            yield from syntax.started(statement.init)
+        elif isinstance(statement, syntax.If):
+            yield statement.test
+            yield from expressions(statement.then)
+            yield from expressions(statement.other)
+        elif isinstance(statement, syntax.Loop):
+            yield from expressions(statement.before)
+            yield from (statement.test,) if statement.test is not None else ()
+            yield from expressions(statement.body)
+        elif isinstance(statement, syntax.Each):
+            yield statement.iterable
+            yield from expressions(statement.body)
+        elif isinstance(statement, syntax.Switch):
+            yield statement.value
+            for case in statement.cases:
+                yield from expressions(case.body)
+        elif isinstance(statement, syntax.Try):
+            for handler in statement.handlers:
+                yield from expressions(handler.body)
+        elif isinstance(statement, syntax.Nested):
+            yield from expressions(statement.body)

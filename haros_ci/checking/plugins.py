@@ -12,7 +12,7 @@ from functools import lru_cache
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.build import Target
 from haros_ci.model.location import Location
-from haros_ci.model.program import Program
+from haros_ci.syntax import Program
 
 #: Macros that register a class with its base, both by the text of the argument (class_loader, register_macro.hpp).
 MACROS = ("PLUGINLIB_EXPORT_CLASS", "CLASS_LOADER_REGISTER_CLASS", "PLUGINLIB_REGISTER_CLASS")

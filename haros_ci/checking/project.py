@@ -19,10 +19,10 @@ from haros_ci.model.element import Element
 from haros_ci.model.launch_facts import CommandUse
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package, SourceFile
-from haros_ci.model.program import Program
 from haros_ci.model.robot import Description
 from haros_ci.model.submodules import absent, is_below, submodules
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.syntax import Program
 
 if TYPE_CHECKING:
     from haros_ci.checking.included import Included

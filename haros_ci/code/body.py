@@ -8,26 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from typing import Any
 
-from haros_ci.model.program import Block, Expression, Function, Statement, Type
+from haros_ci import syntax
+from haros_ci.syntax import Block, Expression, Function, Statement, Type
 
 #: The parts of statements that are blocks or hold them are walked by kind; all other parts are expressions.
 Around = tuple["Place", ...]
 #: Expressions that are made of no others.
-LEAVES = frozenset(("name", "str", "num", "bool", "this", "none", "type"))
+LEAVES = (syntax.Name, syntax.String, syntax.Number, syntax.Boolean, syntax.This, syntax.Null, syntax.TypeName)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Place:
-    """Something that stands around code: *kind* is try, handler, loop, then, else, case.
-
-    *statement* is the statement itself; for handler the handler's tuple, for then and else the condition's expression.
-    """
+    """Something that stands around code: *kind* is try, handler, loop, then, else, case; *test* the condition of a then or else."""
 
     kind: str
-    statement: Any
+    statement: Statement | syntax.Handler
     outer: Around = ()
+    test: Expression | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,56 +33,81 @@ class Call:
     """A call: *name* is the last part of the callee's name, "" where a value is called. *whole* is the expression."""
 
     name: str
-    whole: Expression
+    whole: syntax.Call
     around: Around
     #: It is an expression statement: nobody takes what it returns.
     is_bare: bool = False
 
     @property
     def callee(self) -> Expression:
-        return self.whole[1]
+        return self.whole.callee
 
     @property
     def args(self) -> tuple[Expression, ...]:
-        return tuple(self.whole[2])
+        return self.whole.arguments
 
     @property
-    def templates(self) -> tuple[Any, ...]:
-        return tuple(self.whole[3])
+    def templates(self) -> tuple[syntax.Argument, ...]:
+        return self.whole.templates
 
     @property
     def line(self) -> int:
-        return int(self.whole[4])
+        return self.whole.line
 
     @property
     def column(self) -> int:
-        return int(self.whole[5])
+        return self.whole.column
 
     @property
     def receiver(self) -> Expression | None:
         """What the method is called on; None for a name alone."""
-        return self.callee[1] if self.callee[0] == "field" else None
+        return self.callee.object if isinstance(self.callee, syntax.Member) else None
 
     def argument(self, position: int, keyword: str = "") -> Expression | None:
         """The argument at *position* or with *keyword*; None where it is not given, or may be in an unpacking."""
-        plain = [each for each in self.args if each[0] != "kw"]
-        named = next((each[2] for each in self.args if each[0] == "kw" and each[1] == keyword), None)
-        if any(each[0] in ("star", "starstar") for each in plain[: position + 1]):
+        plain = [each for each in self.args if not isinstance(each, syntax.Keyword)]
+        keywords = [each for each in self.args if isinstance(each, syntax.Keyword)]
+        named = next((each.value for each in keywords if each.name == keyword), None)
+        if any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in plain[: position + 1]):
             return None
         return named if named is not None else plain[position] if position < len(plain) else None
 
 
+@dataclass(frozen=True, slots=True)
+class Iterated:
+    """How the variable of a loop begins: as an element of *value*."""
+
+    value: Expression
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Variable:
-    """A local variable: *init* as in a ``var`` statement, or ("each", E) for what a loop goes through."""
+    """A local variable."""
 
     name: str
     type: Type
-    init: Any
+    init: syntax.Init | Iterated | None
     line: int
     column: int
     around: Around
     is_static: bool = False
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The expressions that it starts with."""
+        if self.init is None:
+            return ()
+        return (self.init.value,) if isinstance(self.init, (syntax.Equals, Iterated)) else self.init.arguments
+
+    @property
+    def value(self) -> Expression | None:
+        """The one expression that it starts as; None without one, or for an element of it."""
+        return self.parts[0] if len(self.parts) == 1 and not isinstance(self.init, Iterated) else None
+
+    @property
+    def assigned(self) -> Expression | None:
+        """The expression behind its ``=``."""
+        return self.init.value if isinstance(self.init, syntax.Equals) else None
 
 
 @dataclass(slots=True)
@@ -96,7 +119,7 @@ class Body:
     #: Assignments: (target, operator, value, what stands around).
     sets: list[tuple[Expression, str, Expression, Around]] = field(default_factory=list)
     returns: list[tuple[Expression | None, Around]] = field(default_factory=list)
-    loops: list[tuple[Statement, Around]] = field(default_factory=list)
+    loops: list[tuple[syntax.Loop, Around]] = field(default_factory=list)
     #: ``new T(...)``: the type, the arguments, the place.
     news: list[tuple[Type, tuple[Expression, ...], int, int]] = field(default_factory=list)
     #: Lambdas and nested functions by index in the program, and what stands around them.
@@ -111,11 +134,11 @@ class Body:
 def body_of(function: Function) -> Body:
     """The facts of *function*; nothing for a declaration."""
     body = Body()
-    for name, _, args, _, _ in function.inits:
-        for each in args:
+    for init in function.inits:
+        for each in init.arguments:
             _expression(each, body, ())
-        value = args[0] if len(args) == 1 else ("list", tuple(args))
-        body.sets.append((("field", ("this",), name), "=", value, ()))
+        value = init.arguments[0] if len(init.arguments) == 1 else syntax.ListLiteral(init.arguments)
+        body.sets.append((syntax.Member(syntax.This(), init.name), "=", value, ()))
     _block(function.body or (), body, ())
     return body
 
@@ -125,115 +148,116 @@ def _block(block: Block, body: Body, around: Around) -> None:
         _statement(statement, body, around)
 
 
-def _in(kind: str, statement: Any, around: Around) -> Around:
-    return (*around, Place(kind, statement, around))
+def _in(kind: str, statement: Statement | syntax.Handler, around: Around, test: Expression | None = None) -> Around:
+    return (*around, Place(kind, statement, around, test))
 
 
 def _statement(statement: Statement, body: Body, around: Around) -> None:
-    kind = statement[0]
-    if kind == "do":
-        _expression(statement[1], body, around, is_bare=True)
-    elif kind == "var":
-        _, name, declared, init, line, column = statement
-        body.variables.setdefault(name, []).append(Variable(name, declared, init, line, column, around))
-        if init is not None:
-            for each in (init[1],) if init[0] == "=" else init[1]:
-                _expression(each, body, around)
-    elif kind == "if":
-        _expression(statement[4], body, around)
-        _block(statement[5], body, _in("then", statement[4], around))
-        _block(statement[8], body, _in("else", statement[4], around))
-    elif kind == "loop":
-        _block(statement[5], body, around)
+    if isinstance(statement, syntax.Do):
+        _expression(statement.value, body, around, is_bare=True)
+    elif isinstance(statement, syntax.Variable):
+        made = Variable(statement.name, statement.type, statement.init, statement.line, statement.column, around)
+        body.variables.setdefault(statement.name, []).append(made)
+        for each in made.parts:
+            _expression(each, body, around)
+    elif isinstance(statement, syntax.If):
+        _expression(statement.test, body, around)
+        _block(statement.then, body, _in("then", statement, around, statement.test))
+        _block(statement.other, body, _in("else", statement, around, statement.test))
+    elif isinstance(statement, syntax.Loop):
+        _block(statement.before, body, around)
         inner = _in("loop", statement, around)
         body.loops.append((statement, around))
-        if statement[6] is not None:
-            _expression(statement[6], body, inner)
-        _block(statement[7], body, inner)
-    elif kind == "each":
-        _, line, column, _, name, declared, over, block = statement
-        _expression(over, body, around)
+        if statement.test is not None:
+            _expression(statement.test, body, inner)
+        _block(statement.body, body, inner)
+    elif isinstance(statement, syntax.Each):
+        _expression(statement.iterable, body, around)
         inner = _in("loop", statement, around)
+        name, start = statement.name, Iterated(statement.iterable)
         if name:
-            body.variables.setdefault(name, []).append(Variable(name, declared, ("each", over), line, column, inner))
-        _block(block, body, inner)
-    elif kind == "switch":
-        _expression(statement[4], body, around)
-        for test, block in statement[5]:
-            if test is not None:
-                _expression(test, body, around)
-            _block(block, body, _in("case", statement, around))
-    elif kind == "try":
-        _block(statement[1], body, _in("try", statement, around))
-        for handler in statement[2]:
-            _block(handler[5], body, _in("handler", handler, around))
-    elif kind == "pre":
+            made = Variable(name, statement.type, start, statement.line, statement.column, inner)
+            body.variables.setdefault(name, []).append(made)
+        _block(statement.body, body, inner)
+    elif isinstance(statement, syntax.Switch):
+        _expression(statement.value, body, around)
+        for case in statement.cases:
+            if case.value is not None:
+                _expression(case.value, body, around)
+            _block(case.body, body, _in("case", statement, around))
+    elif isinstance(statement, syntax.Try):
+        _block(statement.body, body, _in("try", statement, around))
+        for handler in statement.handlers:
+            _block(handler.body, body, _in("handler", handler, around))
+    elif isinstance(statement, syntax.Preprocessor):
         body.is_partial = True
-        for branch in statement[1]:
-            _block(branch[3], body, around)
-    elif kind == "block":
-        _block(statement[1], body, around)
-    elif kind == "static":
-        _statement(statement[1], body, around)
-        if statement[1][0] == "var" and (made := body.variables.get(statement[1][1])):
-            made[-1] = replace(made[-1], is_static=True)
-    elif kind in ("return", "throw"):
-        if statement[1] is not None:
-            _expression(statement[1], body, around)
-        if kind == "return":
-            body.returns.append((statement[1], around))
-    elif kind == "step":
-        _expression(statement[1], body, around)
-    elif kind == "def":
-        body.nested[statement[1]] = statement[2]
-        body.inner.append((statement[2], around))
-    elif kind == "import":
-        body.imports[statement[1]] = statement[2]
+        for branch in statement.branches:
+            _block(branch.body, body, around)
+    elif isinstance(statement, syntax.Nested):
+        _block(statement.body, body, around)
+    elif isinstance(statement, syntax.Static):
+        _statement(statement.statement, body, around)
+        every = body.variables[statement.statement.name]
+        every[-1] = replace(every[-1], is_static=True)
+    elif isinstance(statement, (syntax.Return, syntax.Throw)):
+        if statement.value is not None:
+            _expression(statement.value, body, around)
+        if isinstance(statement, syntax.Return):
+            body.returns.append((statement.value, around))
+    elif isinstance(statement, syntax.Step):
+        _expression(statement.value, body, around)
+    elif isinstance(statement, syntax.NestedFunction):
+        body.nested[statement.name] = statement.function
+        body.inner.append((statement.function, around))
+    elif isinstance(statement, syntax.Import):
+        body.imports[statement.name] = statement.target
 
 
 def _expression(expression: Expression, body: Body, around: Around, is_bare: bool = False) -> None:
-    waiting = [expression] if expression[0] not in LEAVES else []
+    waiting = [expression] if not isinstance(expression, LEAVES) else []
     while waiting:
         node = waiting.pop()
-        kind = node[0]
-        if kind == "call":
-            body.calls.append(Call(last_part(node[1]), node, around, is_bare and node is expression))
-        elif kind == "lambda":
-            body.inner.append((node[1], around))
+        if isinstance(node, syntax.Call):
+            body.calls.append(Call(last_part(node.callee), node, around, is_bare and node is expression))
+        elif isinstance(node, syntax.Lambda):
+            body.inner.append((node.function, around))
             continue
-        elif kind == "set":
-            body.sets.append((node[2], node[1], node[3], around))
-        elif kind == "new":
-            body.news.append((node[1], tuple(node[2]), node[3], node[4]))
-        elif kind == "?":
+        elif isinstance(node, syntax.Assignment):
+            body.sets.append((node.target, node.operator, node.value, around))
+        elif isinstance(node, syntax.New):
+            body.news.append((node.type, node.arguments, node.line, node.column))
+        elif isinstance(node, syntax.Unknown):
             body.is_partial = True
             continue
-        waiting.extend([each for each in reversed(parts(node)) if each[0] not in LEAVES])
+        waiting.extend([each for each in reversed(parts(node)) if not isinstance(each, LEAVES)])
 
 
 def parts(node: Expression) -> list[Expression]:
     """The expressions that an expression is made of, in the order of the text."""
-    kind = node[0]
-    if kind in ("field", "&", "*", "star", "starstar"):
-        return [node[1]]
-    if kind == "call":
-        return [node[1], *node[2]]
-    if kind in ("index",):
-        return [node[1], node[2]]
-    if kind == "new":
-        return list(node[2])
-    if kind in ("op",):
-        return list(node[2])
-    if kind == "set":
-        return [node[2], node[3]]
-    if kind == "if":
-        return [node[1], node[2], node[3]]
-    if kind in ("list", "format"):
-        return list(node[1])
-    if kind == "dict":
-        return [each for pair in node[1] for each in pair if each]
-    if kind in ("cast", "kw"):
-        return [node[2]]
+    if isinstance(node, syntax.Member):
+        return [node.object]
+    if isinstance(node, (syntax.Address, syntax.Dereference, syntax.Star, syntax.DoubleStar)):
+        return [node.value]
+    if isinstance(node, syntax.Call):
+        return [node.callee, *node.arguments]
+    if isinstance(node, syntax.Subscript):
+        return [node.object, node.index]
+    if isinstance(node, syntax.New):
+        return list(node.arguments)
+    if isinstance(node, syntax.Operation):
+        return list(node.operands)
+    if isinstance(node, syntax.Assignment):
+        return [node.target, node.value]
+    if isinstance(node, syntax.Conditional):
+        return [node.test, node.then, node.other]
+    if isinstance(node, syntax.ListLiteral):
+        return list(node.items)
+    if isinstance(node, syntax.Format):
+        return list(node.parts)
+    if isinstance(node, syntax.DictLiteral):
+        return [each for pair in node.pairs for each in pair]
+    if isinstance(node, (syntax.Cast, syntax.Keyword)):
+        return [node.value]
     return []
 
 
@@ -248,11 +272,9 @@ def nodes(expression: Expression) -> Iterator[Expression]:
 
 def last_part(callee: Expression) -> str:
     """The last part of the name that is called."""
-    if callee[0] == "name":
-        return str(callee[1]).rpartition("::")[2]
-    return str(callee[2]).rpartition("::")[2] if callee[0] == "field" else ""
+    return syntax.name_of(callee).rpartition("::")[2]
 
 
 def names_in(expression: Expression) -> frozenset[str]:
     """The plain names that *expression* reads."""
-    return frozenset(node[1] for node in nodes(expression) if node[0] == "name")
+    return frozenset(node.name for node in nodes(expression) if isinstance(node, syntax.Name))

@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from haros_ci import syntax
 from haros_ci.code import classes, kinds
-from haros_ci.code.body import Call
+from haros_ci.code.body import Call, last_part
 from haros_ci.code.calls import calls_of, function_meant
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 #: What the calls make, by the last part of their names; the number of arguments after the callback that come before the group.
 CPP = {
@@ -102,8 +103,9 @@ def _all(code: Codebase) -> Iterator[Callback]:
             continue
         ros = _ros(code, maker, call)
         for position, argument in enumerate(call.args):
-            role = argument[1] if argument[0] == "kw" else str(position)
-            value = argument[2] if argument[0] == "kw" else argument
+            role, value = str(position), argument
+            if isinstance(argument, syntax.Keyword):
+                role, value = argument.name, argument.value
             for routine in given_function(code, maker, value):
                 yield Callback(kind, role, routine, maker, call, ros, group_of(code, maker, call))
 
@@ -130,25 +132,19 @@ def given_function(code: Codebase, maker: Routine, value: Expression, depth: int
     """The workspace's function that *value* is: a lambda, a method, a bind of one; none if it is not known."""
     if depth <= 0:
         return ()
-    tag = value[0]
-    if tag == "cast":
-        return given_function(code, maker, value[2], depth - 1)
-    if tag == "call":
-        last = (
-            value[1][1].rpartition("::")[2] if value[1][0] == "name" else value[1][2] if value[1][0] == "field" else ""
-        )
-        return given_function(code, maker, value[2][0], depth - 1) if last in BINDERS and value[2] else ()
-    if tag == "name" and not maker.is_python:
-        found = kinds.variable(code, maker, value[1])
+    if isinstance(value, syntax.Cast):
+        return given_function(code, maker, value.value, depth - 1)
+    if isinstance(value, syntax.Call):
+        last = last_part(value.callee)
+        return given_function(code, maker, value.arguments[0], depth - 1) if last in BINDERS and value.arguments else ()
+    if isinstance(value, syntax.Name) and not maker.is_python:
+        found = kinds.variable(code, maker, value.name)
         if isinstance(found, tuple) and len(found) == 2:
             where, local = found
-            if local.init is None or local.init[0] == "each":
-                return ()
-            inner = local.init[1] if local.init[0] == "=" else local.init[1][0] if len(local.init[1]) == 1 else None
-            return given_function(code, where, inner, depth - 1) if inner is not None else ()
+            return given_function(code, where, local.value, depth - 1) if local.value is not None else ()
         if found is not None:
             return ()
-    if tag in ("lambda", "name", "field", "&"):
+    if isinstance(value, (syntax.Lambda, syntax.Name, syntax.Member, syntax.Address)):
         every = function_meant(code, maker, value)
         return every if len(every) == 1 else ()
     return ()
@@ -157,9 +153,10 @@ def given_function(code: Codebase, maker: Routine, value: Expression, depth: int
 def group_of(code: Codebase, maker: Routine, call: Call) -> str | None:
     """The callback group that a call puts what it makes into: "" for the default one, None if it is not known."""
     if maker.is_python:
-        given = next((each[2] for each in call.args if each[0] == "kw" and each[1] == "callback_group"), None)
+        named = (each for each in call.args if isinstance(each, syntax.Keyword) and each.name == "callback_group")
+        given = next((each.value for each in named), None)
         if given is None:
-            return None if any(each[0] in ("starstar", "star") for each in call.args) else DEFAULT
+            return None if any(isinstance(each, (syntax.DoubleStar, syntax.Star)) for each in call.args) else DEFAULT
         return group_name(code, maker, given)
     counts = {"create_wall_timer": 2, "create_timer": 2, "create_service": 3, "create_client": 2}
     if call.name in counts:
@@ -171,36 +168,40 @@ def group_of(code: Codebase, maker: Routine, call: Call) -> str | None:
         if len(call.args) <= 3:
             return DEFAULT
         options = call.args[3]
-        if options[0] != "name":
+        if not isinstance(options, syntax.Name):
             return None
-        given = [
+        groups = [
             value
             for target, _, value, _ in code.body(maker).sets
-            if target[0] == "field" and target[2] == "callback_group" and list(target[1]) == list(options)
+            if isinstance(target, syntax.Member) and target.name == "callback_group" and target.object == options
         ]
-        local = kinds.variable(code, maker, options[1])
+        local = kinds.variable(code, maker, options.name)
         is_own = isinstance(local, tuple) and len(local) == 2 and local[1].init is None
-        if not given:
+        if not groups:
             return DEFAULT if is_own else None
-        return group_name(code, maker, given[0]) if len(given) == 1 else None
+        return group_name(code, maker, groups[0]) if len(groups) == 1 else None
     return DEFAULT if call.name in ("add_on_set_parameters_callback",) else None
 
 
 def _is_method(code: Codebase, maker: Routine, call: Call) -> bool:
     """Whether ``create_timer(...)`` is the node's own, not the library's function of that name."""
-    return call.callee[0] == "name" and "::" not in call.callee[1] and classes.owner_of(code, maker) is not None
+    return (
+        isinstance(call.callee, syntax.Name)
+        and "::" not in call.callee.name
+        and classes.owner_of(code, maker) is not None
+    )
 
 
 def group_name(code: Codebase, maker: Routine, value: Expression) -> str | None:
     """A name for a group that is a member or local variable; None for anything else. The default one's name is ""."""
-    if value[0] in ("none",) or (value[0] == "name" and value[1] == "nullptr"):
+    if isinstance(value, syntax.Null) or (isinstance(value, syntax.Name) and value.name == "nullptr"):
         return DEFAULT
-    if value[0] == "field" and value[1][0] == "this":
-        return f"{maker.owner}.{value[2]}"
-    if value[0] == "name" and "::" not in value[1]:
-        if kinds.is_local(code, maker, value[1]) or maker.is_python:
-            return f"{maker.path}:{maker.function.line}:{value[1]}"
-        return f"{maker.owner}.{value[1]}"
+    if isinstance(value, syntax.Member) and isinstance(value.object, syntax.This):
+        return f"{maker.owner}.{value.name}"
+    if isinstance(value, syntax.Name) and "::" not in value.name:
+        if kinds.is_local(code, maker, value.name) or maker.is_python:
+            return f"{maker.path}:{maker.function.line}:{value.name}"
+        return f"{maker.owner}.{value.name}"
     return None
 
 
@@ -218,7 +219,7 @@ def groups_made(code: Codebase) -> dict[str, str]:
                         found.setdefault(name, set()).add(kind)
                 for name, every in code.body(routine).variables.items():
                     for each in every:
-                        kind = _group_kind(each.init[1]) if each.init and each.init[0] == "=" else ""
+                        kind = _group_kind(each.assigned) if each.assigned is not None else ""
                         if kind:
                             found.setdefault(f"{routine.path}:{routine.function.line}:{name}", set()).add(kind)
         code.kept["groups"] = {name: kinds_.pop() for name, kinds_ in found.items() if len(kinds_) == 1}
@@ -227,9 +228,9 @@ def groups_made(code: Codebase) -> dict[str, str]:
 
 
 def _group_kind(value: Expression) -> str:
-    if value[0] != "call":
+    if not isinstance(value, syntax.Call):
         return ""
-    text = repr(value[2] if value[1][-1] == "create_callback_group" else value[1])
+    text = repr(value.arguments if syntax.name_of(value.callee) == "create_callback_group" else value.callee)
     if "MutuallyExclusive" in text:
         return "mutually exclusive"
     return "reentrant" if "Reentrant" in text else ""

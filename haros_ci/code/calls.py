@@ -9,13 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from haros_ci import syntax
 from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 
-def called(code: Codebase, routine: Routine, call: Expression, steps: int = kinds.STEPS) -> tuple[Routine, ...]:
+def called(code: Codebase, routine: Routine, call: syntax.Call, steps: int = kinds.STEPS) -> tuple[Routine, ...]:
     """The routine that a call expression in *routine* runs: one, or none where it is not known."""
     key = ("called", id(call))
     if key in code.kept:
@@ -23,8 +24,8 @@ def called(code: Codebase, routine: Routine, call: Expression, steps: int = kind
         return found
     if steps <= 0:
         return ()
-    every = function_meant(code, routine, call[1], steps)
-    fitting = [each for each in every if classes.accepts(each.function, call[2])]
+    every = function_meant(code, routine, call.callee, steps)
+    fitting = [each for each in every if classes.accepts(each.function, call.arguments)]
     result = (fitting[0],) if len(fitting) == 1 else ()
     code.kept[key] = result
     code.kept["keep", id(call)] = call  # so that its identity stays its own
@@ -35,29 +36,29 @@ def function_meant(
     code: Codebase, routine: Routine, callee: Expression, steps: int = kinds.STEPS
 ) -> tuple[Routine, ...]:
     """The routines that a name or member may mean as a function; several are overloads."""
-    if callee[0] == "lambda":
-        found = code.inner(routine, callee[1])
+    if isinstance(callee, syntax.Lambda):
+        found = code.inner(routine, callee.function)
         return (found,) if found is not None else ()
-    if callee[0] == "&":
-        return function_meant(code, routine, callee[1], steps)
-    if callee[0] == "name":
+    if isinstance(callee, syntax.Address):
+        return function_meant(code, routine, callee.value, steps)
+    if isinstance(callee, syntax.Name):
         if routine.is_python:
-            return _python_name(code, routine, callee[1])
-        return _cpp_name(code, routine, callee[1], steps)
-    if callee[0] == "field":
+            return _python_name(code, routine, callee.name)
+        return _cpp_name(code, routine, callee.name, steps)
+    if isinstance(callee, syntax.Member):
         return _method(code, routine, callee, steps)
     return ()
 
 
-def _method(code: Codebase, routine: Routine, callee: Expression, steps: int) -> tuple[Routine, ...]:
-    base, name = callee[1], callee[2]
-    if routine.is_python and base[0] == "call" and base[1][0] == "name" and base[1][1] == "super":
+def _method(code: Codebase, routine: Routine, callee: syntax.Member, steps: int) -> tuple[Routine, ...]:
+    base, name = callee.object, callee.name
+    if routine.is_python and isinstance(base, syntax.Call) and syntax.name_of(base.callee) == "super":
         owner = classes.owner_of(code, routine)
         for above, _ in classes.bases(code, owner) if owner is not None else ():
             if above is not None and (found := classes.methods(code, above, name)):
                 return found
         return ()
-    if base[0] == "this":
+    if isinstance(base, syntax.This):
         owner = classes.owner_of(code, routine)
     else:
         written = classes.pointed(kinds.type_of(code, routine, base, steps - 1))
@@ -76,8 +77,8 @@ def _cpp_name(code: Codebase, routine: Routine, name: str, steps: int) -> tuple[
         found = kinds.variable(code, routine, name)
         if isinstance(found, tuple) and len(found) == 2:
             where, local = found
-            if local.init is not None and local.init[0] == "=" and local.init[1][0] == "lambda":
-                return function_meant(code, where, local.init[1], steps)
+            if isinstance(local.assigned, syntax.Lambda):
+                return function_meant(code, where, local.assigned, steps)
         return ()
     owner = classes.owner_of(code, routine)
     if owner is not None and "::" not in name:
@@ -87,8 +88,8 @@ def _cpp_name(code: Codebase, routine: Routine, name: str, steps: int) -> tuple[
     head, _, last = name.rpartition("::")
     if head:
         scope = routine.method.function.name.rpartition("::")[0]
-        kind = classes.resolved(code, (head, (), ""), scope, routine.source)
-        named = classes.class_named(code, kind[0], routine.source)
+        kind = classes.resolved(code, syntax.Type(head), scope, routine.source)
+        named = classes.class_named(code, kind.name, routine.source)
         if named is not None:
             return classes.methods(code, named, last)
     scope = routine.method.function.name.rpartition("::")[0]
@@ -133,7 +134,7 @@ def _python_name(code: Codebase, routine: Routine, name: str) -> tuple[Routine, 
     if own:
         made = code.routine(routine.source, own[-1])
         return (made,) if made is not None else ()
-    dotted = kinds.dotted(code, routine, ("name", name))
+    dotted = kinds.dotted(code, routine, syntax.Name(name))
     return _of_module(code, dotted) if "." in dotted else ()
 
 

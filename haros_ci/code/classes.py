@@ -5,10 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from haros_ci import syntax
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.link.index import Source
 from haros_ci.link.types import pointee, resolve_type
-from haros_ci.model.program import Class, Expression, Field, Function, Type
+from haros_ci.syntax import Class, Expression, Field, Function, Type
+from haros_ci.syntax.codec import plain
 
 #: A class and the file that defines it.
 Owner = tuple[Source, Class]
@@ -18,10 +20,10 @@ DEPTH = 12
 
 def resolved(code: Codebase, kind: Type, scope: str, source: Source) -> Type:
     """A C++ type with its aliases replaced, seen from *scope* of *source*."""
-    key = ("type", source.path, scope, repr(kind))
-    found = code.kept.get(key)
-    if found is None:
-        found = code.kept[key] = resolve_type(code.cpp, kind, scope, source, frozenset(), {})
+    key = ("type", source.path, scope, plain(kind))
+    if key not in code.kept:
+        code.kept[key] = resolve_type(code.cpp, kind, scope, source, frozenset(), {})
+    found: Type = code.kept[key]  # type: ignore[assignment]
     return found
 
 
@@ -80,9 +82,9 @@ def bases(code: Codebase, owner: Owner) -> Iterator[tuple[Owner | None, str]]:
         for base in definition.bases:
             scope = definition.name.rpartition(source.separator)[0]
             if source.separator == ".":
-                name = dotted_name(source, base[0])
+                name = dotted_name(source, base.name)
             else:
-                name = resolved(code, base, scope, source)[0]
+                name = resolved(code, base, scope, source).name
             if name in seen or depth > DEPTH:
                 continue
             seen.add(name)
@@ -104,7 +106,7 @@ def base_names(code: Codebase, owner: Owner) -> frozenset[str]:
 def dotted_name(source: Source, name: str) -> str:
     """A Python name through the imports of its file: ``Node`` is ``rclpy.node.Node``."""
     head, dot, rest = name.partition(".")
-    targets = {alias.type[0] for alias in source.program.aliases if alias.name == head}
+    targets = {alias.type.name for alias in source.program.aliases if alias.name == head}
     if len(targets) != 1:
         return name
     return absolute(source, targets.pop()) + dot + rest
@@ -166,13 +168,13 @@ def _belongs(code: Codebase, owner: Owner, source: Source) -> bool:
 
 def accepts(function: Function, args: tuple[Expression, ...]) -> bool:
     """Whether a function can be called with so many arguments."""
-    if any(each[0] in ("star", "starstar") for each in args):
+    if any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in args):
         return True
     needed = [p for p in function.parameters if p.default is None and not p.name.startswith("*")]
-    collects = any(p.name.startswith("*") or "..." in p.type[2] or p.type[0] == "..." for p in function.parameters)
+    collects = any(p.name.startswith("*") or "..." in p.type.marks or p.type.name == "..." for p in function.parameters)
     return collects or len(needed) <= len(args) <= len(function.parameters)
 
 
 def pointed(kind: Type | None) -> str:
     """The name of the class that a type is of or points to; "" if it is not known."""
-    return str(pointee(kind)[0]) if kind is not None else ""
+    return str(pointee(kind).name) if kind is not None else ""

@@ -6,11 +6,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from haros_ci import syntax
 from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call, last_part
 from haros_ci.code.callbacks import group_of
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 #: What gives the node itself, or an interface of it.
 SELVES = frozenset(("shared_from_this", "get_node_base_interface", "weak_from_this"))
@@ -26,41 +27,44 @@ class Made:
 
 def node_name(code: Codebase, routine: Routine, expression: Expression | None) -> str | None:
     """A name for the node that an expression is: ``Class.this``, ``Class.member``; None if it is not known to be one of these."""
-    while expression is not None and expression[0] in ("*", "&"):
-        expression = expression[1]
-    if expression is None or expression[0] == "this":
+    while expression is not None and isinstance(expression, (syntax.Dereference, syntax.Address)):
+        expression = expression.value
+    if expression is None or isinstance(expression, syntax.This):
         return f"{routine.owner}.this" if routine.owner else None
-    if expression[0] == "call" and not expression[2]:
-        callee = expression[1]
-        if callee[0] == "name" and callee[1] in SELVES:
+    if isinstance(expression, syntax.Call) and not expression.arguments:
+        callee = expression.callee
+        if isinstance(callee, syntax.Name) and callee.name in SELVES:
             return node_name(code, routine, None)
-        return node_name(code, routine, callee[1]) if callee[0] == "field" and callee[2] in SELVES else None
-    if expression[0] == "field" and expression[1][0] == "this":
-        return f"{routine.owner}.{expression[2]}"
-    if expression[0] == "name" and not routine.is_python and routine.owner:
-        if "::" not in expression[1] and not kinds.is_local(code, routine, expression[1]):
-            return f"{routine.owner}.{expression[1]}"
+        is_self = isinstance(callee, syntax.Member) and callee.name in SELVES
+        return node_name(code, routine, callee.object) if isinstance(callee, syntax.Member) and is_self else None
+    if isinstance(expression, syntax.Member) and isinstance(expression.object, syntax.This):
+        return f"{routine.owner}.{expression.name}"
+    if isinstance(expression, syntax.Name) and not routine.is_python and routine.owner:
+        if "::" not in expression.name and not kinds.is_local(code, routine, expression.name):
+            return f"{routine.owner}.{expression.name}"
     return None
 
 
 def client_made(code: Codebase, routine: Routine, expression: Expression) -> Made | None:
     """How the service client that an expression is was made: a member or local variable that has one origin; None if that is not known."""
     values: Sequence[tuple[Routine, Expression]] = ()
-    if expression[0] == "name" and kinds.is_local(code, routine, expression[1]) and not routine.is_python:
-        found = kinds.variable(code, routine, expression[1])
-        if isinstance(found, tuple) and len(found) == 2 and found[1].init is not None and found[1].init[0] == "=":
-            values = ((found[0], found[1].init[1]),)
-    elif expression[0] == "name" and routine.is_python:
-        values = [
-            (routine, value) for target, _, value, _ in code.body(routine).sets if list(target) == list(expression)
-        ]
+    if isinstance(expression, syntax.Name) and kinds.is_local(code, routine, expression.name) and not routine.is_python:
+        found = kinds.variable(code, routine, expression.name)
+        if isinstance(found, tuple) and len(found) == 2 and found[1].assigned is not None:
+            values = ((found[0], found[1].assigned),)
+    elif isinstance(expression, syntax.Name) and routine.is_python:
+        values = [(routine, value) for target, _, value, _ in code.body(routine).sets if target == expression]
     else:
-        is_member = expression[0] == "field" and expression[1][0] == "this"
-        owner = classes.owner_of(code, routine) if is_member or expression[0] == "name" else None
-        values = kinds.attribute_values(code, owner, expression[-1]) if owner is not None else ()
+        is_member = isinstance(expression, syntax.Member) and isinstance(expression.object, syntax.This)
+        owner = classes.owner_of(code, routine) if is_member or isinstance(expression, syntax.Name) else None
+        values = kinds.attribute_values(code, owner, syntax.name_of(expression)) if owner is not None else ()
     made: set[Made | None] = set()
     for where, value in values:
-        if value[0] != "call" or last_part(value[1]) != "create_client" or where.owner != routine.owner:
+        if (
+            not isinstance(value, syntax.Call)
+            or last_part(value.callee) != "create_client"
+            or where.owner != routine.owner
+        ):
             return None
         call = Call("create_client", value, ())
         node = node_name(code, where, call.receiver)
@@ -75,7 +79,7 @@ HANDLES = frozenset(("ros::NodeHandle", "image_transport::ImageTransport"))
 
 def is_node(code: Codebase, routine: Routine, expression: Expression | None) -> bool:
     """Whether an expression (None: ``this``) is a node or node handle for sure, with the methods of the library's."""
-    if expression is None or expression[0] == "this":
+    if expression is None or isinstance(expression, syntax.This):
         owner = classes.owner_of(code, routine)
     else:
         name = kinds.type_name(code, routine, expression)
@@ -87,7 +91,7 @@ def is_node(code: Codebase, routine: Routine, expression: Expression | None) -> 
 
 def own_method(code: Codebase, routine: Routine, call: Call) -> bool:
     """Whether the class of the receiver, or one of its bases in the workspace, has a method of that name itself."""
-    if call.receiver is None or call.receiver[0] == "this":
+    if call.receiver is None or isinstance(call.receiver, syntax.This):
         owner = classes.owner_of(code, routine)
     else:
         owner = kinds.class_of(code, routine, call.receiver)

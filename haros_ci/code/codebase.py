@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from haros_ci.code.body import Body, body_of
 from haros_ci.link.index import Index, Source, build_index, is_test
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Function
+from haros_ci.syntax import Class, Function
 
 #: The header of rosserial's node handle, and that of roscpp's.
 ROSSERIAL, ROSCPP = "ros.h", "ros/ros.h"
@@ -180,7 +180,7 @@ class Codebase:
         if found is not None and program.language != "python":
             return found
         heads = {each.strip('<>"').partition("/")[0] for each in program.includes}
-        heads |= {alias.type[0].partition(".")[0] for alias in program.aliases if program.language == "python"}
+        heads |= {alias.type.name.partition(".")[0] for alias in program.aliases if program.language == "python"}
         either = {1: heads & {"ros", "rospy"}, 2: heads & {"rclcpp", "rclpy", "rclcpp_components"}}
         versions = [version for version, names in either.items() if names]
         return versions[0] if len(versions) == 1 else found

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.code.body import last_part, nodes
-from haros_ci.model.program import Block, Expression
+from haros_ci.syntax import Block, Expression, Statement
 
 #: True while the program runs and the goal is served, and what is true once that is over.
 RUNNING = frozenset("ok isOk isActive is_active is_executing is_server_active".split())
@@ -44,29 +44,41 @@ def undone_ways(
     return tuple(dict.fromkeys([*ways.undone, *([end] if False in ways.on else [])]))
 
 
-def _without_null_tests(statement: Any, given: frozenset[str]) -> Any:
+def _without_null_tests(statement: Statement, given: frozenset[str]) -> Statement:
     """The statement that runs where the *given* variables are not null, for ``if (given) { ... }`` at the outermost level."""
-    if statement[0] != "if":
+    if not isinstance(statement, syntax.If):
         return statement
-    test = statement[4]
-    if test[0] == "op" and test[1] in ("!=", "==") and len(test[2]) == 2 and _is_null(test[2][1]):
-        test = test[2][0] if test[1] == "!=" else ("op", "!", (test[2][0],))
-    if test[0] == "name" and test[1] in given:
-        return ("block", tuple(_without_null_tests(each, given) for each in statement[5]))
-    if test[0] == "op" and test[1] == "!" and test[2][0][0] == "name" and test[2][0][1] in given:
-        return ("block", statement[8])
+    test = statement.test
+    if (
+        isinstance(test, syntax.Operation)
+        and test.operator in ("!=", "==")
+        and len(test.operands) == 2
+        and _is_null(test.operands[1])
+    ):
+        test = test.operands[0] if test.operator == "!=" else syntax.Operation("!", (test.operands[0],))
+    if isinstance(test, syntax.Name) and test.name in given:
+        return syntax.Nested(tuple(_without_null_tests(each, given) for each in statement.then))
+    if (
+        isinstance(test, syntax.Operation)
+        and test.operator == "!"
+        and isinstance(test.operands[0], syntax.Name)
+        and test.operands[0].name in given
+    ):
+        return syntax.Nested(statement.other)
     return statement
 
 
 def _is_null(expression: Expression) -> bool:
-    return expression[0] == "none" or (expression[0] == "name" and expression[1] in ("nullptr", "NULL"))
+    return isinstance(expression, syntax.Null) or (
+        isinstance(expression, syntax.Name) and expression.name in ("nullptr", "NULL")
+    )
 
 
 def _block(block: Block, done: bool, does: Callable[[Expression], bool], ways: _Ways, near: tuple[int, int]) -> None:
     states = {done}
     for statement in block:
         after: set[bool] = set()
-        if len(states) == 2 and statement[0] == "if" and _may_do(statement[5], does):
+        if len(states) == 2 and isinstance(statement, syntax.If) and _may_do(statement.then, does):
             states = {True}  # the condition tells the ways apart, as far as can be seen
         for state in states:
             inner = _Ways()
@@ -82,68 +94,71 @@ def _block(block: Block, done: bool, does: Callable[[Expression], bool], ways: _
 
 
 def _statement(
-    statement: Any, done: bool, does: Callable[[Expression], bool], ways: _Ways, near: tuple[int, int]
+    statement: Statement, done: bool, does: Callable[[Expression], bool], ways: _Ways, near: tuple[int, int]
 ) -> None:
-    kind = statement[0]
-    if kind in ("do", "step"):
-        ways.on.add(done or does(statement[1]))
-    elif kind == "var":
-        init = statement[3]
-        inner = () if init is None else (init[1],) if init[0] == "=" else init[1]
-        ways.on.add(done or any(map(does, inner)))
-    elif kind == "return":
-        if not done and not (statement[1] is not None and does(statement[1])):
+    if isinstance(statement, (syntax.Do, syntax.Step)):
+        ways.on.add(done or does(statement.value))
+    elif isinstance(statement, syntax.Variable):
+        ways.on.add(done or any(map(does, syntax.started(statement.init))))
+    elif isinstance(statement, syntax.Return):
+        if not done and not (statement.value is not None and does(statement.value)):
             ways.undone.append(near)
-    elif kind == "throw":
+    elif isinstance(statement, syntax.Throw):
         pass
-    elif kind == "break":
+    elif isinstance(statement, syntax.Break):
         ways.breaks.add(done)
-    elif kind == "continue":
+    elif isinstance(statement, syntax.Continue):
         ways.continues.add(done)
-    elif kind == "if":
+    elif isinstance(statement, syntax.If):
         _if(statement, done, does, ways)
-    elif kind in ("loop", "each"):
+    elif isinstance(statement, (syntax.Loop, syntax.Each)):
         _loop(statement, done, does, ways)
-    elif kind == "switch":
-        _switch(statement, done or does(statement[4]), does, ways)
-    elif kind == "try":
-        _block(statement[1], done, does, ways, near)
-        for handler in statement[2]:
-            _block(handler[5], done, does, ways, (handler[0], handler[1]))
-    elif kind == "pre":
+    elif isinstance(statement, syntax.Switch):
+        _switch(statement, done or does(statement.value), does, ways)
+    elif isinstance(statement, syntax.Try):
+        _block(statement.body, done, does, ways, near)
+        for handler in statement.handlers:
+            _block(handler.body, done, does, ways, (handler.line, handler.column))
+    elif isinstance(statement, syntax.Preprocessor):
         ways.on.add(True)  # what is compiled is not known
-    elif kind == "block":
-        _block(statement[1], done, does, ways, near)
-    elif kind == "static":
-        _statement(statement[1], done, does, ways, near)
+    elif isinstance(statement, syntax.Nested):
+        _block(statement.body, done, does, ways, near)
+    elif isinstance(statement, syntax.Static):
+        _statement(statement.statement, done, does, ways, near)
     else:
         ways.on.add(done)
 
 
-def _if(statement: Any, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
-    test = statement[4]
+def _if(statement: syntax.If, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
+    test = statement.test
     done = done or does(test)
     then_over, else_over = _over(test)
-    at = (statement[1], statement[2])
-    _block(statement[5], done or then_over, does, ways, at)
-    if statement[8]:
-        _block(statement[8], done or else_over, does, ways, (statement[6] or at[0], statement[7] or at[1]))
+    at = (statement.line, statement.column)
+    _block(statement.then, done or then_over, does, ways, at)
+    if statement.other:
+        _block(
+            statement.other,
+            done or else_over,
+            does,
+            ways,
+            (statement.else_line or at[0], statement.else_column or at[1]),
+        )
     else:
         ways.on.add(done or else_over)
 
 
-def _loop(statement: Any, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
+def _loop(statement: syntax.Loop | syntax.Each, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
     inner = _Ways()
-    if statement[0] == "each":
-        done = done or does(statement[6])
-        endless, over, body, at = False, False, statement[7], (statement[1], statement[2])
+    body, at = statement.body, (statement.line, statement.column)
+    if isinstance(statement, syntax.Each):
+        done = done or does(statement.iterable)
+        endless, over = False, False
     else:
-        test = statement[6]
-        endless = (test is None and statement[1] == "for") or (
-            test is not None and test[0] in ("bool", "num") and bool(test[1])
+        test = statement.test
+        endless = (test is None and statement.keyword == "for") or (
+            isinstance(test, (syntax.Boolean, syntax.Number)) and bool(test.value)
         )
         over = test is not None and any(_over(test))
-        body, at = statement[7], (statement[2], statement[3])
         done = done or (test is not None and does(test))
     _block(body, done, does, inner, at)
     ways.undone += inner.undone
@@ -152,7 +167,7 @@ def _loop(statement: Any, done: bool, does: Callable[[Expression], bool], ways: 
         ways.on.add(True)  # it ends with a shutdown, or is left by a break
     elif not endless:
         turned = inner.on | inner.continues
-        if statement[0] == "loop" and statement[1] != "for" and True in turned:
+        if isinstance(statement, syntax.Loop) and statement.keyword != "for" and True in turned:
             ways.on.add(True)  # its condition is about that, as far as can be seen
         else:
             ways.on |= {done} | turned
@@ -165,29 +180,29 @@ def _may_do(block: Block, does: Callable[[Expression], bool]) -> bool:
     return True in ways.on | ways.breaks | ways.continues or not (ways.on or ways.undone)
 
 
-def _switch(statement: Any, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
+def _switch(statement: syntax.Switch, done: bool, does: Callable[[Expression], bool], ways: _Ways) -> None:
     states: set[bool] = set()
     has_default = False
-    at = (statement[1], statement[2])
-    for test, block in statement[5]:
-        has_default = has_default or test is None
+    at = (statement.line, statement.column)
+    for case in statement.cases:
+        has_default = has_default or case.value is None
         inner = _Ways()
         for state in {done} | states:
-            _block(block, state, does, inner, at)
+            _block(case.body, state, does, inner, at)
         ways.on |= inner.breaks
         ways.undone += inner.undone
         ways.continues |= inner.continues
         states = inner.on
     ways.on |= states
-    if not has_default and not statement[5]:
+    if not has_default and not statement.cases:
         ways.on.add(done)
 
 
 def _over(test: Expression) -> tuple[bool, bool]:
     """Whether the program or the goal is over where a condition holds, and where it does not; both may be for compound ones."""
     turned = False
-    while test[0] == "op" and test[1] == "!":
-        turned, test = not turned, test[2][0]
+    while isinstance(test, syntax.Operation) and test.operator == "!":
+        turned, test = not turned, test.operands[0]
     found = {_asked(node) for node in nodes(test)} & (RUNNING | OVER)
     if not found:
         return False, False
@@ -199,4 +214,10 @@ def _over(test: Expression) -> tuple[bool, bool]:
 
 def _asked(node: Expression) -> str:
     """The last part of the name of a call, or of a property that is read."""
-    return last_part(node[1]) if node[0] == "call" else str(node[2]) if node[0] == "field" else ""
+    return (
+        last_part(node.callee)
+        if isinstance(node, syntax.Call)
+        else node.name
+        if isinstance(node, syntax.Member)
+        else ""
+    )

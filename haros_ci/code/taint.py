@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.code.body import Call, last_part
 from haros_ci.code.calls import called
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 #: Functions whose result cannot carry a command.
 CLEANING = frozenset(
@@ -25,37 +25,38 @@ Marks = Mapping[str, frozenset[tuple[str, ...]]]
 
 def carried(expression: Expression, marks: Marks) -> frozenset[tuple[str, ...]]:
     """The members of the message that an expression's value carries; *marks* are the variables that carry some."""
-    tag = expression[0]
-    if tag == "name":
-        return marks.get(expression[1], frozenset())
-    if tag == "field":
-        return frozenset((*path, expression[2]) for path in carried(expression[1], marks))
-    if tag in ("*", "&", "star"):
-        return carried(expression[1], marks)
-    if tag in ("kw", "cast"):
-        return carried(expression[2], marks)
-    if tag == "index":
-        return carried(expression[1], marks)
-    if tag == "op":
-        return frozenset() if expression[1] in TESTS else _any(expression[2], marks)
-    if tag in ("list", "format"):
-        return _any(expression[1], marks)
-    if tag == "if":
-        return _any(expression[2:4], marks)
-    if tag == "call":
-        name = last_part(expression[1])
+    if isinstance(expression, syntax.Name):
+        return marks.get(expression.name, frozenset())
+    if isinstance(expression, syntax.Member):
+        return frozenset((*path, expression.name) for path in carried(expression.object, marks))
+    if isinstance(expression, (syntax.Dereference, syntax.Address, syntax.Star)):
+        return carried(expression.value, marks)
+    if isinstance(expression, (syntax.Keyword, syntax.Cast)):
+        return carried(expression.value, marks)
+    if isinstance(expression, syntax.Subscript):
+        return carried(expression.object, marks)
+    if isinstance(expression, syntax.Operation):
+        return frozenset() if expression.operator in TESTS else _any(expression.operands, marks)
+    if isinstance(expression, syntax.ListLiteral):
+        return _any(expression.items, marks)
+    if isinstance(expression, syntax.Format):
+        return _any(expression.parts, marks)
+    if isinstance(expression, syntax.Conditional):
+        return _any((expression.then, expression.other), marks)
+    if isinstance(expression, syntax.Call):
+        name = last_part(expression.callee)
         if name in CLEANING:
             return frozenset()
         receiver: frozenset[tuple[str, ...]] = frozenset()
-        if expression[1][0] == "field":
-            receiver = carried(expression[1][1], marks)
+        if isinstance(expression.callee, syntax.Member):
+            receiver = carried(expression.callee.object, marks)
             if name in ("get", "lookup", "at") and not receiver:  # what is looked up is not what it is looked up by
                 return frozenset()
-        return receiver | _any(expression[2], marks)
+        return receiver | _any(expression.arguments, marks)
     return frozenset()
 
 
-def _any(every: Any, marks: Marks) -> frozenset[tuple[str, ...]]:
+def _any(every: tuple[Expression, ...], marks: Marks) -> frozenset[tuple[str, ...]]:
     found: frozenset[tuple[str, ...]] = frozenset()
     for each in every:
         found |= carried(each, marks)
@@ -71,11 +72,10 @@ def marks_in(code: Codebase, routine: Routine, start: Marks) -> dict[str, frozen
         for name, every in body.variables.items():
             for each in every:
                 if each.init is not None:
-                    inner = (each.init[1],) if each.init[0] in ("=", "each") else each.init[1]
-                    marks[name] = marks.get(name, frozenset()) | _any(inner, marks)
+                    marks[name] = marks.get(name, frozenset()) | _any(each.parts, marks)
         for target, operator, value, _ in body.sets:
-            if target[0] == "name" and operator in ("=", "+="):
-                marks[target[1]] = marks.get(target[1], frozenset()) | carried(value, marks)
+            if isinstance(target, syntax.Name) and operator in ("=", "+="):
+                marks[target.name] = marks.get(target.name, frozenset()) | carried(value, marks)
         if marks == before:
             break
     return {name: paths for name, paths in marks.items() if paths}
@@ -94,12 +94,12 @@ def followed(
             continue
         for target in called(code, routine, call.whole):
             given: dict[str, frozenset[tuple[str, ...]]] = {}
-            plain = [each for each in call.args if each[0] != "kw"]
+            plain = [each for each in call.args if not isinstance(each, syntax.Keyword)]
             for parameter, each in zip(target.function.parameters, plain, strict=False):
                 given[parameter.name] = carried(each, marks)
-            for each in call.args:
-                if each[0] == "kw":
-                    given[each[1]] = carried(each[2], marks)
+            for argument in call.args:
+                if isinstance(argument, syntax.Keyword):
+                    given[argument.name] = carried(argument.value, marks)
             if any(given.values()):
                 for where, inner, its, way in followed(code, target, given, depth - 1):
                     yield where, inner, its, ((routine, call), *way)

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from haros_ci import syntax
 from haros_ci.code import kinds
 from haros_ci.code.body import Around, Call
 from haros_ci.code.calls import called
@@ -38,10 +37,12 @@ def is_lookup(code: Codebase, routine: Routine, call: Call) -> bool:
 
 def is_caught(around: Around) -> bool:
     """Whether a handler around it may catch what a look-up throws."""
-    return any(place.kind == "try" and any(map(_may_catch, place.statement[2])) for place in around)
+    tried = (place.statement for place in around if isinstance(place.statement, syntax.Try))
+    return any(any(map(_may_catch, each.handlers)) for each in tried)
 
 
-def _may_catch(handler: Any) -> bool:
-    kind = handler[4]
-    names = [each[0] for each in kind[1]] if kind[0] == "Union" else [kind[0]]
+def _may_catch(handler: syntax.Handler) -> bool:
+    kind = handler.type
+    kinds = [each for each in kind.arguments if isinstance(each, syntax.Type)] if kind.name == "Union" else [kind]
+    names = [each.name for each in kinds]
     return any(name.rpartition("::")[2].rpartition(".")[2] not in OTHERS for name in names)

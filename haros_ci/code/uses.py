@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.code.body import last_part
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Record
+from haros_ci.syntax.walk import Part, below
 
 #: What makes no other value of its argument.
 SAME = frozenset(("move", "forward"))
@@ -24,7 +25,7 @@ class Use:
 
     path: tuple[str, ...]
     role: str
-    call: Expression | None = None
+    call: syntax.Call | None = None
 
 
 def uses(code: Codebase, routine: Routine, name: str) -> tuple[Use, ...]:
@@ -37,68 +38,63 @@ def uses(code: Codebase, routine: Routine, name: str) -> tuple[Use, ...]:
     return tuple(found)
 
 
-def _path(node: Any, name: str) -> tuple[str, ...] | None:
+def _path(node: Record, name: str) -> tuple[str, ...] | None:
     """The members between *name* and *node*; None if it does not begin with the name."""
     path: list[str] = []
     while True:
-        if node[0] == "name":
-            return tuple(reversed(path)) if node[1] == name else None
-        if node[0] == "field":
-            path.append(node[2])
-            node = node[1]
-        elif node[0] == "index":
+        if isinstance(node, syntax.Name):
+            return tuple(reversed(path)) if node.name == name else None
+        if isinstance(node, syntax.Member):
+            path.append(node.name)
+            node = node.object
+        elif isinstance(node, syntax.Subscript):
             path.append("")
-            node = node[1]
-        elif node[0] == "*":
-            node = node[1]
+            node = node.object
+        elif isinstance(node, syntax.Dereference):
+            node = node.value
         else:
             return None
 
 
-def _visit(node: Any, name: str, role: str, call: Any) -> Iterator[Use]:
-    if not isinstance(node, (tuple, list)) or not node:
-        return
-    tag = node[0]
-    if tag in ("name", "field", "index", "*") and (path := _path(node, name)) is not None:
+def _visit(node: Part, name: str, role: str, call: syntax.Call | None) -> Iterator[Use]:
+    if isinstance(node, syntax.Record) and (path := _path(node, name)) is not None:
         yield Use(path, role, call)
         yield from _indexes(node, name)
-        return
-    if tag == "set" and len(node) == 4 and isinstance(node[1], str):
-        yield from _visit(node[2], name, "set", None)
-        yield from _visit(node[3], name, "read", None)
-    elif tag == "call" and len(node) == 6:
-        callee = node[1]
-        if callee[0] == "field":
-            yield from _visit(callee[1], name, "receiver", node)
+    elif isinstance(node, syntax.Assignment):
+        yield from _visit(node.target, name, "set", None)
+        yield from _visit(node.value, name, "read", None)
+    elif isinstance(node, syntax.Call):
+        callee = node.callee
+        if isinstance(callee, syntax.Member):
+            yield from _visit(callee.object, name, "receiver", node)
         else:
             yield from _visit(callee, name, "read", None)
         same = last_part(callee) in SAME and call is not None
-        for each in node[2]:
+        for each in node.arguments:
             yield from _visit(each, name, "argument", call if same else node)
-    elif tag == "&" and len(node) == 2:
-        yield from _visit(node[1], name, "address", call)
-    elif tag == "return" and len(node) == 2:
-        yield from _visit(node[1], name, "returned", None)
-    elif tag in ("cast", "kw") and len(node) == 3:
-        yield from _visit(node[2], name, role, call)
-    elif tag == "op" and len(node) == 3 and node[1] in ("<<", ">>"):
-        for each in node[2]:
+    elif isinstance(node, syntax.Address):
+        yield from _visit(node.value, name, "address", call)
+    elif isinstance(node, syntax.Return):
+        yield from _visit(node.value, name, "returned", None)
+    elif isinstance(node, (syntax.Cast, syntax.Keyword)):
+        yield from _visit(node.value, name, role, call)
+    elif isinstance(node, syntax.Operation) and node.operator in ("<<", ">>"):
+        for each in node.operands:
             yield from _visit(each, name, "address", None)
-    elif tag == "var" and len(node) == 6:
-        if node[3] is not None:
-            inner = (node[3][1],) if node[3][0] == "=" else node[3][1]
-            #: a reference to it, or an object that is given it
-            how = "address" if "&" in node[2][2] or "*" in node[2][2] or node[3][0] != "=" else "read"
-            for each in inner:
-                yield from _visit(each, name, how, None)
+    elif isinstance(node, syntax.Variable):
+        marks = node.type.marks
+        #: a reference to it, or an object that is given it
+        how = "address" if "&" in marks or "*" in marks or not isinstance(node.init, syntax.Equals) else "read"
+        for each in syntax.started(node.init):
+            yield from _visit(each, name, how, None)
     else:
-        for each in node:
-            yield from _visit(each, name, "read", None)
+        for inner in below(node):
+            yield from _visit(inner, name, "read", None)
 
 
-def _indexes(node: Any, name: str) -> Iterator[Use]:
+def _indexes(node: Record, name: str) -> Iterator[Use]:
     """Mentions inside the brackets of ``a[i].b[j]``."""
-    while node[0] in ("field", "index", "*"):
-        if node[0] == "index":
-            yield from _visit(node[2], name, "read", None)
-        node = node[1]
+    while isinstance(node, (syntax.Member, syntax.Subscript, syntax.Dereference)):
+        if isinstance(node, syntax.Subscript):
+            yield from _visit(node.index, name, "read", None)
+        node = node.value if isinstance(node, syntax.Dereference) else node.object

@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci.extract.parameter_library_cpp import cpp_program
 from haros_ci.extract.parameter_library_python import python_program
 from haros_ci.extract.parameter_library_tree import read_library
-from haros_ci.model.program import Program
+from haros_ci.syntax import Program
 
 
 def read_parameter_library(path: str, text: str, language: str = "cpp") -> Program:

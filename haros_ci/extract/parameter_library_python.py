@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from haros_ci import syntax
 from haros_ci.extract.parameter_library_terms import (
     NO_TYPE,
     THIS,
@@ -18,7 +19,7 @@ from haros_ci.extract.parameter_library_terms import (
     text,
 )
 from haros_ci.extract.parameter_library_tree import Declared, Library, Struct
-from haros_ci.model.program import Alias, Block, Class, Expression, Function, Parameter, Program, Statement
+from haros_ci.syntax import Alias, Block, Class, Expression, Function, Parameter, Program, Statement
 
 _IMPORTS = {
     "FloatingPointRange": "rcl_interfaces.msg.FloatingPointRange",
@@ -27,7 +28,7 @@ _IMPORTS = {
     "rclpy": "rclpy",
 }
 _OPEN: dict[str, tuple[float, float]] = {"int": (-(2**31) - 1, 2**31 - 1)}
-_SET_LATER: Expression = ("?", "whether a parameter was set since")
+_SET_LATER: Expression = syntax.Unknown("whether a parameter was set since")
 
 
 def python_program(library: Library) -> Program:
@@ -45,29 +46,29 @@ def python_program(library: Library) -> Program:
     stored = field(THIS, "params_")
     made: Block = (
         assign(field(THIS, "prefix_"), name("prefix")),
-        assign(stored, ("call", params, (), (), line, column)),
+        assign(stored, syntax.Call(params, (), (), line, column)),
         assign(field(THIS, "node_"), name("node")),
-        ("do", ("call", field(THIS, "declare_params"), (), (), line, column)),
+        syntax.Do(syntax.Call(field(THIS, "declare_params"), (), (), line, column)),
     )
-    called: Statement = ("do", ("call", name("callback"), (stored,), (), line, column))
-    later: Statement = ("if", line, column, "a parameter is set", _SET_LATER, (called,), 0, 0, ())
+    called: Statement = syntax.Do(syntax.Call(name("callback"), (stored,), (), line, column))
+    later: Statement = syntax.If(line, column, "a parameter is set", _SET_LATER, (called,), 0, 0, ())
     declared = tuple(_declaration(parameter) for parameter in library.order)
-    prefix = Parameter("prefix", NO_TYPE, ("str", ""))
+    prefix = Parameter("prefix", NO_TYPE, syntax.String(""))
     functions += [
         _function(listener, "__init__", (Parameter("node", NO_TYPE), prefix), made, line, column),
-        _function(listener, "get_params", (), (("return", stored),), line, column),
-        _function(listener, "is_old", (Parameter("other_param", NO_TYPE),), (("return", _SET_LATER),), line, column),
+        _function(listener, "get_params", (), (syntax.Return(stored),), line, column),
+        _function(listener, "is_old", (Parameter("other_param", NO_TYPE),), (syntax.Return(_SET_LATER),), line, column),
         _function(listener, "refresh_dynamic_parameters", (), (), line, column),
         _function(listener, "declare_params", (), declared, line, column),
         _function(listener, "set_user_callback", (Parameter("callback", NO_TYPE),), (later,), line, column),
         _function(listener, "clear_user_callback", (), (), line, column),
     ]
-    module = Function("", "", "module", (), NO_TYPE, 1, 1, (("class", space),), 1, 1)
+    module = Function("", "", "module", (), NO_TYPE, 1, 1, (syntax.NestedClass(space),), 1, 1)
     return Program(
         "python",
         functions=(module, *functions),
         classes=tuple(classes),
-        aliases=tuple(Alias(local, (target, (), "")) for local, target in _IMPORTS.items()),
+        aliases=tuple(Alias(local, syntax.Type(target)) for local, target in _IMPORTS.items()),
         problems=tuple(library.problems),
     )
 
@@ -86,15 +87,15 @@ def _structs(
     body: list[Statement] = []
     for parameter in struct.parameters:
         default = default_of(parameter, _not_finite(parameter))
-        body.append(assign(field(THIS, parameter.path[-1]), ("none",) if default is None else default))
+        body.append(assign(field(THIS, parameter.path[-1]), syntax.Null() if default is None else default))
     inner_classes = [(inner, f"__{pascal(inner.path[-1])}") for inner in struct.structs]
     body += [
-        assign(field(THIS, inner.path[-1]), ("call", field(written, kind), (), (), inner.line, inner.column))
+        assign(field(THIS, inner.path[-1]), syntax.Call(field(written, kind), (), (), inner.line, inner.column))
         for inner, kind in inner_classes
         if not inner.is_map
     ]
     if any(inner.is_map for inner in struct.structs):
-        body.append(assign(field(THIS, "entries_"), ("dict", ())))
+        body.append(assign(field(THIS, "entries_"), syntax.DictLiteral(())))
     classes.append(Class(qualified, (), (), line, column))
     functions.append(_function(qualified, "__init__", (), tuple(body), line, column))
     for inner, kind in inner_classes:
@@ -107,11 +108,11 @@ def _entries(owner: str, kind: Expression, struct: Struct) -> list[Function]:
     """add_entry and get_entry of the class that a map is in; entries are kept in a dictionary here."""
     line, column = struct.line, struct.column
     parameters = (Parameter("name", NO_TYPE),)
-    entry: Expression = ("index", field(THIS, "entries_"), name("name"))
-    added = assign(entry, ("call", kind, (), (), line, column))
-    test: Expression = ("op", "not in", (name("name"), field(THIS, "entries_")))
-    guarded: Statement = ("if", line, column, "not hasattr(self, name)", test, (added,), 0, 0, ())
-    got: Statement = ("return", entry)
+    entry: Expression = syntax.Subscript(field(THIS, "entries_"), name("name"))
+    added = assign(entry, syntax.Call(kind, (), (), line, column))
+    test: Expression = syntax.Operation("not in", (name("name"), field(THIS, "entries_")))
+    guarded: Statement = syntax.If(line, column, "not hasattr(self, name)", test, (added,), 0, 0, ())
+    got: Statement = syntax.Return(entry)
     return [
         _function(owner, "add_entry", parameters, (guarded, got), line, column),
         _function(owner, "get_entry", parameters, (got,), line, column),
@@ -127,7 +128,7 @@ def _declaration(parameter: Declared) -> Statement:
     prefix = field(THIS, "prefix_")
     if not parameter.keys:
         full = joined(prefix, text(".".join(parameter.path)))
-        return ("block", _declared(parameter, full, field(stored, *parameter.path)))
+        return syntax.Nested(_declared(parameter, full, field(stored, *parameter.path)))
     before, maps, inside = map_place(parameter)
     parts: list[Expression] = [prefix, *([text(".".join(before) + ".")] if before else [])]
     place = field(stored, *before)
@@ -137,12 +138,12 @@ def _declaration(parameter: Declared) -> Statement:
         place = call(field(place, "add_entry"), (value,), parameter)
     parts[-1] = text("." + ".".join(inside))
     entry = name("entry")
-    body = (assign(entry, place), *_declared(parameter, ("format", tuple(parts)), field(entry, *inside)))
+    body = (assign(entry, place), *_declared(parameter, syntax.Format(tuple(parts)), field(entry, *inside)))
     for number in range(len(maps), 0, -1):
         keys = parameter.keys[number - 1]
         shown = f"value_{number} in updated_params.{'.'.join(keys)}"
         line, column = parameter.line, parameter.column
-        body = (("each", line, column, shown, f"value_{number}", NO_TYPE, field(stored, *keys), body),)
+        body = (syntax.Each(line, column, shown, f"value_{number}", NO_TYPE, field(stored, *keys), body),)
     return body[0]
 
 
@@ -153,8 +154,8 @@ def _declared(parameter: Declared, full: Expression, place: Expression) -> Block
     if default is None:
         default = field(name("rclpy"), "Parameter", "Type", f"{kind}_ARRAY" if parameter.is_array else kind)
     described: tuple[Expression, ...] = (
-        ("kw", "description", text(parameter.description)),
-        ("kw", "read_only", ("bool", parameter.read_only)),
+        syntax.Keyword("description", text(parameter.description)),
+        syntax.Keyword("read_only", syntax.Boolean(parameter.read_only)),
     )
     declared = call(field(THIS, "node_", "declare_parameter"), (full, default, descriptor), parameter)
     return (
@@ -174,15 +175,17 @@ def _range(parameter: Declared) -> Block:
     if lower is None and upper is None:
         return ()
     endless = _not_finite(parameter)["inf"]
-    least: Expression = ("op", "-", (endless,)) if parameter.base == "double" else ("num", _OPEN["int"][0])
-    greatest = endless if parameter.base == "double" else ("num", _OPEN["int"][1])
+    least: Expression = (
+        syntax.Operation("-", (endless,)) if parameter.base == "double" else syntax.Number(_OPEN["int"][0])
+    )
+    greatest = endless if parameter.base == "double" else syntax.Number(_OPEN["int"][1])
     what, member = (
         ("FloatingPointRange", "floating_point_range")
         if parameter.base == "double"
         else ("IntegerRange", "integer_range")
     )
     given: tuple[Expression, ...] = (
-        ("kw", "from_value", least if lower is None else ("num", lower)),
-        ("kw", "to_value", greatest if upper is None else ("num", upper)),
+        syntax.Keyword("from_value", least if lower is None else syntax.Number(lower)),
+        syntax.Keyword("to_value", greatest if upper is None else syntax.Number(upper)),
     )
-    return (assign(field(name("descriptor"), member), ("list", (call(name(what), given, parameter),))),)
+    return (assign(field(name("descriptor"), member), syntax.ListLiteral((call(name(what), given, parameter),))),)

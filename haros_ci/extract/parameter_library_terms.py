@@ -7,41 +7,42 @@ import math
 import sys
 from collections.abc import Iterable
 
+from haros_ci import syntax
 from haros_ci.extract.parameter_library_tree import MAP, Declared, Element
-from haros_ci.model.program import Expression, Statement, Type
+from haros_ci.syntax import Expression, Statement, Type
 
-NO_TYPE: Type = ("", (), "")
-THIS: Expression = ("this",)
+NO_TYPE: Type = syntax.Type("")
+THIS: Expression = syntax.This()
 
 
 def name(text: str) -> Expression:
-    return ("name", text)
+    return syntax.Name(text)
 
 
 def text(value: str) -> Expression:
-    return ("str", value)
+    return syntax.String(value)
 
 
 def field(owner: Expression, *names: str) -> Expression:
     """``owner.a.b``."""
     for each in names:
-        owner = ("field", owner, each)
+        owner = syntax.Member(owner, each)
     return owner
 
 
 def call(callee: Expression, args: Iterable[Expression], place: Declared, types: tuple[Type, ...] = ()) -> Expression:
-    return ("call", callee, tuple(args), types, place.line, place.column)
+    return syntax.Call(callee, tuple(args), types, place.line, place.column)
 
 
 def assign(target: Expression, value: Expression) -> Statement:
-    return ("do", ("set", "=", target, value))
+    return syntax.Do(syntax.Assignment("=", target, value))
 
 
 def joined(*parts: Expression) -> Expression:
     """``a + b + c``."""
     first, *rest = parts
     for part in rest:
-        first = ("op", "+", (first, part))
+        first = syntax.Operation("+", (first, part))
     return first
 
 
@@ -59,24 +60,24 @@ def map_place(parameter: Declared) -> tuple[tuple[str, ...], tuple[str, ...], tu
 def element(value: Element, not_finite: dict[str, Expression]) -> Expression:
     """A literal; what is no finite number is one of *not_finite* (``nan``, ``inf``)."""
     if isinstance(value, bool):
-        return ("bool", value)
+        return syntax.Boolean(value)
     if isinstance(value, str):
-        return ("str", value)
+        return syntax.String(value)
     if isinstance(value, float) and not math.isfinite(value):
         if math.isnan(value):
             return not_finite["nan"]
-        return not_finite["inf"] if value > 0 else ("op", "-", (not_finite["inf"],))
-    return ("num", value)
+        return not_finite["inf"] if value > 0 else syntax.Operation("-", (not_finite["inf"],))
+    return syntax.Number(value)
 
 
 def default_of(parameter: Declared, not_finite: dict[str, Expression]) -> Expression | None:
     """The default as an expression, None where there is none."""
     if not parameter.is_sure:
-        return ("?", "a default of another type than the parameter's")
+        return syntax.Unknown("a default of another type than the parameter's")
     if parameter.default is None:
         return None
     if isinstance(parameter.default, tuple):
-        return ("list", tuple(element(item, not_finite) for item in parameter.default))
+        return syntax.ListLiteral(tuple(element(item, not_finite) for item in parameter.default))
     return element(parameter.default, not_finite)
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     call_arguments,
     construct,
@@ -21,7 +21,7 @@ from haros_ci.link import (
 )
 from haros_ci.link.index import EITHER
 from haros_ci.link.run import DEPTH, NEXT, Frame, Run
-from haros_ci.link.types import STRINGS, is_smart_pointer, is_type
+from haros_ci.link.types import STRINGS, is_smart_pointer
 from haros_ci.link.values import (
     NONE,
     Callable,
@@ -36,7 +36,7 @@ from haros_ci.link.values import (
 )
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
-from haros_ci.model.program import Expression, Function, Type
+from haros_ci.syntax import Expression, Function
 
 #: Steps that may go into one function that makes nothing; after that its results are not known.
 SPENT = 300
@@ -73,7 +73,7 @@ def invoke(
     frame: Frame,
     function: Callable,
     args: tuple[call_arguments.Argument, ...],
-    targs: Any = (),
+    targs: tuple[syntax.Argument, ...] = (),
 ) -> Value:
     """Follow a function of the workspace with these arguments."""
     run.step()
@@ -82,12 +82,16 @@ def invoke(
         source, definition = methods.with_body(run, [(function.source, definition)])
         function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
     inner_scope = definition.owner or definition.name.rpartition(function.source.separator)[0]
-    templates: Mapping[str, Type] = function.templates
+    templates: Mapping[str, syntax.Argument] = function.templates
     if function.this is not None and definition.owner:
         of_base = methods.templates_of(run, function.this, definition.owner)
         templates = {**templates, **of_base} if of_base else templates
     if definition.templates:
-        explicit = {n: run.type_in(t, frame) for n, t in zip(definition.templates, targs, strict=False) if is_type(t)}
+        explicit = {
+            n: run.type_in(t, frame)
+            for n, t in zip(definition.templates, targs, strict=False)
+            if isinstance(t, syntax.Type)
+        }
         templates = {**templates, **_deduced(definition, args), **explicit}
     inner = Frame(
         function.source,
@@ -101,7 +105,7 @@ def invoke(
     returns = run.type_in(definition.returns, inner)
     if definition.body is None:
         found = library.unknown_call(run, frame, definition.name, args)
-        return conversions.converted(found, returns) if returns[0] not in ("", "void", "auto") else found
+        return conversions.converted(found, returns) if returns.name not in ("", "void", "auto") else found
     if len(run.active) >= DEPTH or run.active.count(definition) > 1:
         library.unknown_call(run, frame, definition.name, args)
         inert.skipped(run, inner, function, definition, returns, _with_bound(function.bound, args))
@@ -149,18 +153,22 @@ def _with_bound(
     )
 
 
-def _deduced(definition: Function, args: tuple[call_arguments.Argument, ...]) -> dict[str, Type]:
-    found: dict[str, Type] = {}
+def _deduced(definition: Function, args: tuple[call_arguments.Argument, ...]) -> dict[str, syntax.Argument]:
+    found: dict[str, syntax.Argument] = {}
     for parameter, argument in zip(definition.parameters, args, strict=False):
         kind = argument.type
         if kind is None:
             continue
-        if parameter.type[0] in definition.templates:
-            found.setdefault(parameter.type[0], (kind[0], kind[1], ""))
-        elif parameter.type[1]:
-            for inner, actual in zip(parameter.type[1], kind[1], strict=False):
-                if is_type(inner) and inner[0] in definition.templates and is_type(actual):
-                    found.setdefault(inner[0], actual)
+        if parameter.type.name in definition.templates:
+            found.setdefault(parameter.type.name, kind.bare())
+        elif parameter.type.arguments:
+            for inner, actual in zip(parameter.type.arguments, kind.arguments, strict=False):
+                if (
+                    isinstance(inner, syntax.Type)
+                    and inner.name in definition.templates
+                    and isinstance(actual, syntax.Type)
+                ):
+                    found.setdefault(inner.name, actual)
     return found
 
 
@@ -184,22 +192,22 @@ def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[c
                 value = conversions.converted(expressions.evaluate(run, inner, default), kind)
             else:
                 value = run.opaque("an argument that is given from outside", inner, function.line, kind)
-            inner.declare(parameter.name, Cell(value, kind if kind[0] else None))
+            inner.declare(parameter.name, Cell(value, kind if kind.name else None))
             continue
-        if "&" in kind[2] and argument.cell is not None and not kind[2].rstrip("&").endswith("c"):
+        if "&" in kind.marks and argument.cell is not None and not kind.marks.rstrip("&").endswith("c"):
             inner.declare(parameter.name, argument.cell)
             continue
         value = argument.value
-        is_open = parameter.type[0] in ("", "auto") or parameter.type[0] in function.templates
+        is_open = parameter.type.name in ("", "auto") or parameter.type.name in function.templates
         if isinstance(value, (Sequence, Mapped)) or argument.cell is not None:
             value = copies.passed(run, inner, value, kind, argument, is_open)
-        if kind[0] and isinstance(value, Known) and isinstance(value.value, str) and not is_smart_pointer(kind):
-            owner = run.class_of(kind[0], inner.source) if kind[0] not in STRINGS else None
+        if kind.name and isinstance(value, Known) and isinstance(value.value, str) and not is_smart_pointer(kind):
+            owner = run.class_of(kind.name, inner.source) if kind.name not in STRINGS else None
             if owner is not None:
-                value = construct.create(run, inner, (kind[0], kind[1], ""), (argument,), Location(inner.source.path))
-        if kind[0]:
+                value = construct.create(run, inner, kind.bare(), (argument,), Location(inner.source.path))
+        if kind.name:
             value = conversions.converted(value, kind)
-        declared = kind if kind[0] and kind[0] != "auto" and kind[0] not in inner.templates else argument.type
+        declared = kind if kind.name and kind.name != "auto" and kind.name not in inner.templates else argument.type
         if is_open and isinstance(value, Object):  # it may be a pointer
             declared = argument.cell.type if argument.cell is not None else None
         inner.declare(parameter.name, Cell(value, declared))
@@ -238,7 +246,7 @@ def _declared_default(run: Run, function: Function, number: int) -> Expression |
             default = declared.parameters[number].default
             if default is not None:
                 if found is not None and found != default:
-                    return ("?", EITHER)
+                    return syntax.Unknown(EITHER)
                 found = default
     return found
 

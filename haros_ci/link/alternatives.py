@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from haros_ci.link import copies
-from haros_ci.link.types import MAPS, SEQUENCES, is_type, pointee
+from haros_ci.link.types import MAPS, SEQUENCES, pointee
 from haros_ci.link.values import Cell, Mapped, Object, Sequence, Value
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from haros_ci.link.run import Run
     from haros_ci.link.state import Writes
-    from haros_ci.model.program import Type
+    from haros_ci.syntax import Type
 
 #: Objects inside objects that are looked into.
 NESTED = 3
@@ -41,10 +41,10 @@ def of_base(run: Run, base: str) -> tuple[Object, ...]:
 
 def element(run: Run, kind: Type, name: str) -> Type | None:
     """The type of what the method *name* of a container of plug-ins gives; None if it is no such container."""
-    if name not in ("at", "front", "back") or kind[0] not in SEQUENCES | MAPS or not kind[1]:
+    if name not in ("at", "front", "back") or kind.name not in SEQUENCES | MAPS or not kind.arguments:
         return None
-    held: Type = kind[1][1 if kind[0] in MAPS and len(kind[1]) > 1 else 0]
-    return held if is_type(held) and of_base(run, pointee(held)[0]) else None
+    held = kind.of(1 if kind.name in MAPS and len(kind.arguments) > 1 else 0)
+    return held if held is not None and of_base(run, pointee(held).name) else None
 
 
 def have(run: Run, this: Object | None) -> bool:

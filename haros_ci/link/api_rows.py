@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     behavior_tree_ports,
     behavior_trees,
@@ -22,7 +23,7 @@ from haros_ci.link import (
 from haros_ci.link.emit import emit
 from haros_ci.link.names import clean
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import SEQUENCES, STRINGS, is_type, parameter_type, pointee
+from haros_ci.link.types import SEQUENCES, STRINGS, parameter_type, pointee
 from haros_ci.link.values import (
     FALSE,
     NONE,
@@ -41,7 +42,7 @@ from haros_ci.link.values import (
 )
 from haros_ci.model.api import Entry, Row
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -66,9 +67,9 @@ def call(
     name: str,
     receiver: Value | None,
     args: tuple[Argument, ...],
-    targs: Any,
+    targs: tuple[syntax.Argument, ...],
     location: Location,
-    types: tuple[Any, ...] | None = None,
+    types: tuple[syntax.Argument, ...] | None = None,
 ) -> Value | None:
     """The value of a call that a row describes; None if no row does."""
     row = select(run, name, args)
@@ -79,7 +80,7 @@ def call(
         if modelled is not None:
             return modelled
     if types is None:
-        types = tuple(run.type_in(t, frame) if is_type(t) else t for t in targs)
+        types = tuple(run.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
     made: Object | None = None
     returns = row.returns
     if returns is not None and all(isinstance(part, str) for part in returns.parts):
@@ -120,16 +121,16 @@ def call(
 
 def construct(run: Run, frame: Frame, this: Object, kind: Type, args: tuple[Argument, ...], location: Location) -> None:
     """What constructing a library's class makes; nothing if no row knows it."""
-    row = select(run, kind[0], args)
+    row = select(run, kind.name, args)
     if row is not None:
-        _apply(selectors.Applied(run, frame, row, this, args, kind[1], location), this)
-    elif kind[0].startswith(behavior_trees.SPACE):
+        _apply(selectors.Applied(run, frame, row, this, args, kind.arguments, location), this)
+    elif kind.name.startswith(behavior_trees.SPACE):
         behavior_tree_ports.configured(this, args)
 
 
 def _filled(
-    run: Run, name: str, args: tuple[Argument, ...], types: tuple[Any, ...], location: Location
-) -> tuple[tuple[Argument, ...], tuple[Any, ...], bool]:
+    run: Run, name: str, args: tuple[Argument, ...], types: tuple[syntax.Argument, ...], location: Location
+) -> tuple[tuple[Argument, ...], tuple[syntax.Argument, ...], bool]:
     """The arguments with what only the exact tier knows of them; what is known already stays as it is."""
     if run.exact is None or location.line is None or location.column is None:
         return args, types, False
@@ -141,10 +142,10 @@ def _filled(
         known = argument.value
         if isinstance(known, Opaque) and value is not None:
             known = Known(value)
-        blank = argument.type is None or argument.type[0] in ("", "auto")
-        filled.append(replace(argument, value=known, type=(kind, (), "") if blank and kind else argument.type))
+        blank = argument.type is None or argument.type.name in ("", "auto")
+        filled.append(replace(argument, value=known, type=syntax.Type(kind) if blank and kind else argument.type))
     if not types and all(kind is not None for kind in told[1]):
-        types = tuple((kind, (), "") for kind in told[1])
+        types = tuple(syntax.Type(kind) for kind in told[1] if kind is not None)
     return (*filled, *args[len(filled) :]), types, True
 
 
@@ -174,7 +175,7 @@ def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
         return False
     value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
     kind = conversions.value_type(value) or argument.type
-    name = pointee(kind)[0] if kind is not None else ""
+    name = pointee(kind).name if kind is not None else ""
     if wanted == "rclcpp::ParameterType" and isinstance(value, Library):
         return value.name.rpartition("::")[2].startswith("PARAMETER_")
     if wanted == "string":
@@ -232,7 +233,7 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
         for name, template in row.fills:
             value = selectors.value_of(with_parameter, template)
             if value is not None:
-                filled = value if not isinstance(value, selectors.TypeValue) else Library(value.type[0])
+                filled = value if not isinstance(value, selectors.TypeValue) else Library(value.type.name)
                 if name in target.fields:
                     run.state.write(target.fields[name], filled)
                 else:

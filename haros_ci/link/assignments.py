@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     activation,
     braces,
@@ -42,24 +43,26 @@ from haros_ci.link.values import (
     Value,
     join,
 )
-from haros_ci.model.program import Expression, Type
+from haros_ci.syntax import Expression, Type
 
-TIES = frozenset(("std::tie", "boost::tie", "tie"))
+TIES = frozenset(map(syntax.Name, ("std::tie", "boost::tie", "tie")))
 #: Methods of containers that give one of their elements.
 ACCESSORS = frozenset(("at", "front", "back"))
 
 
-def assignment(run: Run, frame: Frame, expression: Expression) -> Value:
+def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
     """``=`` and its kin: the target holds the value from here on."""
-    _, symbol, target, source = expression
+    symbol, target, source = expression.operator, expression.target, expression.value
     python = frame.source.program.language == "python"
-    if target[0] == "list":
-        return _unpack(run, frame, target[1], expressions.evaluate(run, frame, source))
-    if target[0] == "call" and target[1][0] == "name" and target[1][1] in TIES and symbol == "=":
-        return _unpack(run, frame, target[2], expressions.evaluate(run, frame, source))
+    if isinstance(target, syntax.ListLiteral):
+        return _unpack(run, frame, target.items, expressions.evaluate(run, frame, source))
+    if isinstance(target, syntax.Call) and target.callee in TIES and symbol == "=":
+        return _unpack(run, frame, target.arguments, expressions.evaluate(run, frame, source))
     run.references = None
     value = expressions.evaluate(run, frame, source)
-    is_lvalue = not python and (source[0] not in ("call", "new", "list") or run.references is not None)
+    is_lvalue = not python and (
+        not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or run.references is not None
+    )
     cell = _target(run, frame, target)
     if cell is None:
         uncertain.lost(run, frame, target, value if symbol == "=" else run.opaque("it is changed", frame))
@@ -74,7 +77,7 @@ def assignment(run: Run, frame: Frame, expression: Expression) -> Value:
         if python and symbol == "+=" and isinstance(held, Sequence):
             return _extended(run, frame, held, value)
         value = operators.binary(run, frame, symbol[:-1], held, value)
-    elif source[0] == "list" and not python and cell.type is not None:
+    elif isinstance(source, syntax.ListLiteral) and not python and cell.type is not None:
         value = braces.from_list(run, frame, cell.type, value)
     elif is_lvalue:
         value = copies.copied(run, value, _copied_type(run, frame, cell.type, source))
@@ -91,7 +94,7 @@ def assignment(run: Run, frame: Frame, expression: Expression) -> Value:
 
 def _is_own(held: Object, kind: Type | None) -> bool:
     """Whether a variable of that type holds the object itself, and no pointer to it."""
-    return kind is not None and copies.is_by_value(kind) and kind[0] == held.name
+    return kind is not None and copies.is_by_value(kind) and kind.name == held.name
 
 
 def _copied_type(run: Run, frame: Frame, kind: Type | None, source: Expression) -> Type | None:
@@ -134,21 +137,23 @@ def _extended(run: Run, frame: Frame, held: Sequence, value: Value) -> Value:
     return held
 
 
-def _unpack(run: Run, frame: Frame, targets: Any, value: Value) -> Value:
+def _unpack(run: Run, frame: Frame, targets: tuple[Expression, ...], value: Value) -> Value:
     items: list[Value] | None = None
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         items = [cell.value for cell in value.content.value]
     elif isinstance(value, Object) and value.name == "std::pair" and {"first", "second"} <= value.fields.keys():
         items = [value.fields["first"].value, value.fields["second"].value]
-    known = items is not None and len(items) == len(targets) and not any(item[0] == "star" for item in targets)
+    known = (
+        items is not None and len(items) == len(targets) and not any(isinstance(item, syntax.Star) for item in targets)
+    )
     for index, item in enumerate(targets):
         one: Value = run.opaque("it is unpacked from what is not known", frame)
         if known and items is not None:
             one = items[index]
-        if item[0] == "star":
-            item = item[1]
-        if item[0] == "list":
-            _unpack(run, frame, item[1], one)
+        if isinstance(item, syntax.Star):
+            item = item.value
+        if isinstance(item, syntax.ListLiteral):
+            _unpack(run, frame, item.items, one)
             continue
         cell = _target(run, frame, item)
         if cell is None:
@@ -161,29 +166,29 @@ def _unpack(run: Run, frame: Frame, targets: Any, value: Value) -> Value:
 def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
     """The cell to assign to; Python makes it where there is none."""
     python = frame.source.program.language == "python"
-    if python and target[0] == "name":
+    if python and isinstance(target, syntax.Name):
         is_module = run.modules.get(frame.source.path) is frame
         scopes = frame.scopes[:1] if is_module else reversed(frame.scopes)
-        cell = next((scope[target[1]] for scope in scopes if target[1] in scope), None)
+        cell = next((scope[target.name] for scope in scopes if target.name in scope), None)
         if cell is None:
-            cell = frame.scopes[0][target[1]] = Cell(NONE)
+            cell = frame.scopes[0][target.name] = Cell(NONE)
         return cell
     cell = expressions.cell_of(run, frame, target)
-    if cell is None and python and target[0] == "index":
+    if cell is None and python and isinstance(target, syntax.Subscript):
         return _entry(run, frame, target)
-    if cell is None and target[0] == "field":
-        owner = expressions.evaluate(run, frame, target[1])
+    if cell is None and isinstance(target, syntax.Member):
+        owner = expressions.evaluate(run, frame, target.object)
         if isinstance(owner, Pointer):
             owner = owner.cell.value
         if isinstance(owner, Object) and "[of]" not in owner.fields:
-            cell = owner.fields[target[2]] = Cell(run.opaque(_unset(run, owner), frame))
+            cell = owner.fields[target.name] = Cell(run.opaque(_unset(run, owner), frame))
         elif isinstance(owner, Module):
-            before = members.attribute(run, owner, target[2], frame)
-            cell = lookup.module_frame(run, owner.source).scopes[0][target[2]] = Cell(before)
+            before = members.attribute(run, owner, target.name, frame)
+            cell = lookup.module_frame(run, owner.source).scopes[0][target.name] = Cell(before)
         elif isinstance(owner, ClassValue) and python:
-            key = (owner.source.path, f"{owner.definition.name}.{target[2]}")
-            cell = run.globals[key] = Cell(members.attribute(run, owner, target[2], frame))
-    if cell is None and target[0] == "call" and not python:
+            key = (owner.source.path, f"{owner.definition.name}.{target.name}")
+            cell = run.globals[key] = Cell(members.attribute(run, owner, target.name, frame))
+    if cell is None and isinstance(target, syntax.Call) and not python:
         run.references = None
         expressions.evaluate(run, frame, target)
         if run.references is not None and len(run.references) == 1:
@@ -199,7 +204,7 @@ def _unset(run: Run, owner: Object) -> str:
     return UNSET_OR_INHERITED if inherits else UNSET
 
 
-def _entry(run: Run, frame: Frame, target: Expression) -> Cell | None:
+def _entry(run: Run, frame: Frame, target: syntax.Subscript) -> Cell | None:
     """The new entry of a dictionary that Python assigns to; None for all that is no dictionary, or is not known."""
     container, key, _ = _parts(run, frame, target)
     pairs: Any = container.content.value if isinstance(container, Mapped) else None
@@ -213,7 +218,7 @@ def _entry(run: Run, frame: Frame, target: Expression) -> Cell | None:
     return cell
 
 
-def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
+def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
     """``a[b]``."""
     container, key, kind = _parts(run, frame, expression)
     if isinstance(key, Object) and key.name == "slice":
@@ -246,10 +251,10 @@ def indexed(run: Run, frame: Frame, expression: Expression) -> Value:
     if held is not None:
         return held
     kind = None
-    if isinstance(container, Sequence) and container.type is not None and container.type[1]:
-        kind = container.type[1][0]
-    elif isinstance(container, Opaque) and container.type is not None and container.type[0] in (SEQUENCES | MAPS):
-        kind = container.type[1][-1] if container.type[1] else None
+    if isinstance(container, Sequence) and container.type is not None and container.type.arguments:
+        kind = container.type.of(0)
+    elif isinstance(container, Opaque) and container.type is not None and container.type.name in (SEQUENCES | MAPS):
+        kind = container.type.of(len(container.type.arguments) - 1) if container.type.arguments else None
     return run.opaque("an element that is not known", frame, None, kind)
 
 
@@ -272,13 +277,13 @@ def any_of(values: Iterable[Value]) -> Value:
     return result if result is not None else NONE
 
 
-def _parts(run: Run, frame: Frame, expression: Expression) -> tuple[Value, Value, Type | None]:
+def _parts(run: Run, frame: Frame, expression: syntax.Subscript) -> tuple[Value, Value, Type | None]:
     """The container, the key and the type of the entries of ``a[b]``; arrays of objects are made here."""
-    inner = expression[1]
-    cell = expressions.cell_of(run, frame, inner) if inner[0] in call_arguments.LVALUES else None
+    inner = expression.object
+    cell = expressions.cell_of(run, frame, inner) if isinstance(inner, call_arguments.LVALUES) else None
     value = cell.value if cell is not None else expressions.evaluate(run, frame, inner)
-    key = expressions.evaluate(run, frame, expression[2])
-    if expression[2][0] == "set":  # ``i++`` is lowered as ``++i`` is
+    key = expressions.evaluate(run, frame, expression.index)
+    if isinstance(expression.index, syntax.Assignment):  # ``i++`` is lowered as ``++i`` is
         key = run.opaque("an index that is counted on the way", frame)
     if isinstance(value, Pointer):
         value = value.cell.value
@@ -288,24 +293,29 @@ def _parts(run: Run, frame: Frame, expression: Expression) -> tuple[Value, Value
         value = braces.array(run, frame, [], cell.type)
         run.state.write(cell, value)
     kind = cell.type
-    return value, key, kind[1][1] if kind is not None and kind[0] in MAPS and len(kind[1]) > 1 else None
+    return value, key, kind.of(1) if kind is not None and kind.name in MAPS else None
 
 
-def accessed(run: Run, frame: Frame, expression: Expression) -> Cell | None:
+def accessed(run: Run, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
     """The cell of ``v[i]``, ``v.at(i)``, ``v.front()`` or ``v.back()``."""
-    if expression[0] == "index":
+    if isinstance(expression, syntax.Subscript):
         return element(run, frame, *_parts(run, frame, expression))
-    _, callee, written = expression[:3]
-    if frame.source.program.language == "python" or callee[0] != "field" or callee[2] not in ACCESSORS:
+    callee = expression.callee
+    if (
+        frame.source.program.language == "python"
+        or not isinstance(callee, syntax.Member)
+        or callee.name not in ACCESSORS
+    ):
         return None
-    if callee[1][0] not in call_arguments.LVALUES:
+    if not isinstance(callee.object, call_arguments.LVALUES):
         return None
-    value = expressions.evaluate(run, frame, callee[1])
+    value = expressions.evaluate(run, frame, callee.object)
     if isinstance(value, Pointer):
         value = value.cell.value
-    if not isinstance(value, (Sequence, Mapped)) or (callee[2] == "at") != (len(written) == 1):
+    if not isinstance(value, (Sequence, Mapped)) or (callee.name == "at") != (len(expression.arguments) == 1):
         return None
-    at = expressions.evaluate(run, frame, written[0]) if written else Known(0 if callee[2] == "front" else -1)
+    given = expression.arguments
+    at = expressions.evaluate(run, frame, given[0]) if given else Known(0 if callee.name == "front" else -1)
     return element(run, frame, value, at)
 
 
@@ -328,7 +338,7 @@ def element(run: Run, frame: Frame, container: Value, key: Value, kind: Type | N
             return None
         if cell is None and isinstance(key.value, (str, int)) and frame.source.separator != ".":
             value: Value = run.opaque("an entry that is not there", frame, None, kind)
-            if kind is not None and copies.is_by_value(kind) and run.class_of(kind[0], frame.source) is not None:
+            if kind is not None and copies.is_by_value(kind) and run.class_of(kind.name, frame.source) is not None:
                 value = braces.made(run, frame, kind)
             cell = Cell(value, kind)
             run.state.write(container.content, {**container.content.value, key.value: cell})

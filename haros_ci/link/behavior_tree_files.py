@@ -10,7 +10,7 @@ from haros_ci.link.index import TREES, Index, Source
 from haros_ci.link.xml_files import Reader
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchElement
-from haros_ci.model.program import Function
+from haros_ci.syntax import Function
 
 #: Methods of a factory: they register types of nodes, load libraries that do, read trees, create trees.
 REGISTERING = frozenset(

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     activation,
     behavior_tree_ports,
@@ -105,13 +106,14 @@ def _told_apart(name: str, tags: list[Tag]) -> list[tuple[dict[str, Cell], Value
 
 def _construct(run: Run, frame: Frame, registered: Object, config: Object, location: Location) -> None:
     run.step()
-    name = call_arguments.Argument(config.fields["name"].value, None, ("std::string", (), ""))
-    given = call_arguments.Argument(config, None, (config.name, (), ""))
+    name = call_arguments.Argument(config.fields["name"].value, None, syntax.Type("std::string"))
+    given = call_arguments.Argument(config, None, syntax.Type(config.name))
     built: Value | None = None
     if registered.name == "registerNodeType" and registered.arguments:
         more = (call_arguments.Argument(cell.value) for cell in registered.fields.values())
         kind = registered.arguments[0]
-        built = construct.create(run, frame, (kind[0], kind[1], ""), (name, given, *more), location)
+        if isinstance(kind, syntax.Type):
+            built = construct.create(run, frame, kind.bare(), (name, given, *more), location)
     elif "0" in registered.fields:
         builder = registered.fields["0"].value
         if registered.name != "registerBuilder":  # a function is what is ticked
@@ -119,7 +121,7 @@ def _construct(run: Run, frame: Frame, registered: Object, config: Object, locat
         elif isinstance(builder, Callable):
             built = _built(run, frame, builder, (name, given))
         else:
-            built = calls.apply(run, frame, builder, (name, given), (), location, ("?", "a builder"))
+            built = calls.apply(run, frame, builder, (name, given), (), location, syntax.Unknown("a builder"))
     if not isinstance(built, Object) or built.definition is None:
         return
     built.fields.setdefault(behavior_tree_ports.HELD, Cell(config))

@@ -10,12 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import conversions, expressions, methods
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import INTEGERS, REALS, STRINGS
 from haros_ci.link.values import FALSE, NONE, TRUE, Cell, Known, Object, Opaque, Pointer, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Expression, Function, Type
+from haros_ci.syntax import Expression, Function, Type
+from haros_ci.syntax.walk import Part, below
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -100,14 +102,14 @@ def _read_as(run: Run, frame: Frame, value: Value, kind: Type | None) -> Value:
     """*value*, where it is a text, as BT::convertFromString reads it as a *kind*."""
     if not isinstance(value, Known) or not isinstance(value.value, str) or kind is None:
         return conversions.converted(value, kind)
-    if kind[0] in STRINGS or kind[0] in ("", "auto"):
+    if kind.name in STRINGS or kind.name in ("", "auto"):
         return value
     try:
-        if kind[0] == "bool":
+        if kind.name == "bool":
             return Known(WORDS[value.value])
-        if kind[0] in INTEGERS:
+        if kind.name in INTEGERS:
             return conversions.converted(Known(int(value.value)), kind)
-        if kind[0] in REALS:
+        if kind.name in REALS:
             return Known(float(value.value))
     except (ValueError, KeyError):
         pass
@@ -168,18 +170,16 @@ def _declare(run: Run, ports: Ports, source: Source, function: Function, node: O
     """Put what a function declares among *ports*; for each call in it, whether it is understood."""
     frame = Frame(source, function.owner, function, None, templates=node.templates)
     yield function.body is not None and depth < DEEPEST
-    args: tuple[Any, ...]
     for callee, args in _calls(function.body):
         last = callee.rpartition("::")[2]
         if last in DECLARING:
-            text: Any = args[0] if args else ("none",)
-            is_told = text[0] == "str"
-            yield is_told
-            if is_told:
-                ports[str(text[1])] = (frame, args[1]) if len(args) == 3 and last != "OutputPort" else None
+            text = args[0] if args else None
+            yield isinstance(text, syntax.String)
+            if isinstance(text, syntax.String):
+                ports[text.value] = (frame, args[1]) if len(args) == 3 and last != "OutputPort" else None
         elif last.startswith("provided") and depth < DEEPEST:
             head = callee.rpartition("::")[0]
-            owner: Any = run.class_of(run.type_in((head, (), ""), frame)[0], source) if head else node.definition
+            owner: Any = run.class_of(run.type_in(syntax.Type(head), frame).name, source) if head else node.definition
             found = methods.class_method(run, owner[0], owner[1], last) if owner is not None else None
             yield found is not None
             if found is not None and found[1] is not function:
@@ -188,16 +188,14 @@ def _declare(run: Run, ports: Ports, source: Source, function: Function, node: O
             yield False
 
 
-def _calls(block: Any) -> Iterator[tuple[str, tuple[Expression, ...]]]:
+def _calls(block: Part) -> Iterator[tuple[str, tuple[Expression, ...]]]:
     """The calls in a block by the names of what they call, with their arguments."""
-    waiting = [block]
+    waiting = below((block,))[::-1]
     while waiting:
         node = waiting.pop()
-        if isinstance(node, (tuple, list)) and node:
-            if node[0] == "call" and len(node) == 6:
-                callee = node[1]
-                name = str(callee[1] if callee[0] == "name" else callee[-1])
-                yield name, node[2]
-                if name.rpartition("::")[2] in DECLARING:
-                    continue
-            waiting.extend(reversed(node))
+        if isinstance(node, syntax.Call):
+            name = node.callee.text if isinstance(node.callee, syntax.Unknown) else syntax.name_of(node.callee)
+            yield name, node.arguments
+            if name.rpartition("::")[2] in DECLARING:
+                continue
+        waiting += reversed(below(node))

@@ -6,17 +6,17 @@ A tree's nodes are constructed when it is created, each by what is registered fo
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from haros_ci import syntax
 from haros_ci.link import activation, behavior_tree_nodes, behavior_tree_ports
 from haros_ci.link.behavior_tree_files import BUILT_IN, CREATING, LOADING, READING, REGISTERING, Tag, Trees
 from haros_ci.link.behavior_tree_ports import text_of
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.trace import XML_FILES
-from haros_ci.link.types import is_type
 from haros_ci.link.values import NONE, TRUE, Callable, Cell, Choice, Known, Object, Opaque, Text, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -38,7 +38,7 @@ def call(
     name: str,
     receiver: Value | None,
     args: tuple[Argument, ...],
-    targs: Any,
+    targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value | None:
     """What a function or method of the library does and gives; None if there is no model of it."""
@@ -53,10 +53,16 @@ def call(
 
 
 def _factory(
-    run: Run, frame: Frame, factory: Object, name: str, args: tuple[Argument, ...], targs: Any, location: Location
+    run: Run,
+    frame: Frame,
+    factory: Object,
+    name: str,
+    args: tuple[Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
 ) -> Value | None:
     if name in REGISTERING and args:
-        types = tuple(run.type_in(each, frame) for each in targs if is_type(each))
+        types = tuple(run.type_in(each, frame) for each in targs if isinstance(each, syntax.Type))
         _register(run, factory, name, args, types)
         return NONE
     if name in LOADING:
@@ -120,7 +126,7 @@ def registered_by(run: Run, factory: Object, library: str | None) -> None:
     for source, function in trees.registered(library) if trees is not None else ():
         inner = Frame(source, "", function, mark=run.state.mark())
         for parameter in function.parameters[:1]:  # the macro's argument is the factory's name
-            inner.declare(parameter.name or parameter.type[0], Cell(factory, (FACTORY, (), "&")))
+            inner.declare(parameter.name or parameter.type.name, Cell(factory, syntax.Type(FACTORY, (), "&")))
         activation.follow_body(run, inner, function)
 
 
@@ -176,7 +182,7 @@ def _tags(run: Run, factory: Object, name: str, value: Value) -> tuple[tuple[Tag
 
 
 def _blackboard(
-    run: Run, frame: Frame, board: Object, name: str, args: tuple[Argument, ...], targs: Any
+    run: Run, frame: Frame, board: Object, name: str, args: tuple[Argument, ...], targs: tuple[syntax.Argument, ...]
 ) -> Value | None:
     """``set`` and ``get`` of an entry by its key; of one that is not known nothing is."""
     if name == "rootBlackboard":
@@ -195,7 +201,7 @@ def _blackboard(
             cell = board.fields[key] = Cell(Opaque(f"the blackboard's {key} is not set before"))
         run.state.write(cell, args[1].value)
         return NONE
-    kind = run.type_in(targs[0], frame) if targs and is_type(targs[0]) else None
+    kind = run.type_in(targs[0], frame) if targs and isinstance(targs[0], syntax.Type) else None
     said = f"the blackboard's {key or 'entry of a key that is not known'} is not known"
     value = cell.value if cell is not None else run.opaque(said, frame, None, kind)
     return value if len(args) == 1 else behavior_tree_ports.stored(run, frame, args[1], value)

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import call_arguments, construct, conversions, copies
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import INTEGERS, MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.link.values import Cell, Known, Mapped, Object, Sequence, Text, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 #: Elements that an array whose length is not known may have.
 GROWN = 64
@@ -23,28 +24,28 @@ def from_list(run: Run, frame: Frame, kind: Type, value: Value) -> Value:
     if not isinstance(value, Sequence) or value.type is not None or not isinstance(value.content.value, tuple):
         return value
     cells = value.content.value
-    if "*" in kind[2]:
+    if "*" in kind.marks:
         return array(run, frame, [cell.value for cell in cells], kind)
-    if kind[0] in SEQUENCES:
+    if kind.name in SEQUENCES:
         return braced(run, frame, kind, [cell.value for cell in cells])
-    if kind[0] in MAPS:
+    if kind.name in MAPS:
         return _pairs(run, frame, kind, [cell.value for cell in cells])
-    if kind[0] in ("", "auto") or is_smart_pointer(kind):
+    if kind.name in ("", "auto") or is_smart_pointer(kind):
         return value
     arguments = tuple(call_arguments.Argument(cell.value, None, conversions.value_type(cell.value)) for cell in cells)
-    return construct.create(run, frame, (kind[0], kind[1], ""), arguments, Location(frame.source.path))
+    return construct.create(run, frame, kind.bare(), arguments, Location(frame.source.path))
 
 
 def braced(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
     """A vector of the elements in braces."""
-    inner = kind[1][0] if kind[1] else None
+    inner = kind.of(0)
     first = values[0] if values else None
     if len(values) == 1 and isinstance(first, Sequence) and first.type is not None:
-        return copies.copied(run, first, (kind[0], kind[1], ""))
-    is_text = inner is not None and inner[0] in STRINGS
+        return copies.copied(run, first, kind.bare())
+    is_text = inner is not None and inner.name in STRINGS
     counted = conversions.value_type(first) if first is not None else None
     if any(isinstance(v, Object) and "[of]" in v.fields for v in values) or (
-        is_text and counted is not None and counted[0] in INTEGERS
+        is_text and counted is not None and counted.name in INTEGERS
     ):
         return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
     return Sequence(Cell(tuple(Cell(fitted(run, frame, inner, value), inner) for value in values)), kind)
@@ -55,11 +56,13 @@ def is_text(argument: call_arguments.Argument) -> bool:
     kind = argument.type or conversions.value_type(argument.value)
     if isinstance(argument.value, (Text, Known)):
         return isinstance(argument.value, Text) or isinstance(argument.value.value, str)
-    return not isinstance(argument.value, Object) and kind is not None and kind[0] in STRINGS and "*" not in kind[2]
+    return (
+        not isinstance(argument.value, Object) and kind is not None and kind.name in STRINGS and "*" not in kind.marks
+    )
 
 
 def _pairs(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
-    inner = kind[1][1] if len(kind[1]) > 1 else None
+    inner = kind.of(1)
     made: dict[Any, Cell] = {}
     for value in values:
         pair: Any = value.content.value if isinstance(value, Sequence) else None
@@ -82,44 +85,44 @@ def fitted(run: Run, frame: Frame, kind: Type | None, value: Value) -> Value:
         isinstance(value, Known)
         and isinstance(value.value, str)
         and copies.is_by_value(kind)
-        and kind[0] not in STRINGS
+        and kind.name not in STRINGS
     ):
-        if run.class_of(kind[0], frame.source) is not None:
+        if run.class_of(kind.name, frame.source) is not None:
             argument = call_arguments.Argument(value, None, conversions.value_type(value))
-            return construct.create(run, frame, (kind[0], kind[1], ""), (argument,), Location(frame.source.path))
+            return construct.create(run, frame, kind.bare(), (argument,), Location(frame.source.path))
     return conversions.converted(copies.copied(run, value, kind), kind)
 
 
 def array(run: Run, frame: Frame, values: list[Value], kind: Type) -> Value:
     """An array in braces; *kind* is that of a pointer to its elements."""
-    inner = (kind[0], kind[1], kind[2].replace("*", "", 1))
-    if kind[0] == "char" and "*" not in inner[2]:
+    inner = syntax.Type(kind.name, kind.arguments, kind.marks.replace("*", "", 1))
+    if kind.name == "char" and "*" not in inner.marks:
         if len(values) == 1 and isinstance(values[0], Known) and isinstance(values[0].value, str):
             return values[0]
         return run.opaque("an array of characters", frame, None, kind)
     cells = tuple(Cell(fitted(run, frame, inner, value), inner) for value in values)
-    return Sequence(Cell(cells), ("std::array", (inner,), "" if len(cells) > 1 else OPEN))
+    return Sequence(Cell(cells), syntax.Type("std::array", (inner,), "" if len(cells) > 1 else OPEN))
 
 
 def is_open(container: Value) -> bool:
     """Whether an array may have more elements than are known."""
-    return isinstance(container, Sequence) and container.type is not None and container.type[2] == OPEN
+    return isinstance(container, Sequence) and container.type is not None and container.type.marks == OPEN
 
 
 def is_array_of_objects(run: Run, frame: Frame, kind: Type | None) -> bool:
     """Whether an uninitialised variable of this type, with an index, is an array of the workspace's objects."""
-    if kind is None or kind[2].count("*") != 1:
+    if kind is None or kind.marks.count("*") != 1:
         return False
-    return run.class_of(kind[0], frame.source) is not None and not is_smart_pointer(kind)
+    return run.class_of(kind.name, frame.source) is not None and not is_smart_pointer(kind)
 
 
 def grown(run: Run, frame: Frame, container: Sequence, index: int) -> Cell | None:
     """The element *index* of an array whose length is not known, constructed if need be."""
     cells: Any = container.content.value
-    inner = container.type[1][0] if container.type is not None and container.type[1] else None
+    inner = container.type.of(0) if container.type is not None else None
     if inner is None or not 0 <= index < GROWN or not copies.is_by_value(inner):
         return None
-    if run.class_of(inner[0], frame.source) is None:
+    if run.class_of(inner.name, frame.source) is None:
         return None
     fresh = [Cell(made(run, frame, inner), inner) for _ in range(index + 1 - len(cells))]
     run.state.write(container.content, (*cells, *fresh))
@@ -129,4 +132,4 @@ def grown(run: Run, frame: Frame, container: Sequence, index: int) -> Cell | Non
 
 def made(run: Run, frame: Frame, kind: Type) -> Value:
     """A default-constructed value."""
-    return construct.create(run, frame, (kind[0], kind[1], ""), (), Location(frame.source.path))
+    return construct.create(run, frame, kind.bare(), (), Location(frame.source.path))

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import conversions, expressions, static_types
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import INTEGERS, REALS
@@ -14,7 +14,7 @@ from haros_ci.link.values import (
     Mapped,
     Value,
 )
-from haros_ci.model.program import Type
+from haros_ci.syntax import Expression, Type
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,26 +29,25 @@ class Argument:
 
 def is_scalar(kind: Type) -> bool:
     """Whether a default-constructed variable of the type has no value."""
-    name = kind[0]
+    name = kind.name
     return name in INTEGERS or name in REALS or name in ("bool", "void", "") or set(name.split()) <= INTEGERS
 
 
-def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
+def arguments(run: Run, frame: Frame, written: tuple[Expression, ...]) -> tuple[Argument, ...]:
     """The arguments of a call, evaluated from left to right; unpacked sequences are spread where known."""
     result: list[Argument] = []
     is_open = False  # what stands behind an unpacked list that is not known has no place that is known
     for expression in written:
-        tag = expression[0]
-        if tag == "star":
-            items = static_types.elements(run, frame, expression[1])
+        if isinstance(expression, syntax.Star):
+            items = static_types.elements(run, frame, expression.value)
             if items is None:
                 result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
                 is_open = True
             elif not is_open:
                 result += [Argument(item.value if isinstance(item, Cell) else item) for item in items]
             continue
-        if tag == "starstar":
-            given = expressions.evaluate(run, frame, expression[1])
+        if isinstance(expression, syntax.DoubleStar):
+            given = expressions.evaluate(run, frame, expression.value)
             cells = given.content.value if isinstance(given, Mapped) else None
             if isinstance(cells, dict) and all(isinstance(key, str) for key in cells):
                 result += [Argument(cell.value, cell, None, key) for key, cell in cells.items()]
@@ -56,12 +55,12 @@ def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
                 result.append(Argument(run.opaque(UNPACKED, frame), keyword="**"))
             continue
         keyword = ""
-        if tag == "kw":
-            keyword, expression = expression[1], expression[2]
-        cell = expressions.cell_of(run, frame, expression) if expression[0] in LVALUES else None
+        if isinstance(expression, syntax.Keyword):
+            keyword, expression = expression.name, expression.value
+        cell = expressions.cell_of(run, frame, expression) if isinstance(expression, LVALUES) else None
         value = cell.value if cell is not None else expressions.evaluate(run, frame, expression)
         kind = cell.type if cell is not None and cell.type is not None else None
-        if kind is None and expression[0] in TYPED:
+        if kind is None and isinstance(expression, TYPED):
             kind = static_types.static_type(run, frame, expression)
         if is_open and not keyword:
             result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
@@ -72,7 +71,7 @@ def arguments(run: Run, frame: Frame, written: Any) -> tuple[Argument, ...]:
 
 #: Why an argument is not known.
 UNPACKED = "unpacked arguments"
-LVALUES = frozenset(("name", "field", "index", "*"))
+LVALUES = (syntax.Name, syntax.Member, syntax.Subscript, syntax.Dereference)
 
 
-TYPED = frozenset(("str", "num", "bool", "op", "cast"))
+TYPED = (syntax.String, syntax.Number, syntax.Boolean, syntax.Operation, syntax.Cast)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from haros_ci import syntax
 from haros_ci.link import call_arguments, library_objects, methods, partials
 from haros_ci.link.run import CHAIN, ROOTS, SEVERAL, Frame, Root, Run, either
 from haros_ci.link.values import (
@@ -16,7 +17,7 @@ from haros_ci.link.values import (
     Value,
 )
 from haros_ci.model.location import Location
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 #: The macros that name a signal or slot (QObject).
 QT = frozenset(("SLOT", "SIGNAL"))
@@ -98,9 +99,14 @@ def _again(run: Run, number: int, other: Root) -> None:
 
 def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
     """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
-    named: Expression = written[0] if len(written) == 1 else ("none",)
-    if macro == "SLOT" and frame.this is not None and named[0] == "call" and named[1][0] == "name":
-        register(run, methods.method_of(run, frame.this, named[1][1]) or NONE)
+    named: Expression = written[0] if len(written) == 1 else syntax.Null()
+    if (
+        macro == "SLOT"
+        and frame.this is not None
+        and isinstance(named, syntax.Call)
+        and isinstance(named.callee, syntax.Name)
+    ):
+        register(run, methods.method_of(run, frame.this, named.callee.name) or NONE)
     return run.opaque(f"what {macro} is", frame)
 
 

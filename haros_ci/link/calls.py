@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     activation,
     alternatives,
@@ -27,7 +27,7 @@ from haros_ci.link import (
     twins,
 )
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, is_type, pointee
+from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.link.values import (
     NONE,
     Callable,
@@ -43,21 +43,25 @@ from haros_ci.link.values import (
     Value,
 )
 from haros_ci.model.location import Location
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 
-def call(run: Run, frame: Frame, expression: Expression) -> Value:
+def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:
     """The value of a call, with all that it makes, stores and registers on the way."""
-    _, callee, written, targs, line, column = expression
-    location = Location(frame.source.path, line, column)
+    callee, written, targs = expression.callee, expression.arguments, expression.templates
+    location = Location(frame.source.path, expression.line, expression.column)
     receiver: Value | None = None
     receiver_cell: Cell | None = None
     name = ""
     twins.called(run, callee)
-    if callee[0] == "field":
-        name = callee[2]
-        receiver_cell = expressions.cell_of(run, frame, callee[1]) if callee[1][0] in call_arguments.LVALUES else None
-        receiver = receiver_cell.value if receiver_cell is not None else expressions.evaluate(run, frame, callee[1])
+    if isinstance(callee, syntax.Member):
+        name = callee.name
+        receiver_cell = (
+            expressions.cell_of(run, frame, callee.object)
+            if isinstance(callee.object, call_arguments.LVALUES)
+            else None
+        )
+        receiver = receiver_cell.value if receiver_cell is not None else expressions.evaluate(run, frame, callee.object)
         smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
         args = call_arguments.arguments(run, frame, written)
         if smart and receiver_cell is not None and name in library.POINTER_METHODS:
@@ -96,7 +100,7 @@ def method_call(
     cell: Cell | None,
     name: str,
     args: tuple[call_arguments.Argument, ...],
-    targs: Any,
+    targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value:
     """``receiver.name(args)``."""
@@ -117,13 +121,13 @@ def method_call(
             f"{owner}{frame.source.separator}{name}" in run.rows for owner in library_objects.owners(run, receiver)
         )
         if field is not None and not is_method:
-            return apply(run, frame, field.value, args, targs, location, ("name", name))
+            return apply(run, frame, field.value, args, targs, location, syntax.Name(name))
         if "::" in name and receiver.definition is not None:
             return _of_base(run, frame, receiver, name, args, targs, location)
         if frame.source.separator == ".":
             of_class = members.of_class(run, receiver, name, frame)
             if of_class is not None:
-                return apply(run, frame, of_class, args, targs, location, ("name", name))
+                return apply(run, frame, of_class, args, targs, location, syntax.Name(name))
         for owner in library_objects.owners(run, receiver):
             if (called := f"{owner}{frame.source.separator}{name}") not in run.rows:
                 continue
@@ -133,22 +137,24 @@ def method_call(
         return library.unknown_call(run, frame, f"{receiver.name}::{name}", args)
     if isinstance(receiver, Opaque):
         kind = receiver.type or (cell.type if cell is not None else None)
-        if kind is not None and kind[0]:
+        if kind is not None and kind.name:
             kind = pointee(kind)
-            loaded = alternatives.of_base(run, kind[0]) if run.alternatives else ()
+            loaded = alternatives.of_base(run, kind.name) if run.alternatives else ()
             if loaded:
                 each = [partial(method_call, run, frame, one, None, name, args, targs, location) for one in loaded]
                 return run.either_way(each, "it is called on one of several objects")
             if run.alternatives and (held := alternatives.element(run, kind, name)) is not None:
                 return Opaque(receiver.reason, receiver.location, held)
-            owner_class = run.class_of(kind[0], frame.source)
+            owner_class = run.class_of(kind.name, frame.source)
             if owner_class is not None:
                 summary = library_objects.summary_object(run, owner_class, kind, receiver)
                 if methods.method_of(run, summary, name, args) is not None:
                     dynamic.virtual(run, owner_class, name, location)
                     return method_call(run, frame, summary, None, name, args, targs, location)
             else:
-                stand_in = Object(kind[0], kind[1], namespace=receiver if kind[0] in api_rows.HANDLES else None)
+                stand_in = Object(
+                    kind.name, kind.arguments, namespace=receiver if kind.name in api_rows.HANDLES else None
+                )
                 for owner in library_objects.owners(run, stand_in):
                     found = api_rows.call(
                         run, frame, f"{owner}{frame.source.separator}{name}", stand_in, args, targs, location
@@ -171,7 +177,7 @@ def method_call(
         if found is not None:
             return found
     function = members.attribute(run, receiver, name, frame)
-    return apply(run, frame, function, args, targs, location, ("name", name))
+    return apply(run, frame, function, args, targs, location, syntax.Name(name))
 
 
 def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.Argument, ...]) -> bool:
@@ -188,13 +194,13 @@ def _of_base(
     this: Object,
     name: str,
     args: tuple[call_arguments.Argument, ...],
-    targs: Any,
+    targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value:
     """``this->Base::method(args)``: the method of that base class, whatever the object's own is."""
     head, _, last = name.rpartition("::")
-    meant = run.type_in((head, (), ""), frame)
-    owner = run.class_of(meant[0], frame.source)
+    meant = run.type_in(syntax.Type(head), frame)
+    owner = run.class_of(meant.name, frame.source)
     found = methods.class_method(run, *owner, last, args) if owner is not None else None
     if found is not None:
         return activation.invoke(run, frame, Callable(*found, this, templates=this.templates), args, targs)
@@ -216,7 +222,7 @@ def super_call(
         if found is None:
             if name == "__init__":
                 for library_base in methods.library_bases(run, *owner):
-                    library_objects.construct_library(run, frame, this, (library_base, (), ""), args, location)
+                    library_objects.construct_library(run, frame, this, syntax.Type(library_base), args, location)
             continue
         method = methods.class_method(run, *found, name)
         if method is not None:
@@ -229,9 +235,9 @@ def apply(
     frame: Frame,
     function: Value,
     args: tuple[call_arguments.Argument, ...],
-    targs: Any,
+    targs: tuple[syntax.Argument, ...],
     location: Location,
-    callee: Any,
+    callee: Expression,
 ) -> Value:
     """Call *function*, whatever kind of value it is."""
     if isinstance(function, Callable):
@@ -252,7 +258,7 @@ def apply(
             return activation.invoke(run, frame, function, args, targs)
     if isinstance(function, ClassValue):
         owner = (function.source, function.definition)
-        resolved = tuple(run.type_in(t, frame) for t in targs if isinstance(t, (tuple, list)) and len(t) == 3)
+        resolved = tuple(run.type_in(t, frame) for t in targs if isinstance(t, syntax.Type))
         return construct.instance(run, frame, owner, resolved, args, location)
     if isinstance(function, Library):
         return library_call(run, frame, function, args, targs, location, callee)
@@ -290,14 +296,14 @@ def _inherited(
     this: Object,
     name: str,
     args: tuple[call_arguments.Argument, ...],
-    targs: Any,
+    targs: tuple[syntax.Argument, ...],
     location: Location,
 ) -> Value | None:
     """A method of a library's class that *this* has from it, called by its name or as ``Base::method``."""
     head, _, last = name.rpartition("::")
     owners = library_objects.owners(run, this)
     if head:
-        meant = run.type_in((head, (), ""), frame)[0]
+        meant = run.type_in(syntax.Type(head), frame).name
         named = [n for n, owner in enumerate(owners) if meant == owner or head == owner.rpartition("::")[2]]
         owners = owners[named[0] :] if named else []
     for owner in owners:
@@ -322,9 +328,9 @@ def library_call(
     frame: Frame,
     function: Library,
     args: tuple[call_arguments.Argument, ...],
-    targs: Any,
+    targs: tuple[syntax.Argument, ...],
     location: Location,
-    callee: Any,
+    callee: Expression,
 ) -> Value:
     """A function, method or constructor of a library."""
     name = function.name
@@ -332,42 +338,42 @@ def library_call(
         follow.interlude(run, frame)
     base, dot, last = name.rpartition(".")
     if last == "__init__" and dot and args and base in run.rows and isinstance(args[0].value, Object):
-        library_objects.construct_library(run, frame, args[0].value, (base, (), ""), args[1:], location)
+        library_objects.construct_library(run, frame, args[0].value, syntax.Type(base), args[1:], location)
         return NONE
-    if callee[0] == "name" and is_type(kind := frame.templates.get(callee[1])):  # what a template parameter stands for
+    kind = frame.templates.get(callee.name) if isinstance(callee, syntax.Name) else None
+    if isinstance(kind, syntax.Type):  # what a template parameter stands for
         return construct.of_template(run, frame, kind, args, location)
-    if function.this is None and frame.this is not None and callee[0] == "name":  # an inherited method
-        inherited = _inherited(run, frame, frame.this, callee[1], args, targs, location)
+    if function.this is None and frame.this is not None and isinstance(callee, syntax.Name):  # an inherited method
+        inherited = _inherited(run, frame, frame.this, callee.name, args, targs, location)
         if inherited is not None:
             return inherited
     modelled = library.function(run, frame, name, args, targs, location)
     if modelled is not None:
         return modelled
-    kinds = tuple(run.type_in(t, frame) if is_type(t) else t for t in targs)
+    kinds = tuple(run.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
     found = api_rows.call(run, frame, name, function.this, args, targs, location, kinds)
     if found is not None:
         return found
     if name in STRINGS or name in SEQUENCES or name in MAPS:
-        return construct.create(run, frame, (name, kinds, ""), args, location)
+        return construct.create(run, frame, syntax.Type(name, kinds), args, location)
     modelled = construct.made_by_its_class(run, frame, callee, kinds, args, location)
-    modelled = modelled or library.instance(run, frame, (name, kinds, ""), args)
+    modelled = modelled or library.instance(run, frame, syntax.Type(name, kinds), args)
     if modelled is not None:
         return modelled
-    if callee[0] == "name" and "::" not in name and frame.source.separator == "::":
-        resolved = run.type_in((callee[1], tuple(targs), ""), frame)
-        if resolved[0] != name or is_smart_pointer(resolved) or resolved[0] in STRINGS:
+    if isinstance(callee, syntax.Name) and "::" not in name and frame.source.separator == "::":
+        resolved = run.type_in(syntax.Type(callee.name, targs), frame)
+        if resolved.name != name or is_smart_pointer(resolved) or resolved.name in STRINGS:
             return construct.create(run, frame, resolved, args, location)
     return library.unknown_call(run, frame, name, args)
 
 
-def new(run: Run, frame: Frame, expression: Expression) -> Value:
+def new(run: Run, frame: Frame, expression: syntax.New) -> Value:
     """``new T(...)``: the object itself stands for its address."""
-    _, kind, written, line, column = expression
-    resolved = run.type_in(kind, frame)
+    resolved = run.type_in(expression.type, frame)
     return construct.create(
         run,
         frame,
-        (resolved[0], resolved[1], ""),
-        call_arguments.arguments(run, frame, written),
-        Location(frame.source.path, line, column),
+        resolved.bare(),
+        call_arguments.arguments(run, frame, expression.arguments),
+        Location(frame.source.path, expression.line, expression.column),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import activation, call_arguments, calls, statements
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
@@ -110,7 +111,7 @@ def applied(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Va
             value: Value = item
         else:
             given = (call_arguments.Argument(item),)
-            value = calls.apply(run, frame, function, given, (), location, ("name", name))
+            value = calls.apply(run, frame, function, given, (), location, syntax.Name(name))
         if name == "map":
             made.append(Cell(value))
             continue

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     activation,
     braces,
@@ -24,31 +24,33 @@ from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, parameter_type, pointee
 from haros_ci.link.values import FALSE, LIST_LIMIT, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Expression, Function, Type
+from haros_ci.syntax import Class, Expression, Function, Type
 
 #: Classes of nodes that have functions to make them.
 NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))
 
 
-def declare(run: Run, frame: Frame, name: str, kind: Type, init: Any, line: int, column: int) -> None:
+def declare(run: Run, frame: Frame, variable: syntax.Variable) -> None:
     """A local variable."""
-    resolved = run.type_in(kind, frame)
-    location = Location(frame.source.path, line, column)
-    if init is not None and init[0] == "=" and "&" in resolved[2]:
-        cell = expressions.cell_of(run, frame, init[1])
-        if cell is None and "c" not in resolved[2]:
-            uncertain.exposed(run, frame, init[1])
+    name, init = variable.name, variable.init
+    resolved = run.type_in(variable.type, frame)
+    location = Location(frame.source.path, variable.line, variable.column)
+    value_node = init.value if isinstance(init, syntax.Equals) else None
+    if value_node is not None and "&" in resolved.marks:
+        cell = expressions.cell_of(run, frame, value_node)
+        if cell is None and "c" not in resolved.marks:
+            uncertain.exposed(run, frame, value_node)
         if cell is not None:
             frame.declare(name, cell)
             return
-    declared = resolved if resolved[0] != "auto" else None
+    declared = resolved if resolved.name != "auto" else None
     value = initial(run, frame, resolved, init, location)
-    is_call = init is not None and init[0] == "=" and init[1][0] == "call"
-    if is_call and "&" in resolved[2] and run.references is not None and len(run.references) == 1:
+    is_call = isinstance(value_node, syntax.Call)
+    if is_call and "&" in resolved.marks and run.references is not None and len(run.references) == 1:
         frame.declare(name, run.references[0])
         return
-    if init is not None and resolved == ("auto", (), "") and isinstance(value, (Object, Sequence, Mapped)):
-        declared = copies.static_copy(run, frame, init[1]) if init[0] == "=" else None
+    if init is not None and resolved == syntax.AUTO and isinstance(value, (Object, Sequence, Mapped)):
+        declared = copies.static_copy(run, frame, value_node) if value_node is not None else None
     frame.declare(name, Cell(value, declared))
 
 
@@ -57,42 +59,44 @@ def copied(run: Run, value: Value, kind: Type | None) -> Value:
     return copies.copied(run, value, kind)
 
 
-def initial(run: Run, frame: Frame, kind: Type, init: Any, location: Location) -> Value:
+def initial(run: Run, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
     """The first value of a variable of the resolved type *kind*."""
-    if init is not None and init[0] == "=":
+    if isinstance(init, syntax.Equals):
         is_python = frame.source.program.language == "python"
-        if init[1][0] == "list" and not is_python and not _is_list(kind) and "*" not in kind[2]:
-            return create(run, frame, kind, call_arguments.arguments(run, frame, init[1][1]), location)
+        in_braces = init.value if isinstance(init.value, syntax.ListLiteral) and not is_python else None
+        if in_braces is not None and not _is_list(kind) and "*" not in kind.marks:
+            return create(run, frame, kind, call_arguments.arguments(run, frame, in_braces.items), location)
         run.references = None
-        value = expressions.evaluate(run, frame, init[1])
-        if init[1][0] == "list" and not is_python and kind[0] not in ("auto", ""):
+        value = expressions.evaluate(run, frame, init.value)
+        if in_braces is not None and kind.name not in ("auto", ""):
             return braces.from_list(run, frame, kind, value)
-        value = copies.taken(run, frame, kind, init[1], value)
-        if kind[0] == "auto" or isinstance(value, Object):
+        value = copies.taken(run, frame, kind, init.value, value)
+        if kind.name == "auto" or isinstance(value, Object):
             return value
         if (
             isinstance(value, Known)
             and isinstance(value.value, str)
-            and run.class_of(kind[0], frame.source) is not None
+            and run.class_of(kind.name, frame.source) is not None
         ):
             return create(run, frame, kind, (call_arguments.Argument(value),), location)
         if isinstance(value, Sequence):
-            return Sequence(value.content, kind if kind[0] in SEQUENCES else value.type, value.end)
+            return Sequence(value.content, kind if kind.name in SEQUENCES else value.type, value.end)
         return conversions.converted(value, kind)
-    arguments = call_arguments.arguments(run, frame, init[1]) if init is not None else ()
-    is_braced = init is not None and init[0] == "{" and bool(arguments)
-    if is_braced and "*" in kind[2] and (len(arguments) > 1 or init[1][0][0] == "list"):
+    arguments = call_arguments.arguments(run, frame, init.arguments) if init is not None else ()
+    braced = init.arguments if isinstance(init, syntax.Braces) and arguments else ()
+    is_braced = bool(braced)
+    if is_braced and "*" in kind.marks and (len(arguments) > 1 or isinstance(braced[0], syntax.ListLiteral)):
         return braces.array(run, frame, [argument.value for argument in arguments], kind)
-    if "*" in kind[2] or "&" in kind[2]:
+    if "*" in kind.marks or "&" in kind.marks:
         return arguments[0].value if arguments else NONE
-    if is_braced and (kind[0] in SEQUENCES or kind[0] in MAPS):
+    if is_braced and (kind.name in SEQUENCES or kind.name in MAPS):
         items = Sequence(Cell(tuple(Cell(argument.value) for argument in arguments)))
         return braces.from_list(run, frame, kind, items)
     return create(run, frame, kind, arguments, location)
 
 
 def _is_list(kind: Type) -> bool:
-    return kind[0] in SEQUENCES or kind[0] in MAPS or kind[0] in ("auto", "")
+    return kind.name in SEQUENCES or kind.name in MAPS or kind.name in ("auto", "")
 
 
 def create(
@@ -101,7 +105,7 @@ def create(
     """An instance of the resolved type *kind*, constructed from *arguments*."""
     if is_smart_pointer(kind):
         return arguments[0].value if arguments else NONE
-    name = kind[0]
+    name = kind.name
     if name in STRINGS:
         return conversions.converted(texts.constructed(arguments), kind)
     if name in SEQUENCES:
@@ -118,7 +122,7 @@ def create(
     owner = run.class_of(name, frame.source)
     if owner is None:
         return library_objects.library_object(run, frame, kind, arguments, location)
-    return instance(run, frame, owner, kind[1], arguments, location)
+    return instance(run, frame, owner, kind.arguments, arguments, location)
 
 
 #: Objects that a vector is filled with when it is constructed.
@@ -131,7 +135,7 @@ def of_template(
     run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
 ) -> Value:
     """``T{...}`` or ``T(...)`` of the type that a template parameter stands for."""
-    if "*" in kind[2]:
+    if "*" in kind.marks:
         return arguments[0].value if arguments else NONE
     if not arguments and call_arguments.is_scalar(kind):
         return ZEROS.get(parameter_type(kind) or "", Opaque("its value is not known", location, kind))
@@ -145,16 +149,16 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
     if isinstance(first, Sequence):
         twin = copies.copied(run, first, kind)
         return Sequence(twin.content, kind) if isinstance(twin, Sequence) else twin
-    if kind[1] and kind[1][0][0] in STRINGS and all(braces.is_text(argument) for argument in arguments):
+    inner = kind.of(0) or NO_TYPE
+    if inner.name in STRINGS and all(braces.is_text(argument) for argument in arguments):
         items = Sequence(
             Cell(tuple(Cell(argument.value) for argument in arguments))
         )  # no other constructor takes texts
         return braces.from_list(run, frame, kind, items)
     fill = arguments[1].value if len(arguments) > 1 else None
-    inner = kind[1][0] if kind[1] else NO_TYPE
     within = fill.content.value if isinstance(fill, Sequence) else ()
     most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
-    if run.class_of(inner[0], frame.source) is not None:
+    if run.class_of(inner.name, frame.source) is not None:
         most = min(most, OBJECTS)
     if isinstance(first, Known) and isinstance(first.value, int) and 0 <= first.value <= most:
         cells = []
@@ -170,7 +174,7 @@ def made_by_its_class(
     run: Run,
     frame: Frame,
     callee: Expression,
-    kinds: tuple[Any, ...],
+    kinds: tuple[syntax.Argument, ...],
     args: tuple[call_arguments.Argument, ...],
     location: Location,
 ) -> Value | None:
@@ -178,20 +182,20 @@ def made_by_its_class(
 
     A node's class has the one of ``rclcpp::Node``, which makes no object of it, unless it defines its own: None.
     """
-    if callee[0] != "name" or not callee[1].endswith(("::make_shared", "::make_unique")):
+    if not isinstance(callee, syntax.Name) or not callee.name.endswith(("::make_shared", "::make_unique")):
         return None
-    kind = run.type_in((callee[1].rpartition("::")[0], kinds, ""), frame)
-    owner = run.class_of(kind[0], frame.source)
+    kind = run.type_in(syntax.Type(callee.name.rpartition("::")[0], kinds), frame)
+    owner = run.class_of(kind.name, frame.source)
     if owner is None or any(base in NODES for base in methods.library_bases(run, *owner)):
         return None
-    return create(run, frame, (kind[0], kind[1] or kinds, ""), args, location)
+    return create(run, frame, syntax.Type(kind.name, kind.arguments or kinds), args, location)
 
 
 def instance(
     run: Run,
     frame: Frame,
     owner: tuple[Source, Class],
-    targs: tuple[Any, ...],
+    targs: tuple[syntax.Argument, ...],
     arguments: tuple[call_arguments.Argument, ...],
     location: Location,
 ) -> Value:
@@ -216,7 +220,7 @@ def initialise(
     frame: Frame,
     this: Object,
     owner: tuple[Source, Class],
-    templates: Mapping[str, Type],
+    templates: Mapping[str, syntax.Argument],
     arguments: tuple[call_arguments.Argument, ...],
     location: Location,
     depth: int = 0,
@@ -230,18 +234,18 @@ def initialise(
     found = chosen or methods.class_method(run, source, definition, short, arguments, methods.BASES)
     where, function = found if found is not None else (source, None)
     inner = Frame(where, definition.name, function, this, templates=templates, mark=run.state.mark())
-    inits: dict[str, Any] = {}
+    inits: dict[str, syntax.Initializer] = {}
     body_at = location
     if function is not None:
         activation.bind(run, frame, inner, function, arguments)
-        for name, kind, args, line, column in function.inits:
-            inits[name.rpartition("::")[2]] = (kind, args, line, column)
+        for each in function.inits:
+            inits[each.name.rpartition("::")[2]] = each
         if function.body is not None:
             body_at = Location(where.path, function.body_line, function.body_column)
         if short in inits and not _is_of_base(
             run, inner, function, definition.name
         ):  # delegates to another constructor
-            args = call_arguments.arguments(run, inner, inits[short][1])
+            args = call_arguments.arguments(run, inner, inits[short].arguments)
             if depth < methods.BASES:
                 initialise(run, inner, this, owner, templates, args, location, depth + 1)
             if function.body is not None:
@@ -252,13 +256,13 @@ def initialise(
     bases = run.bases(source, definition, templates)
     given = list(arguments) if function is None and not bases else []  # an aggregate
     for base in bases:
-        base_init = inits.get(base[0].rpartition("::")[2]) or _by_another_name(run, inner, definition, base[0])
-        args = call_arguments.arguments(run, inner, base_init[1]) if base_init else ()
+        base_init = inits.get(base.name.rpartition("::")[2]) or _by_another_name(run, inner, definition, base.name)
+        args = call_arguments.arguments(run, inner, base_init.arguments) if base_init else ()
         if function is None and base is bases[0]:  # constructors are inherited
             args = arguments
-        base_owner = run.class_of(base[0], source)
+        base_owner = run.class_of(base.name, source)
         if base_owner is not None and base_owner[1] is not definition:
-            bound = dict(zip(base_owner[1].templates, base[1], strict=False))
+            bound = dict(zip(base_owner[1].templates, base.arguments, strict=False))
             initialise(run, inner, this, base_owner, bound, args, body_at, depth + 1)
         elif base_owner is None:
             library_objects.construct_library(run, inner, this, base, args, body_at)
@@ -271,16 +275,17 @@ def initialise(
         if given:
             cell.value = braces.fitted(run, declared, kind, given.pop(0).value)
         elif member.name in inits:
-            _, args, line, column = inits[member.name]
-            referred = expressions.cell_of(run, inner, args[0]) if "&" in kind[2] and len(args) == 1 else None
+            own = inits[member.name]
+            is_one = "&" in kind.marks and len(own.arguments) == 1
+            referred = expressions.cell_of(run, inner, own.arguments[0]) if is_one else None
             if referred is not None:
                 this.fields[member.name] = referred
                 continue
-            start = ("(", args)
-            cell.value = initial(run, inner, kind, _as_value(kind, start), Location(where.path, line, column))
+            start = _as_value(kind, own.arguments)
+            cell.value = initial(run, inner, kind, start, Location(where.path, own.line, own.column))
         elif member.init is not None:
             cell.value = initial(run, declared, kind, member.init, Location(source.path, member.line, member.column))
-        elif "*" in kind[2] or "&" in kind[2]:
+        elif "*" in kind.marks or "&" in kind.marks:
             cell.value = run.opaque(f"the member {member.name} is not set before", declared, member.line, pointee(kind))
         elif not call_arguments.is_scalar(kind):
             at = body_at if function is not None else Location(source.path, member.line, member.column)
@@ -291,31 +296,32 @@ def initialise(
         activation.follow_body(run, inner, function)
 
 
-def _by_another_name(run: Run, inner: Frame, definition: Class, base: str) -> Any:
+def _by_another_name(run: Run, inner: Frame, definition: Class, base: str) -> syntax.Initializer | None:
     """The initialiser of a *base* under an alias or macro: ``Base(name)`` where ``using Base = rclcpp::Node``."""
     members = {member.name for member in definition.fields}
-    for name, kind, args, line, column in inner.function.inits if inner.function is not None else ():
-        if name not in members and run.type_in(kind if kind[0] else (name, (), ""), inner)[0] == base:
-            return kind, args, line, column
+    for each in inner.function.inits if inner.function is not None else ():
+        written = each.type if each.type.name else syntax.Type(each.name)
+        if each.name not in members and run.type_in(written, inner).name == base:
+            return each
     return None
 
 
 def _is_of_base(run: Run, inner: Frame, function: Function, name: str) -> bool:
     """Whether what a constructor initialises under the last part of its own class's *name* is a base of that name."""
     last = name.rpartition("::")[2]
-    written = next(init for init in function.inits if init[0].rpartition("::")[2] == last)
-    qualified = written[0] if "::" in written[0] else written[1][0]
+    written = next(init for init in function.inits if init.name.rpartition("::")[2] == last)
+    qualified = written.name if "::" in written.name else written.type.name
     head = qualified.rpartition("::")[0].partition("<")[0]
     if head.rpartition("::")[2] == last:  # C::C, C<T>::C
         qualified = head
-    return "::" in qualified and run.type_in((qualified, (), ""), inner)[0] != name
+    return "::" in qualified and run.type_in(syntax.Type(qualified), inner).name != name
 
 
-def _as_value(kind: Type, start: Any) -> Any:
+def _as_value(kind: Type, arguments: tuple[Expression, ...]) -> syntax.Init:
     """``m(x)`` for a scalar, pointer or reference is ``m = x``."""
-    if len(start[1]) == 1 and ("*" in kind[2] or "&" in kind[2] or call_arguments.is_scalar(kind)):
-        return ("=", start[1][0])
-    return start
+    if len(arguments) == 1 and ("*" in kind.marks or "&" in kind.marks or call_arguments.is_scalar(kind)):
+        return syntax.Equals(arguments[0])
+    return syntax.Parentheses(arguments)
 
 
 def python_construct(
@@ -328,5 +334,5 @@ def python_construct(
         activation.invoke(run, frame, method, arguments)
     for base in methods.library_bases(run, source, definition):
         if method is None:
-            library_objects.construct_library(run, frame, this, (base, (), ""), arguments, location)
+            library_objects.construct_library(run, frame, this, syntax.Type(base), arguments, location)
     callbacks.framework_entries(run, this)

@@ -6,13 +6,15 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import assignments, call_arguments, construct, expressions, methods, qos_profiles
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.link.values import Cell, Choice, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Expression, Function, Type
+from haros_ci.syntax import Class, Expression, Function, Type
+from haros_ci.syntax.walk import everything
 
 #: Values inside values that are copied, and all of them together.
 DEEP = 6
@@ -22,9 +24,9 @@ PAIR = "std::pair"
 
 def is_by_value(kind: Type | None) -> bool:
     """Whether a variable of the resolved type holds a value of its own, and no pointer or reference."""
-    if kind is None or kind[0] in ("", "auto", "()"):
+    if kind is None or kind.name in ("", "auto", "()"):
         return False
-    return "*" not in kind[2] and "&" not in kind[2] and not is_smart_pointer(kind)
+    return "*" not in kind.marks and "&" not in kind.marks and not is_smart_pointer(kind)
 
 
 def copied(run: Run, value: Value, kind: Type | None) -> Value:
@@ -47,13 +49,13 @@ def _copy(run: Run, value: Value, kind: Type, depth: int, left: list[int]) -> Va
         return Opaque("it is too large to be followed", None, kind)
     if isinstance(value, Sequence):
         cells: Any = value.content.value
-        inner = kind[1][0] if kind[0] in SEQUENCES and kind[1] else None
+        inner = kind.of(0) if kind.name in SEQUENCES else None
         if isinstance(cells, tuple):
             cells = tuple(_twin(run, cell, cell.type or inner, depth, left) for cell in cells)
-        return Sequence(Cell(cells), value.type or (kind if kind[0] in SEQUENCES else None))
+        return Sequence(Cell(cells), value.type or (kind if kind.name in SEQUENCES else None))
     if isinstance(value, Mapped):
         pairs: Any = value.content.value
-        inner = kind[1][1] if kind[0] in MAPS and len(kind[1]) > 1 else None
+        inner = kind.of(1) if kind.name in MAPS else None
         if isinstance(pairs, dict):
             pairs = {key: _twin(run, cell, cell.type or inner, depth, left) for key, cell in pairs.items()}
         return Mapped(Cell(pairs))
@@ -61,12 +63,12 @@ def _copy(run: Run, value: Value, kind: Type, depth: int, left: list[int]) -> Va
         if value.name != PAIR and value.name not in qos_profiles.CLASSES:
             return value
         return replace(value, fields={n: _twin(run, cell, cell.type, depth, left) for n, cell in value.fields.items()})
-    owner = run.class_of(kind[0], value.definition[0])
+    owner = run.class_of(kind.name, value.definition[0])
     if owner is None or not derives(run, value.definition, owner[1]):
         return value
     constructor = _copy_constructor(run, owner)
     if constructor is not None and constructor not in run.active:
-        argument = call_arguments.Argument(value, Cell(value, (value.name, value.arguments, "")))
+        argument = call_arguments.Argument(value, Cell(value, syntax.Type(value.name, value.arguments, "")))
         where = value.location or Location(owner[0].path)
         return construct.instance(run, Frame(owner[0], ""), owner, value.arguments, (argument,), where)
     twin = replace(value, fields={})
@@ -90,7 +92,7 @@ def derives(run: Run, one: tuple[Source, Class], base: Class, depth: int = 0) ->
         return True
     if depth >= methods.BASES:
         return False
-    owners = [run.class_of(each[0], one[0]) for each in run.bases(one[0], one[1], {})]
+    owners = [run.class_of(each.name, one[0]) for each in run.bases(one[0], one[1], {})]
     others = [owner for owner in owners if owner is not None and owner[1] is not one[1]]
     return any(derives(run, owner, base, depth + 1) for owner in others)
 
@@ -101,7 +103,7 @@ def is_reference(run: Run, value: Object, name: str) -> bool:
     key = ("reference", source.path, definition.name, name)
     if key not in run.found:
         found = methods.field_of(run, source, definition, name, {})
-        run.found[key] = found is not None and "&" in found[2][2]
+        run.found[key] = found is not None and "&" in found[2].marks
     return bool(run.found[key])
 
 
@@ -123,7 +125,12 @@ def _single(run: Run, owner: tuple[Source, Class]) -> list[tuple[Function, Type]
 
 def _copy_constructor(run: Run, owner: tuple[Source, Class]) -> Function | None:
     for function, kind in _single(run, owner):
-        if kind[0] == owner[1].name and kind[2].count("&") == 1 and "*" not in kind[2] and function.body is not None:
+        if (
+            kind.name == owner[1].name
+            and kind.marks.count("&") == 1
+            and "*" not in kind.marks
+            and function.body is not None
+        ):
             return function
     return None
 
@@ -135,89 +142,99 @@ def duplicate(run: Run, owner: tuple[Source, Class], argument: call_arguments.Ar
         return _perhaps(run, owner, argument, value)
     if not isinstance(value, Object) or value.definition is None or not derives(run, value.definition, owner[1]):
         return None
-    if argument.type is not None and ("*" in argument.type[2] or is_smart_pointer(argument.type)):
+    if argument.type is not None and ("*" in argument.type.marks or is_smart_pointer(argument.type)):
         return None
     for function, kind in _single(run, owner):
-        if kind[0] in function.templates or is_smart_pointer(kind) or "*" in kind[2]:
+        if kind.name in function.templates or is_smart_pointer(kind) or "*" in kind.marks:
             return None
-        found = run.class_of(pointee(kind)[0], owner[0])
+        found = run.class_of(pointee(kind).name, owner[0])
         if found is not None and derives(run, value.definition, found[1]) and function.body is not None:
             return None
-    return copied(run, value, (owner[1].name, value.arguments, ""))
+    return copied(run, value, syntax.Type(owner[1].name, value.arguments, ""))
 
 
 def _perhaps(run: Run, owner: tuple[Source, Class], argument: call_arguments.Argument, value: Opaque) -> Opaque | None:
     """``C{x}`` for an aggregate and an *x* that is not known: a copy, unless its type says that it is a member."""
     source, definition = owner
-    kind = value.type if value.type is not None and value.type[0] not in ("", "auto") else argument.type
-    if kind is not None and kind[0] not in ("", "auto"):
-        found = run.class_of(kind[0], source) if "*" not in kind[2] else None
-        is_told = call_arguments.is_scalar(kind) or kind[0] in STRINGS or "::" in kind[0] or "*" in kind[2]
+    kind = value.type if value.type is not None and value.type.name not in ("", "auto") else argument.type
+    if kind is not None and kind.name not in ("", "auto"):
+        found = run.class_of(kind.name, source) if "*" not in kind.marks else None
+        is_told = call_arguments.is_scalar(kind) or kind.name in STRINGS or "::" in kind.name or "*" in kind.marks
         if not derives(run, found, definition) if found is not None else is_told:  # else a template's parameter
             return None
     if methods.class_method(run, source, definition, definition.name.rpartition("::")[2]) is not None:
         return None
-    return Opaque(value.reason, value.location, (definition.name, (), ""))
+    return Opaque(value.reason, value.location, syntax.Type(definition.name))
 
 
 def static_copy(run: Run, frame: Frame, expression: Expression) -> Type | None:
     """The type of value that *expression* has, so that ``auto`` copies it; None where that is not known."""
-    tag = expression[0]
     kind: Type | None = None
-    if tag == "cast":
-        kind = run.type_in(expression[1], frame)
-    elif tag == "if":
-        return static_copy(run, frame, expression[2])
-    elif tag == "*":
-        cell = expressions.cell_of(run, frame, expression[1]) if expression[1][0] in call_arguments.LVALUES else None
+    if isinstance(expression, syntax.Cast):
+        kind = run.type_in(expression.type, frame)
+    elif isinstance(expression, syntax.Conditional):
+        return static_copy(run, frame, expression.then)
+    elif isinstance(expression, syntax.Dereference):
+        cell = (
+            expressions.cell_of(run, frame, expression.value)
+            if isinstance(expression.value, call_arguments.LVALUES)
+            else None
+        )
         kind = cell.type if cell is not None else None
-        if kind is None or not (is_smart_pointer(kind) or kind[2].count("*") == 1):
+        if kind is None or not (is_smart_pointer(kind) or kind.marks.count("*") == 1):
             return None
         kind = pointee(kind)
-    elif tag == "call" and expression[1][0] == "name":
-        kind = run.type_in((expression[1][1], expression[3], ""), frame)
-        is_class = kind[0] in qos_profiles.CLASSES or run.class_of(kind[0], frame.source) is not None
+    elif isinstance(expression, syntax.Call) and isinstance(expression.callee, syntax.Name):
+        kind = run.type_in(syntax.Type(expression.callee.name, expression.templates, ""), frame)
+        is_class = kind.name in qos_profiles.CLASSES or run.class_of(kind.name, frame.source) is not None
         return kind if is_class else None
-    elif tag == "call" and expression[1][0] == "field" and expression[1][2] in qos_profiles.CHAINED:
-        kind = static_copy(run, frame, expression[1][1])
-        return kind if kind is not None and kind[0] in qos_profiles.CLASSES else None
-    elif tag in ("name", "field", "index", "call"):
+    elif (
+        isinstance(expression, syntax.Call)
+        and isinstance(expression.callee, syntax.Member)
+        and expression.callee.name in qos_profiles.CHAINED
+    ):
+        kind = static_copy(run, frame, expression.callee.object)
+        return kind if kind is not None and kind.name in qos_profiles.CLASSES else None
+    elif isinstance(expression, (syntax.Name, syntax.Member, syntax.Subscript, syntax.Call)):
         cell = expressions.cell_of(run, frame, expression)
         kind = cell.type if cell is not None else None
-    if kind is None or "*" in kind[2] or not is_by_value((kind[0], kind[1], "")):
+    if kind is None or "*" in kind.marks or not is_by_value(kind.bare()):
         return None
-    return (kind[0], kind[1], "")
+    return kind.bare()
 
 
 def taken(run: Run, frame: Frame, kind: Type, expression: Expression, value: Value) -> Value:
     """The value of *expression* as a new variable of the resolved type *kind* takes it: copied if it is another's."""
-    if frame.source.program.language == "python" or "*" in kind[2] or "&" in kind[2]:
+    if frame.source.program.language == "python" or "*" in kind.marks or "&" in kind.marks:
         return value
-    is_made = expression[0] == "call" and run.references is None and expression[1][-1] not in assignments.ACCESSORS
-    if is_made and expression[1][-1] not in qos_profiles.CHAINED:
+    if isinstance(expression, syntax.Call) and run.references is None:
+        if syntax.name_of(expression.callee) not in (*assignments.ACCESSORS, *qos_profiles.CHAINED):
+            return value
+    if isinstance(expression, (syntax.New, syntax.Lambda, syntax.Address, syntax.This)):
         return value
-    if expression[0] in ("new", "lambda", "&", "this"):
-        return value
-    known = kind if kind[0] not in ("auto", "") else static_copy(run, frame, expression)
-    if known is None and isinstance(value, Sequence) and expression[0] in ("name", "field"):
-        known = value.type or ("std::vector", (), "")
+    known = kind if kind.name not in ("auto", "") else static_copy(run, frame, expression)
+    if known is None and isinstance(value, Sequence) and isinstance(expression, (syntax.Name, syntax.Member)):
+        known = value.type or syntax.Type("std::vector")
     return copied(run, value, known)
 
 
 def returned(run: Run, inner: Frame, function: Function, returns: Type, value: Value) -> Value:
     """What a call gives: a copy, or the value of the cells that are referred to, which the run keeps."""
     run.references = None
-    if inner.source.program.language == "python" or not isinstance(returns[2], str):
+    if inner.source.program.language == "python" or not isinstance(returns.marks, str):
         return value
-    if "&" in returns[2]:
+    if "&" in returns.marks:
         written, local = _returning(run, function)
         cells = [_referred(run, inner, expression, local) for expression in written]
         run.references = tuple(cell for cell in cells if cell is not None) if all(cells) else ()
         return value
-    if not isinstance(value, (Object, Sequence, Mapped, Choice)) or function.returns[0] in function.templates:
+    if not isinstance(value, (Object, Sequence, Mapped, Choice)) or function.returns.name in function.templates:
         return value
     written, local = _returning(run, function)
-    if all(e[0] in ("call", "new", "list") or (e[0] == "name" and e[1] in local) for e in written):
+    if all(
+        isinstance(e, (syntax.Call, syntax.New, syntax.ListLiteral)) or (isinstance(e, syntax.Name) and e.name in local)
+        for e in written
+    ):
         return value
     return copied(run, value, returns)
 
@@ -234,30 +251,26 @@ def _written(function: Function) -> tuple[list[Expression], set[str]]:
     """The expressions that a function returns, and the names of its local variables."""
     found: list[Expression] = []
     local: set[str] = set()
-    waiting: list[Any] = [function.body]
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, (tuple, list)) and node:
-            if node[0] == "return" and len(node) == 2 and node[1] is not None:
-                found.append(node[1])
-            elif node[0] == "var" and len(node) == 6:
-                local.add(node[1])
-            elif node[0] == "each" and len(node) == 8:
-                local.add(node[4])
-            waiting.extend(node)
+    for node in everything(function.body):
+        if isinstance(node, syntax.Return) and node.value is not None:
+            found.append(node.value)
+        elif isinstance(node, (syntax.Variable, syntax.Each)):
+            local.add(node.name)
     return found, local
 
 
 def _referred(run: Run, frame: Frame, expression: Expression, local: set[str]) -> Cell | None:
     """The cell of a returned reference, after the function's end; None if it may be that of a local variable."""
     inner = expression
-    while inner[0] in ("field", "index", "*", "cast"):
-        if inner[0] == "index" and inner[2][0] not in ("num", "str", "name"):
+    while isinstance(inner, (syntax.Member, syntax.Subscript, syntax.Dereference, syntax.Cast)):
+        if isinstance(inner, syntax.Subscript) and not isinstance(
+            inner.index, (syntax.Number, syntax.String, syntax.Name)
+        ):
             return None
-        if inner[0] == "index" and inner[2][0] == "name" and inner[2][1] in local:
+        if isinstance(inner, syntax.Subscript) and isinstance(inner.index, syntax.Name) and inner.index.name in local:
             return None
-        inner = inner[2] if inner[0] == "cast" else inner[1]
-    if inner[0] == "this" or (inner[0] == "name" and inner[1] not in local):
+        inner = inner.object if isinstance(inner, (syntax.Member, syntax.Subscript)) else inner.value
+    if isinstance(inner, syntax.This) or (isinstance(inner, syntax.Name) and inner.name not in local):
         return expressions.cell_of(run, frame, expression)
     return None
 
@@ -267,25 +280,23 @@ def passed(run: Run, inner: Frame, value: Value, kind: Type, argument: call_argu
     if inner.source.program.language == "python":
         return value
     if is_open:
-        return copied(run, value, argument.cell.type if argument.cell is not None and not kind[2] else None)
+        return copied(run, value, argument.cell.type if argument.cell is not None and not kind.marks else None)
     return copied(run, value, kind)
 
 
-Captured = tuple[str, Any, int, int]
-
-
-def captures(run: Run, frame: Frame, index: int) -> tuple[Function, tuple[Captured, ...]]:
+def captures(run: Run, frame: Frame, index: int) -> tuple[Function, tuple[syntax.Variable, ...]]:
     """A lambda without, and apart, the variables that its captures declare: they stand before its body's brace."""
     written = frame.source.program.functions[index]
     key = ("lambda", frame.source.path, index)
-    found: tuple[Function, Function, tuple[Captured, ...]] | None = run.found.get(key)
+    found: tuple[Function, Function, tuple[syntax.Variable, ...]] | None = run.found.get(key)
     if found is None or found[0] is not written:
         body = written.body or ()
-        count = 0
+        captured: list[syntax.Variable] = []
         brace = (written.body_line, written.body_column)
-        while count < len(body) and body[count][0] == "var" and (body[count][4], body[count][5]) < brace:
-            count += 1
-        captured = tuple((s[1], s[3], s[4], s[5]) for s in body[:count])
-        function = replace(written, body=tuple(body[count:])) if count else written
-        found = run.found[key] = (written, function, captured)
+        for each in body:
+            if not isinstance(each, syntax.Variable) or (each.line, each.column) >= brace:
+                break
+            captured.append(each)
+        function = syntax.replace(written, body=body[len(captured) :]) if captured else written
+        found = run.found[key] = (written, function, tuple(captured))
     return found[1], found[2]

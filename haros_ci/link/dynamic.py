@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+from haros_ci import syntax
 from haros_ci.link import call_arguments, copies, lookup, methods
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import Known, Opaque, Text, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Function, Statement
+from haros_ci.syntax import Class, Function, Statement
 
 FUNCTIONS = frozenset(("()", "std::function", "boost::function"))
 
@@ -59,9 +60,13 @@ def _adds(run: Run, source: Source, function: Function, name: str) -> bool:
 
 def _is_of_base(statement: Statement, name: str) -> bool:
     """Whether a statement is ``Base::name(...);``."""
-    if statement[0] != "do" or statement[1][0] != "call" or statement[1][1][0] != "name":
+    if (
+        not isinstance(statement, syntax.Do)
+        or not isinstance(statement.value, syntax.Call)
+        or not isinstance(statement.value.callee, syntax.Name)
+    ):
         return False
-    return bool(statement[1][1][1].endswith(f"::{name}"))
+    return bool(statement.value.callee.name.endswith(f"::{name}"))
 
 
 def _is_virtual(run: Run, name: str) -> bool:
@@ -72,7 +77,7 @@ def function(run: Run, called: Opaque, name: str, location: Location) -> None:
     """A function object or pointer that is not known is called: what it makes is not known."""
     if called.reason == IMPORTED:
         run.gaps.setdefault(f"{name or 'a function'} is called: {IMPORTED}", location)
-    if called.type is not None and called.type[0] in FUNCTIONS and "not set" not in called.reason:
+    if called.type is not None and called.type.name in FUNCTIONS and "not set" not in called.reason:
         run.gaps.setdefault(f"{name or 'a function'} is called, which is not known: {called.reason}", location)
 
 

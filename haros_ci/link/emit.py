@@ -6,6 +6,7 @@ from __future__ import annotations
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import ros2_emit
 from haros_ci.link.common_messages import COMMON
 from haros_ci.link.ends import UNNAMED
@@ -16,7 +17,7 @@ from haros_ci.link.values import NONE, Cell, Known, Library, Object, Opaque, Val
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.link.selectors import Applied
@@ -147,12 +148,12 @@ def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | N
     found: Any = value_of(applied, entry.values["type"]) if "type" in entry.values else None
     result: str | None = None
     if isinstance(found, Library):
-        found = TypeValue((found.name, (), ""))
+        found = TypeValue(syntax.Type(found.name))
     if entry.kind in PARAMETERS:
         if isinstance(found, TypeValue):
             result = parameter_type(found.type)
         elif isinstance(found, Known):
-            result = parameter_type((str(found.value), (), "")) or str(found.value)
+            result = parameter_type(syntax.Type(str(found.value))) or str(found.value)
         if result is None and default is not None:
             known, data = data_of(default)
             result = data_type(data) if known else None
@@ -169,7 +170,7 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
     found: Any = value_of(applied, entry.values["type"]) if "type" in entry.values else None
     result: str | None = None
     if isinstance(found, Library):
-        found = TypeValue((found.name, (), ""))
+        found = TypeValue(syntax.Type(found.name))
     is_ros2 = applied.run.context.process is not None
     if isinstance(found, TypeValue):
         found = TypeValue(_meant(applied.run, found.type))
@@ -180,11 +181,11 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
             result is not None
             and not is_ros2
             and entry.kind == "servers"
-            and not found.type[0].endswith(("::Request", "::Response"))
+            and not found.type.name.endswith(("::Request", "::Response"))
         ):
             result = _service(found.type, result)
-        if result is None and found.type[0]:
-            unknowns.append(("type", f"{found.type[0]} is no message type that is known", applied.location))
+        if result is None and found.type.name:
+            unknowns.append(("type", f"{found.type.name} is no message type that is known", applied.location))
             return None
     elif isinstance(found, Known) and isinstance(found.value, str):
         result = found.value
@@ -199,8 +200,8 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
 def _meant(run: Run, kind: Type) -> Type:
     """*kind*, pointers looked through, or the type that it is another name of in a library (``alias`` of a row)."""
     inner = pointee(kind)
-    alias = next((row.alias for row in run.rows.get(inner[0], ()) if row.alias), "")
-    return (alias, (), "") if alias else kind
+    alias = next((row.alias for row in run.rows.get(inner.name, ()) if row.alias), "")
+    return syntax.Type(alias) if alias else kind
 
 
 def _is_interface(applied: Applied, kind: Type, result: str) -> bool:
@@ -210,22 +211,22 @@ def _is_interface(applied: Applied, kind: Type, result: str) -> bool:
     if applied.frame.source.program.language == "python" or name in COMMON.get(package, ()):
         return True
     inner = pointee(kind)
-    while inner[0] in WRAPPERS and inner[1]:
-        inner = pointee(inner[1][0])
+    while inner.name in WRAPPERS and (held := inner.of(0)) is not None:
+        inner = pointee(held)
     if result in SERIALISED.values():
         return True
     if package[:1].isupper() and package not in COMMON:  # REP 144: packages are in lower case
         return any(f"{package}::{name}" in included.values() for included in index.included.values())
-    heads = (inner[0], inner[0].rpartition("::")[0], f"{package}::{name}", package)
+    heads = (inner.name, inner.name.rpartition("::")[0], f"{package}::{name}", package)
     return not any(head in index.classes or head in index.aliases for head in heads)
 
 
 def _service(kind: Type, result: str) -> str:
     """The service of a callback's ``pkg::NameRequest`` or ``pkg::NameResponse``, the classes behind its two halves."""
-    while kind[0] in WRAPPERS and kind[1]:
+    while kind.name in WRAPPERS and (held := kind.of(0)) is not None:
         kind = pointee(kind)
-        kind = pointee(kind[1][0])
-    if kind[0].endswith(("::Request", "::Response")) or "::" not in kind[0]:
+        kind = pointee(held)
+    if kind.name.endswith(("::Request", "::Response")) or "::" not in kind.name:
         return result
     for half in ("Request", "Response"):
         if result.endswith(half) and not result.endswith(f"/{half}"):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from haros_ci.link.follow import Entry
 from haros_ci.link.index import Index, Source, aliased, is_test
 from haros_ci.model.build import Build, PluginClass, Target
-from haros_ci.model.program import Class
+from haros_ci.syntax import Class
 
 #: The base class that a plug-in needs to be a nodelet.
 NODELET = "nodelet::Nodelet"

@@ -9,13 +9,14 @@ from collections.abc import Sequence as Sequence_
 from dataclasses import dataclass, replace
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import activation, alternatives, call_arguments, construct, inert, lookup, ros2_nodes
 from haros_ci.link.index import Source
 from haros_ci.link.run import ROOTS, Frame, OutOfSteps, Root, Run
 from haros_ci.link.state import Writes, joined
 from haros_ci.link.values import UNSET, UNSET_OR_INHERITED, Callable, Cell, Known, Object, Opaque, Sequence, Text, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Function
+from haros_ci.syntax import Class, Function
 
 #: Reasons of values that what others write takes the place of.
 UNSETS = frozenset((UNSET, UNSET_OR_INHERITED))
@@ -78,7 +79,7 @@ def _start(run: Run, frame: Frame, entry: Entry) -> None:
         args = ()
         if entry.function.parameters:
             argv = Opaque("the command line") if words is None else None
-            program: Value = Opaque("the program's name", None, ("char", (), "*"))
+            program: Value = Opaque("the program's name", None, syntax.Type("char", (), "*"))
             cells = tuple(Cell(value) for value in (program, *(Known(word) for word in words or ())))
             args = (
                 call_arguments.Argument(argv or Known(len(cells))),
@@ -93,7 +94,7 @@ def _component_arguments(run: Run, entry: Entry) -> tuple[call_arguments.Argumen
     """What a component is constructed with: the options of its node (rclcpp_components/node_factory.hpp)."""
     if run.context.process is None or entry.is_hosted or entry.source.separator == ".":
         return ()
-    return (call_arguments.Argument(ros2_nodes.options_for(run), type=("rclcpp::NodeOptions", (), "")),)
+    return (call_arguments.Argument(ros2_nodes.options_for(run), type=syntax.Type("rclcpp::NodeOptions")),)
 
 
 def _call_back(run: Run, frame: Frame) -> None:
@@ -255,7 +256,7 @@ def _arguments(run: Run, root: Root, frame: Frame) -> tuple[call_arguments.Argum
         if parameter.default is not None or parameter.name.startswith("*"):
             break
         kind = run.type_in(parameter.type, inner)
-        config: Object | None = run.config_objects.get(kind[0])
+        config: Object | None = run.config_objects.get(kind.name)
         if config is not None:
             found.append(call_arguments.Argument(config))
         else:

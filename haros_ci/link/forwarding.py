@@ -17,7 +17,7 @@ from haros_ci.link.run import Run
 from haros_ci.link.types import STRINGS
 from haros_ci.link.values import Choice, Known, Library, Opaque, Text
 from haros_ci.model.location import Location
-from haros_ci.model.program import Function
+from haros_ci.syntax import Function
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -63,4 +63,4 @@ def place(run: Run, name: str, location: Location) -> Location:
 
 def _is_wrapper(function: Function) -> bool:
     name = function.name.rpartition("::")[2].rpartition(".")[2]
-    return name in NAMES and any(each.type[0] in STRINGS or not each.type[0] for each in function.parameters)
+    return name in NAMES and any(each.type.name in STRINGS or not each.type.name for each in function.parameters)

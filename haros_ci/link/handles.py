@@ -60,7 +60,7 @@ def namespace_of(applied: selectors.Applied, value: Any) -> Value:
         if value.namespace is not None:
             return value.namespace
         return applied.run.opaque(f"the namespace of a {value.name}", applied.frame, applied.location.line)
-    if isinstance(value, Opaque) and value.type is not None and pointee(value.type)[0] not in STRINGS:
+    if isinstance(value, Opaque) and value.type is not None and pointee(value.type).name not in STRINGS:
         return Opaque(f"the node handle is not known: {value.reason}", value.location)
     if isinstance(value, (Known, Text, Opaque)):
         return (

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from haros_ci import syntax
 
 #: Namespaces of the C++ and Boost functions below.
 SPACES = (
@@ -143,6 +143,6 @@ def is_harmless(name: str, is_python: bool) -> bool:
     return name.startswith(LIBRARIES) and not last.startswith(GETTERS)
 
 
-def are_ends(handlers: tuple[Any, ...]) -> bool:
+def are_ends(handlers: tuple[syntax.Handler, ...]) -> bool:
     """Whether all that the handlers of a ``try`` catch is that the program is to end."""
-    return all(any(word in f"{text} {kind}" for word in ENDS) for _, _, text, _, kind, _ in handlers)
+    return all(any(word in f"{each.text} {each.type}" for word in ENDS) for each in handlers)

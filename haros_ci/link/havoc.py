@@ -9,7 +9,7 @@ from haros_ci.link import activation, call_arguments, conversions, harmless
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.state import joined
 from haros_ci.link.values import Callable, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Text, Value
-from haros_ci.model.program import Class
+from haros_ci.syntax import Class
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -87,7 +87,7 @@ def method(run: Run, frame: Frame, receiver: Value, cell: Cell | None, name: str
 
 def forget(run: Run, frame: Frame, cell: Cell, reason: str) -> None:
     """What *cell* holds is not known any more, unless it is a constant."""
-    if cell.type is not None and "c" in cell.type[2]:
+    if cell.type is not None and "c" in cell.type.marks:
         return
     value = cell.value
     if isinstance(value, (Known, Text, Choice)):
@@ -155,5 +155,5 @@ def _is_kept(run: Run, name: str, number: int, count: int) -> bool:
     found = [f for _, f in run.index.functions.get(name, ()) if len(f.parameters) >= count]
     if not found:
         return False
-    marks = [f.parameters[number].type[2] for f in found if f.parameters[number].type[0]]
+    marks = [f.parameters[number].type.marks for f in found if f.parameters[number].type.name]
     return len(marks) == len(found) and all("c" in mark or not ("&" in mark or "*" in mark) for mark in marks)

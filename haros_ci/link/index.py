@@ -11,11 +11,12 @@ from __future__ import annotations
 import posixpath
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
+from haros_ci import syntax
 from haros_ci.link.trace import Trace, Traced
-from haros_ci.model.program import Alias, Class, Field, Function, Program
+from haros_ci.syntax import Alias, Class, Field, Function, Program
 
 Entity = TypeVar("Entity")
 #: Typedefs of typedefs that are looked through.
@@ -118,7 +119,7 @@ class Index:
             return [item for item in found if self._of_a_class(item[1]) or self.sees(source, item[0], files)]
         return found
 
-    def _of_a_class(self, entity: Any) -> bool:
+    def _of_a_class(self, entity: object) -> bool:
         return isinstance(entity, Function) and entity.owner in self.classes
 
     def traced(self, trace: Trace | None) -> None:
@@ -299,7 +300,7 @@ def build_index(sources: Iterable[Source]) -> Index:
             index.local[source.path] = _local(program)
         for definition in program.classes:
             fields = _told_once(definition.fields) if is_cpp else definition.fields
-            whole = definition if fields is definition.fields else replace(definition, fields=fields)
+            whole = definition if fields is definition.fields else syntax.replace(definition, fields=fields)
             index.classes[definition.name].append((source, whole))
         for function in program.functions:
             if function.kind == "lambda" or not function.name:
@@ -335,12 +336,12 @@ def aliased(index: Index, name: str, source: Source | None = None, depth: int = 
     targets: set[str | None] = set()
     for where, alias in found:
         around = name.rpartition("::")[0]
-        names = [each for each in index.scopes(alias.type[0], around, where) if each != name]
+        names = [each for each in index.scopes(alias.type.name, around, where) if each != name]
         target = next((each for each in names if index.classes.get(each)), None)
         if target is None and depth < ALIASES:
             deeper = (aliased(index, each, where, depth + 1) for each in names if each in index.aliases)
             target = next((each for each in deeper if each is not None), None)
-        targets.add(None if alias.type[2] else target)
+        targets.add(None if alias.type.marks else target)
     return targets.pop() if len(targets) == 1 else None
 
 
@@ -362,9 +363,9 @@ def _through_alias(index: Index, source: Source, function: Function) -> None:
     last = function.name.rpartition("::")[2]
     own = owner.rpartition("::")[2]
     if last in (own, function.owner.rpartition("::")[2]):
-        function = replace(function, kind="constructor")
+        function = syntax.replace(function, kind="constructor")
         last = own
-    found = replace(function, name=f"{owner}::{last}", owner=owner)
+    found = syntax.replace(function, name=f"{owner}::{last}", owner=owner)
     index.functions[found.name].append((source, found))
     index.by_tail[f"{own}::{last}"].append((source, found))
 
@@ -379,16 +380,16 @@ def _told_once(fields: tuple[Field, ...]) -> tuple[Field, ...]:
         if known is None or known.init is None:
             found[each.name] = each
         elif each.init is not None and each.init != known.init:
-            either = ("if", ("?", EITHER), _start(known.init), _start(each.init))
-            found[each.name] = replace(known, init=("=", either))
+            either = syntax.Conditional(syntax.Unknown(EITHER), _start(known.init), _start(each.init))
+            found[each.name] = syntax.replace(known, init=syntax.Equals(either))
     return tuple(found.values())
 
 
-def _start(init: Any) -> Any:
+def _start(init: syntax.Init) -> syntax.Expression:
     """The expression that a variable starts with."""
-    if init[0] == "=":
-        return init[1]
-    return init[1][0] if len(init[1]) == 1 else ("?", EITHER)
+    if isinstance(init, syntax.Equals):
+        return init.value
+    return init.arguments[0] if len(init.arguments) == 1 else syntax.Unknown(EITHER)
 
 
 def _local(program: Program) -> dict[str, Alias | None]:

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import call_arguments, lookup, methods, partials
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import is_type
 from haros_ci.link.values import (
     NONE,
     Callable,
@@ -27,12 +27,13 @@ from haros_ci.link.values import (
     Text,
     Value,
 )
-from haros_ci.model.program import Function, Type
+from haros_ci.syntax import Function, Type
+from haros_ci.syntax.walk import Part, everything
 
 #: Objects inside objects that are looked into.
 NESTED = 3
 #: Statements of a function that is followed for what it returns alone, and how many.
-STRAIGHT = frozenset(("return", "var", "do", "if"))
+STRAIGHT = (syntax.Return, syntax.Variable, syntax.Do, syntax.If)
 SHORT = 3
 #: Kinds of values that can be called, and those that may hold such.
 CALLED = frozenset((Callable, ClassValue, Library, Object))
@@ -45,7 +46,7 @@ def may_make(
     run: Run,
     function: Callable,
     args: tuple[call_arguments.Argument, ...],
-    templates: Mapping[str, Type] | None = None,
+    templates: Mapping[str, syntax.Argument] | None = None,
 ) -> bool:
     """Whether a call may make something: the function by itself, or something that it is given and may call.
 
@@ -54,7 +55,7 @@ def may_make(
     if run.relevance.makes(function.function, function.source):
         return True
     for kind in (templates or {}).values():
-        if is_type(kind) and kind[0] in run.index.classes and run.relevance.named(kind[0]):
+        if isinstance(kind, syntax.Type) and kind.name in run.index.classes and run.relevance.named(kind.name):
             return True
     return (
         any(a.value.__class__ in CALLABLE and _makes(run, a.value) for a in args)
@@ -97,7 +98,7 @@ def is_inert(
     """Whether a function that makes nothing need not be followed: it gives and changes numbers only."""
     if definition.kind == "constructor" or _is_short(definition):
         return False
-    if returns[0] and not call_arguments.is_scalar(returns) and returns[0] != "bool":
+    if returns.name and not call_arguments.is_scalar(returns) and returns.name != "bool":
         return False
     changed = run.relevance.changes(definition, function.source)
     if not changed.isdisjoint(run.relevance.shared) or not changed.isdisjoint(run.relevance.holding):
@@ -106,7 +107,7 @@ def is_inert(
         return False
     if function.frame is not None and any(function.frame.find(name) is not None for name in changed):
         return False
-    if not returns[0] and function.source.program.language == "python" and _returns_value(definition.body):
+    if not returns.name and function.source.program.language == "python" and _returns_value(definition.body):
         return False
     for argument in args:
         value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
@@ -119,7 +120,7 @@ def is_inert(
     return function.this is None or _only_numbers(function.this, changed)
 
 
-Pointers = dict[str, tuple[tuple[Source, str, Any, Type], ...]]
+Pointers = dict[str, tuple[tuple[Source, str, syntax.Init | None, Type], ...]]
 
 
 def _pointers(run: Run, names: frozenset[str]) -> Pointers:
@@ -146,7 +147,7 @@ def _all_pointers(run: Run) -> Pointers:
         variables += [(where, f"{c.name}::{f.name}", f) for where, c in each for f in c.fields if f.is_static]
     found: Pointers = {}
     for where, name, variable in variables:
-        if "*" in variable.type[2] and not variable.type[2].endswith("c"):
+        if "*" in variable.type.marks and not variable.type.marks.endswith("c"):
             last = name.rpartition("::")[2]
             found[last] = (*found.get(last, ()), (where, name, variable.init, variable.type))
     return found
@@ -154,7 +155,7 @@ def _all_pointers(run: Run) -> Pointers:
 
 def _is_constant(cell: Cell) -> bool:
     """Whether a variable keeps what it has, whatever else is of its name."""
-    marks = cell.type[2] if cell.type is not None else ""
+    marks = cell.type.marks if cell.type is not None else ""
     return "c" in marks and "*" not in marks and "&" not in marks
 
 
@@ -163,9 +164,9 @@ def _is_short(definition: Function) -> bool:
     body = definition.body or ()
     return (
         0 < len(body) <= SHORT
-        and body[-1][0] == "return"
-        and body[-1][1] is not None
-        and all(statement[0] in STRAIGHT for statement in body)
+        and isinstance(body[-1], syntax.Return)
+        and body[-1].value is not None
+        and all(isinstance(statement, STRAIGHT) for statement in body)
     )
 
 
@@ -190,15 +191,8 @@ def _only_numbers(this: Object, changed: frozenset[str], depth: int = 0) -> bool
     return True
 
 
-def _returns_value(block: Any) -> bool:
-    waiting = [block]
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, (tuple, list)) and node:
-            if node[0] == "return" and len(node) == 2 and node[1] is not None:
-                return True
-            waiting.extend(node)
-    return False
+def _returns_value(block: Part) -> bool:
+    return any(isinstance(node, syntax.Return) and node.value is not None for node in everything(block))
 
 
 def skipped(
@@ -235,16 +229,16 @@ def skipped(
             if outer is not None:
                 _forget(run, outer, replace(unknown, type=outer.type))
     for parameter, argument in zip(definition.parameters, args, strict=False):
-        marks = parameter.type[2]
+        marks = parameter.type.marks
         is_changed = "&" in marks and not marks.rstrip("&").endswith("c")
         if parameter.name in changed and (is_changed or ("*" in marks and "c" not in marks)):
             target = argument.value.cell if isinstance(argument.value, Pointer) else argument.cell
             if target is not None:
                 _forget(run, target, run.opaque(reason, inner, definition.line, target.type))
-    if returns[0] == "void":
+    if returns.name == "void":
         return NONE
     return run.opaque(
-        f"what {definition.name} returns is computed", inner, definition.line, returns if returns[0] else None
+        f"what {definition.name} returns is computed", inner, definition.line, returns if returns.name else None
     )
 
 

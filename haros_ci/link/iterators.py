@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from haros_ci.link.values import FALSE, NONE, TRUE, Cell, Choice, Known, Mapped, Object, Partial, Sequence, Value
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 #: The classes of an iterator in front of an element, and of the one behind the last.
 ITERATOR, END = "[iterator]", "[end]"
@@ -54,7 +54,7 @@ def kind(value: Object) -> Type | None:
     """The type of the elements that an iterator goes through; None if that is not known."""
     container = value.fields["[of]"].value
     told = container.type if isinstance(container, Sequence) else None
-    return told[1][0] if told is not None and told[1] else None
+    return told.of(0) if told is not None else None
 
 
 def _one_of(container: Value) -> Cell | None:

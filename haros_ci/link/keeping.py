@@ -13,7 +13,7 @@ from haros_ci.link.kept import Followed
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.system import Types
 from haros_ci.model.api import Row
-from haros_ci.model.program import Program
+from haros_ci.syntax import Program
 
 #: Parameter libraries, whose facts are not kept.
 YAML = (".yaml", ".yml")

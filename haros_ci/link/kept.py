@@ -16,6 +16,7 @@ from struct import pack, unpack
 from typing import Any
 from zlib import crc32
 
+from haros_ci import syntax
 from haros_ci.link.index import Index, Source
 from haros_ci.link.kept_json import Unfit, from_json, to_json
 from haros_ci.link.relevance import Relevance
@@ -25,11 +26,9 @@ from haros_ci.link.trace import XML_FILES, YAML_FILES, Trace
 from haros_ci.link.twins import Twin
 from haros_ci.link.values import Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Function, Program
 from haros_ci.model.workspace import Problem
-
-#: Part of every key: an interpreter that makes something else of the same facts gets another.
-VERSION = "15"
+from haros_ci.syntax import Alias, Class, Field, Function, Program
+from haros_ci.syntax.codec import plain
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,19 +155,18 @@ def _compare(change: Change, path: str, before: Source, now: Source, relevance: 
             change.names.add(number_of(name))
 
 
-def _entities(items: Iterable[Any]) -> dict[str, list[str]]:
-    found: dict[str, list[str]] = {}
+def _entities(
+    items: Iterable[Class | Field | Alias | tuple[str, tuple[str, ...] | None, str]],
+) -> dict[str, list[object]]:
+    """What is defined, macros too, by name; but for where."""
+    found: dict[str, list[object]] = {}
     for item in items:
-        name = item[0] if isinstance(item, (tuple, list)) else item.name
-        shown = item
-        if hasattr(item, "line"):
-            shown = replace(item, line=0, column=0)
-        found.setdefault(name, []).append(_shown(shown))
+        if isinstance(item, tuple):
+            found.setdefault(item[0], []).append(item)
+        else:
+            bare = item if isinstance(item, Alias) else syntax.replace(item, line=0, column=0)
+            found.setdefault(item.name, []).append(plain(bare))
     return found
-
-
-def _shown(item: Any) -> str:
-    return repr(item).replace("[", "(").replace("]", ")").replace(",)", ")")
 
 
 def _functions(program: Program) -> dict[str, list[Function]]:
@@ -178,11 +176,11 @@ def _functions(program: Program) -> dict[str, list[Function]]:
     return found
 
 
-def _head(function: Function) -> str:
+def _head(function: Function) -> tuple[bool, bytes]:
     """A function but for what it does and where."""
     has_body = function.body is not None
-    bare = replace(function, body=None, inits=(), line=0, column=0, body_line=0, body_column=0, guards=())
-    return f"{has_body} {_shown(bare)}"
+    bare = syntax.replace(function, body=None, inits=(), line=0, column=0, body_line=0, body_column=0, guards=())
+    return has_body, plain(bare)
 
 
 def _does_other(
@@ -208,7 +206,7 @@ class Record:
 
 def digest_of(*parts: Any) -> str:
     """A key for what every result depends on."""
-    found = sha256(VERSION.encode())
+    found = sha256()
     for part in parts:
         found.update(repr(part).encode("utf-8", "surrogatepass"))
     return found.hexdigest()

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from haros_ci import syntax
 from haros_ci.link import callbacks, harmless, havoc, library_cpp, library_python, methods, ros2_nodes
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -58,7 +59,12 @@ def method(
 
 
 def function(
-    run: Run, frame: Frame, name: str, args: tuple[Argument, ...], targs: Any, location: Location
+    run: Run,
+    frame: Frame,
+    name: str,
+    args: tuple[Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
 ) -> Value | None:
     """A modelled function; None if there is no model of it."""
     if frame.source.program.language == "python":

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import assignments, construct, conversions, iterators
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.state import certain, last, possible
@@ -23,7 +24,7 @@ from haros_ci.link.values import (
     Value,
 )
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -38,7 +39,7 @@ def _added(
 ) -> tuple[Cell, ...] | Opaque | None:
     """A set's content with one more element, or a list's or set's with those of a range; None if that is not told."""
     cells: Any = receiver.content.value
-    is_set = receiver.type is not None and receiver.type[0] == "std::set"
+    is_set = receiver.type is not None and receiver.type.name == "std::set"
     held = certain(cells)
     values = [argument.value for argument in args]
     if is_set and len(args) == 1 and name in ("insert", "emplace") and isinstance(values[0], Known):
@@ -84,7 +85,7 @@ def _range(first: Value, end: Value) -> list[Value] | None:
 def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
     cells: Any = receiver.content.value
     known = isinstance(cells, tuple)
-    inner = receiver.type[1][0] if receiver.type is not None and receiver.type[1] else None
+    inner = receiver.type.of(0) if receiver.type is not None else None
     if name in ADDING and (added := _added(run, receiver, name, args, inner)) is not None:
         run.state.write(receiver.content, added)
         return NONE
@@ -106,7 +107,7 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
             wanted = args[0].value.value
             if known and 0 <= wanted <= 1000:
                 made = [
-                    Cell(construct.create(run, frame, inner or ("", (), ""), (), Location(frame.source.path)), inner)
+                    Cell(construct.create(run, frame, inner or syntax.Type(""), (), Location(frame.source.path)), inner)
                     for _ in range(wanted - len(cells))
                 ]
                 run.state.write(receiver.content, (*cells[:wanted], *made))
@@ -120,7 +121,7 @@ def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[
     if name in ("size", "empty", "length"):
         if known:
             return Known(not cells) if name == "empty" else Known(len(cells))
-        return run.opaque("the length of a list that is not known", frame, None, ("int", (), ""))
+        return run.opaque("the length of a list that is not known", frame, None, syntax.Type("int"))
     if name in ("front", "back", "at"):
         if known and cells and name != "at":
             return cells[0 if name == "front" else -1].value

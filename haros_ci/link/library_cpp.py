@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     algorithms,
     construct,
@@ -22,7 +23,7 @@ from haros_ci.link import (
 )
 from haros_ci.link.mentions import LOADERS
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import STRINGS, is_type, pointee
+from haros_ci.link.types import STRINGS, pointee
 from haros_ci.link.values import (
     FALSE,
     NONE,
@@ -42,7 +43,7 @@ from haros_ci.link.values import (
     converted_to_text,
 )
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -74,14 +75,14 @@ TRANSPARENT = frozenset(
 
 def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
     """An instance of a modelled class."""
-    name = kind[0]
+    name = kind.name
     if name in STREAMS:
         stream = Object(name, fields={"[text]": Cell(Known(""))})
         if args:
             texts.start(run, stream, args[0].value)
         return stream
     if name == DESCRIPTOR and not args and run.context.process is not None:
-        flag = {"read_only": Cell(FALSE, ("bool", (), ""))}
+        flag = {"read_only": Cell(FALSE, syntax.Type("bool"))}
         ranges = {each: Cell(Sequence(Cell(()))) for each in ("floating_point_range", "integer_range")}
         return Object(name, fields={**flag, **ranges})
     if name in FILES:
@@ -95,7 +96,9 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
         copied = {key: Cell(cell.value, cell.type) for key, cell in held.items()} if isinstance(held, dict) else held
         return Mapped(Cell(copied))
     if name == f"{XMLRPC}::ValueArray":
-        return construct.create(run, frame, ("std::vector", ((XMLRPC, (), ""),), ""), args, Location(frame.source.path))
+        return construct.create(
+            run, frame, syntax.Type("std::vector", (syntax.Type(XMLRPC),), ""), args, Location(frame.source.path)
+        )
     if name in ("std::pair",) and len(args) == 2:
         return Object(name, fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
     if name in ("ros::Duration", "ros::WallDuration", "ros::Rate", "ros::Time") and len(args) == 1:
@@ -104,7 +107,12 @@ def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> 
 
 
 def function(
-    run: Run, frame: Frame, name: str, args: tuple[Argument, ...], targs: Any, location: Location
+    run: Run,
+    frame: Frame,
+    name: str,
+    args: tuple[Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
 ) -> Value | None:
     """A modelled free function or constructor by its name."""
     name = name.removeprefix("::")
@@ -114,7 +122,7 @@ def function(
         return loaders.remappings(run)
     if name in BINDERS and args:
         return library_bind.bind(args)
-    if name.startswith(LIMITS) and len(targs) == 1 and is_type(targs[0]) and not args:
+    if name.startswith(LIMITS) and len(targs) == 1 and isinstance(targs[0], syntax.Type) and not args:
         return library_numbers.limit(name.removeprefix(LIMITS), run.type_in(targs[0], frame))
     if name.endswith("::directory_iterator") and args:
         return library_xml.directory(run, args[0].value)
@@ -128,8 +136,8 @@ def function(
         if name.endswith("_ptr"):
             return args[0].value if args else NONE
         if targs:
-            kind = run.type_in(targs[0], frame) if isinstance(targs[0], (tuple, list)) else ("", (), "")
-            return construct.create(run, frame, (kind[0], kind[1], ""), args, location)
+            kind = run.type_in(targs[0], frame) if isinstance(targs[0], syntax.Type) else syntax.NOTHING
+            return construct.create(run, frame, kind.bare(), args, location)
         return None
     if name in TRANSPARENT and len(args) in (1, 2):
         value = args[0].value
@@ -137,12 +145,12 @@ def function(
             return concatenate((value,), converted_to_text)
         if name in ("std::string", "string"):
             return texts.constructed(args)
-        if name == "boost::lexical_cast" and targs:
+        if name == "boost::lexical_cast" and targs and isinstance(targs[0], syntax.Type):
             wanted = run.type_in(targs[0], frame)
-            if wanted[0] not in STRINGS:
+            if wanted.name not in STRINGS:
                 return conversions.converted(_number(value), wanted)
             if isinstance(value, Known) and isinstance(value.value, float):
-                is_double = args[0].type is not None and args[0].type[0] == "double"
+                is_double = args[0].type is not None and args[0].type.name == "double"
                 return Known(f"{value.value:.17g}") if is_double else run.opaque("its digits are not known", frame)
             return concatenate((value,))
         if name in ("std::max", "std::abs"):
@@ -160,11 +168,11 @@ def function(
         return algorithms.found(run, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
         run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
-        return run.opaque("whether a stream has more is not known", frame, None, ("bool", (), ""))
+        return run.opaque("whether a stream has more is not known", frame, None, syntax.Type("bool"))
     if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
         return library_containers.swapped(run, args)
     if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
-        run.state.write(args[0].cell, run.opaque("it is formatted by sprintf", frame, None, ("std::string", (), "")))
+        run.state.write(args[0].cell, run.opaque("it is formatted by sprintf", frame, None, syntax.Type("std::string")))
         return NONE
     return None
 
@@ -217,10 +225,10 @@ def method(
     if isinstance(receiver, Text) and name == "empty":
         if any(isinstance(part, str) for part in receiver.parts):
             return FALSE
-        return run.opaque("whether a text is empty", frame, None, ("bool", (), ""))
+        return run.opaque("whether a text is empty", frame, None, syntax.Type("bool"))
     if isinstance(receiver, (Known, Text, Opaque)) and name in ("append", "push_back") and cell is not None and args:
         kind = cell.type
-        if kind is not None and kind[0] in STRINGS:
+        if kind is not None and kind.name in STRINGS:
             run.state.write(cell, concatenate((receiver, texts.constructed(args))))
             return cell.value
     if isinstance(receiver, Text) and cell is not None and args and name == "assign":
@@ -233,8 +241,8 @@ def method(
         return receiver
     if isinstance(receiver, Opaque) and name in LOADERS and args and receiver.type is not None:
         kind = pointee(receiver.type)
-        if kind[0] == LOADER:
-            this = Object(kind[0], kind[1])
+        if kind.name == LOADER:
+            this = Object(kind.name, kind.arguments)
             return library_yaml.plugin(run, frame, this, args[0].value, location)
     if isinstance(receiver, Sequence):
         return library_containers.sequence(run, frame, receiver, name, args)
@@ -245,7 +253,7 @@ def method(
 
 def _is_filled(cell: Cell | None) -> bool:
     """Whether a variable is a parameter's object: what it holds is the parameter's value."""
-    return cell is not None and cell.type is not None and cell.type[0] == "rclcpp::Parameter"
+    return cell is not None and cell.type is not None and cell.type.name == "rclcpp::Parameter"
 
 
 def _data(
@@ -355,7 +363,7 @@ def _object(
     if receiver.name in library_xml.CLASSES:
         return library_xml.method(run, frame, receiver, name, args)
     if receiver.name == "rclcpp::NodeOptions" and name == "arguments" and not args and name not in receiver.fields:
-        return Sequence(Cell(()), ("std::vector", (("std::string", (), ""),), ""))
+        return Sequence(Cell(()), syntax.Type("std::vector", (syntax.Type("std::string"),), ""))
     if receiver.name == "nodelet::Loader" and name == "load" and len(args) > 1:
         return loaders.nodelet(run, frame, args, location)
     if receiver.name == LOADER and name == "getName" and args:

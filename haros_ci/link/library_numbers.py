@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from haros_ci.link.conversions import CHARACTERS, WIDTHS
 from haros_ci.link.types import INTEGERS
 from haros_ci.link.values import Known
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 _DOUBLE = {
     "max": 1.7976931348623157e308,
@@ -57,11 +57,11 @@ CONSTANTS: Mapping[str, float | int] = {
 
 def limit(name: str, kind: Type) -> Known | None:
     """What ``std::numeric_limits<kind>::name()`` returns (en.cppreference.com/w/cpp/types/numeric_limits)."""
-    if kind[2].replace("c", "") or kind[0] in ("double", "float"):
-        table = {"double": _DOUBLE, "float": _FLOAT}.get(kind[0], {})
-        return Known(table[name]) if name in table and not kind[2].replace("c", "") else None
-    words = kind[0].rpartition("::")[2].split()
-    if not words or not (kind[0] in INTEGERS or set(words) <= INTEGERS) or name not in ("max", "min", "lowest"):
+    if kind.marks.replace("c", "") or kind.name in ("double", "float"):
+        table = {"double": _DOUBLE, "float": _FLOAT}.get(kind.name, {})
+        return Known(table[name]) if name in table and not kind.marks.replace("c", "") else None
+    words = kind.name.rpartition("::")[2].split()
+    if not words or not (kind.name in INTEGERS or set(words) <= INTEGERS) or name not in ("max", "min", "lowest"):
         return None
     if words == ["char"] or "byte" in words:  # signed or not, as the processor has it
         return None

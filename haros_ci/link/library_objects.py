@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import api_rows, call_arguments, callbacks, copies, library, methods, ros2_nodes
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import is_type
 from haros_ci.link.values import (
     Callable,
     Object,
@@ -15,14 +15,14 @@ from haros_ci.link.values import (
     Value,
 )
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 
 def summary_object(run: Run, owner: Any, kind: Type, receiver: Opaque) -> Object:
     """Some object of a class, of which only the class is known."""
     source, definition = owner
-    templates = dict(zip(definition.templates, kind[1], strict=False))
-    return Object(definition.name, kind[1], owner, location=receiver.location, templates=templates)
+    templates = dict(zip(definition.templates, kind.arguments, strict=False))
+    return Object(definition.name, kind.arguments, owner, location=receiver.location, templates=templates)
 
 
 def owners(run: Run, value: Object) -> list[str]:
@@ -53,17 +53,17 @@ def library_object(
     modelled = library.instance(run, frame, kind, args)
     if modelled is not None:
         return modelled
-    if not kind[0] or "()" in kind[0]:
+    if not kind.name or "()" in kind.name:
         return args[0].value if args else run.opaque("it is not known", frame)
-    if len(args) == 1 and isinstance(args[0].value, Object) and args[0].value.name == kind[0]:
+    if len(args) == 1 and isinstance(args[0].value, Object) and args[0].value.name == kind.name:
         return copies.copied(run, args[0].value, kind)
-    if len(args) == 1 and isinstance(args[0].value, Callable) and kind[0] not in run.rows:
+    if len(args) == 1 and isinstance(args[0].value, Callable) and kind.name not in run.rows:
         return args[0].value  # boost::function and its kin
-    this = Object(kind[0], kind[1], location=location)
+    this = Object(kind.name, kind.arguments, location=location)
     construct_library(run, frame, this, kind, args, location)
     _hidden(run, frame, kind, args, location)
-    if kind[0] not in run.rows:
-        ros2_nodes.handed(run, kind[0], (argument.value for argument in args))
+    if kind.name not in run.rows:
+        ros2_nodes.handed(run, kind.name, (argument.value for argument in args))
     for argument in args:
         callbacks.register(run, argument.value, args)
     return this
@@ -72,12 +72,12 @@ def library_object(
 def _hidden(run: Run, frame: Frame, kind: Type, args: tuple[call_arguments.Argument, ...], location: Location) -> None:
     """A library's template over a class of the workspace may be, or have, one: it is given the class's node handle."""
     handles = [each for each in args if isinstance(each.value, Object) and each.value.namespace is not None]
-    if run.quiet or not handles or kind[0] in run.rows:
+    if run.quiet or not handles or kind.name in run.rows:
         return
-    for inner in kind[1]:
-        owner = run.class_of(inner[0], frame.source) if is_type(inner) else None
+    for inner in kind.arguments:
+        owner = run.class_of(inner.name, frame.source) if isinstance(inner, syntax.Type) else None
         if owner is not None and run.relevance.named(owner[1].name):
-            said = f"{kind[0]} is given class {owner[1].name} and a node handle: whether it makes one is not seen"
+            said = f"{kind.name} is given class {owner[1].name} and a node handle: whether it makes one is not seen"
             run.gaps.setdefault(said, location)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     command_lines,
     comprehensions,
@@ -55,14 +56,14 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
             return run.opaque("it is no number", frame)
     if name in ("int", "float", "bool", "str"):
         kind = {"int": "int", "float": "double", "bool": "bool", "str": "std::string"}[name]
-        return run.opaque("it is converted from what is not known", frame, None, (kind, (), "")) if args else None
+        return run.opaque("it is converted from what is not known", frame, None, syntax.Type(kind)) if args else None
     if name == "len" and first is not None:
         known, data = data_of(first)
         if known and isinstance(data, (str, list, dict)):
             return Known(len(data))
         if isinstance(first, Sequence) and isinstance(first.content.value, tuple):
             return Known(len(first.content.value))
-        return run.opaque("the length of what is not known", frame, None, ("int", (), ""))
+        return run.opaque("the length of what is not known", frame, None, syntax.Type("int"))
     if name == "range":
         bounds = [a.value.value for a in args if isinstance(a.value, Known) and isinstance(a.value.value, int)]
         if args and len(bounds) == len(args):
@@ -157,7 +158,7 @@ def argv(run: Run, is_own: bool = False) -> Value:
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.value)]
     else:
-        words += [Opaque(f"{word} as roslaunch gives it", None, ("str", (), "")) for word in ("__name:=", "__log:=")]
+        words += [Opaque(f"{word} as roslaunch gives it", None, syntax.Type("str")) for word in ("__name:=", "__log:=")]
     return Sequence(Cell(tuple(Cell(word) for word in words)))
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import posixpath
 from typing import TYPE_CHECKING
 
+from haros_ci import syntax
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.trace import XML_FILES
 from haros_ci.link.values import NONE, Cell, Known, Library, Object, Opaque, Sequence, Value
@@ -51,7 +52,7 @@ def _document(run: Run, frame: Frame, document: Object, name: str, texts: list[o
         if run.index.trace is not None:
             run.index.trace.paths.add(XML_FILES)
         root = reader.root(path) if reader is not None and isinstance(path, str) else None
-        unknown = run.opaque("the XML file is not in the workspace", frame, None, (ELEMENT, (), "*"))
+        unknown = run.opaque("the XML file is not in the workspace", frame, None, syntax.Type(ELEMENT, (), "*"))
         value = unknown if root is None else _element((root,), 0)
         cell = document.fields.setdefault(ROOT, Cell(NONE))
         run.state.write(cell, value)
@@ -93,7 +94,7 @@ def directory(run: Run, value: Value) -> Value | None:
     found = reader.directory(value.value)
     if not found or len(found) > MOST:
         return None
-    return Sequence(Cell(tuple(Cell(Known(path), ("std::filesystem::path", (), "")) for path in found)))
+    return Sequence(Cell(tuple(Cell(Known(path), syntax.Type("std::filesystem::path")) for path in found)))
 
 
 def part(path: str, name: str) -> str | None:

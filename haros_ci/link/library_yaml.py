@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from haros_ci import syntax
 from haros_ci.link import alternatives, construct, dynamic
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.trace import YAML_FILES
@@ -30,7 +31,8 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     These are loaded once at each place of the program for each base class, however often it is gone through.
     """
     named = _named(run, frame, loader, name, location)
-    of_base, base = run.context.of_base, loader.arguments[0][0] if loader.arguments else ""
+    of_base, kind = run.context.of_base, _base(loader)
+    base = kind.name if kind is not None else ""
     if of_base is None or run.quiet or (location, base) in run.offered:
         return named
     run.offered.add((location, base))
@@ -45,9 +47,15 @@ def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
 
 
+def _base(loader: Object) -> syntax.Type | None:
+    """The class whose plug-ins the loader gives."""
+    found = loader.arguments[0] if loader.arguments else None
+    return found if isinstance(found, syntax.Type) else None
+
+
 def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
     """An instance of the class that pluginlib loads by that name, where it is of the workspace (wiki.ros.org/pluginlib)."""
-    base = loader.arguments[0] if loader.arguments else None
+    base = _base(loader)
     if isinstance(name, Choice):
         ways = [partial(_named, run, frame, loader, option, location) for option in name.options]
         return run.either_way(ways, "it is one of several plug-ins")

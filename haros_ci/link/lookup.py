@@ -7,6 +7,7 @@ import builtins
 from dataclasses import dataclass
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     construct,
     conversions,
@@ -34,7 +35,7 @@ from haros_ci.link.values import (
     join,
 )
 from haros_ci.model.location import Location
-from haros_ci.model.program import Expression, Type
+from haros_ci.syntax import Expression, Type
 
 
 def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
@@ -59,25 +60,25 @@ def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
     found = _found_variable(run, frame, name)
     if found is None and "::" in name:  # a static member of what a template parameter or an alias stands for
         head, _, last = name.rpartition("::")
-        meant = run.type_in((head, (), ""), frame)[0]
+        meant = run.type_in(syntax.Type(head), frame).name
         found = _found_variable(run, frame, f"{meant}::{last}") if meant not in ("", head) else None
     return global_cell(run, *found) if found is not None else None
 
 
-def _found_variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type] | None:
+def _found_variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
     if (key := ("variable", name, frame.scope, frame.source.path)) not in run.found:
         run.found[key] = _variable(run, frame, name)
     return run.found[key]
 
 
-def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type] | None:
+def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
     """The namespace-scope variable or static member that *name* means: its file, qualified name, initialiser, type."""
     for candidate in run.index.scopes(name, frame.scope, frame.source):
         found = run.index.near(run.index.variables, candidate, frame.source, run.files)
         if found:
             where, variable = found[0]
             if any(other.init != variable.init for _, other in found):
-                return frame.source, variable.name, ("=", ("?", EITHER)), variable.type
+                return frame.source, variable.name, syntax.Equals(syntax.Unknown(EITHER)), variable.type
             return where, variable.name, variable.init, variable.type
         head, colons, last = candidate.rpartition("::")
         if colons:
@@ -89,7 +90,7 @@ def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, Any, Type
     return None
 
 
-def global_cell(run: Run, source: Source, name: str, init: Any, kind: Type) -> Cell:
+def global_cell(run: Run, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
     """The one cell of a namespace-scope variable or static member, made when it is first used."""
     key = (source.path, name)
     cell = run.globals.get(key)
@@ -108,8 +109,8 @@ def global_cell(run: Run, source: Source, name: str, init: Any, kind: Type) -> C
     return cell
 
 
-def name(run: Run, frame: Frame, expression: Expression) -> Value:
-    name = expression[1]
+def name(run: Run, frame: Frame, expression: syntax.Name) -> Value:
+    name = expression.name
     cell = named_cell(run, frame, name)
     if cell is not None:
         return cell.value
@@ -193,18 +194,18 @@ def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
         if any(name in index.defined.get(package, ()) for package in packages):
             return run.opaque(f"the build defines {name}", frame)
         return Macro(tuple(macros_.expression(body) for _, body in macros))
-    resolved = run.type_in((name, (), ""), frame)
-    found = run.class_of(resolved[0], frame.source)
+    resolved = run.type_in(syntax.Type(name), frame)
+    found = run.class_of(resolved.name, frame.source)
     if found is not None:
         return ClassValue(*found)
     if "::" in name:
-        method = methods.tail_method(run, resolved[0] if "::" in resolved[0] else name, frame.source)
+        method = methods.tail_method(run, resolved.name if "::" in resolved.name else name, frame.source)
         if method is not None:
             return Callable(method[0], method[1])
-    if resolved[0].endswith("string::npos"):
+    if resolved.name.endswith("string::npos"):
         return Known(conversions.NPOS)
-    constant = NAMES.get(resolved[0], library_numbers.CONSTANTS.get(name))
-    return Known(constant) if constant is not None else Library(resolved[0])
+    constant = NAMES.get(resolved.name, library_numbers.CONSTANTS.get(name))
+    return Known(constant) if constant is not None else Library(resolved.name)
 
 
 def python_name(run: Run, frame: Frame, name: str) -> Value:
@@ -235,7 +236,7 @@ def python_name(run: Run, frame: Frame, name: str) -> Value:
 
 def _imported_name(run: Run, frame: Frame, name: str) -> Value | None:
     """What the file's imports of *name* mean: either of several, and of several modules with all their names the last."""
-    targets = dict.fromkeys(alias.type[0] for alias in frame.source.program.aliases if alias.name == name)
+    targets = dict.fromkeys(alias.type.name for alias in frame.source.program.aliases if alias.name == name)
     value: Value | None = None
     for target in targets:
         other = imported(run, frame, target)
@@ -244,7 +245,7 @@ def _imported_name(run: Run, frame: Frame, name: str) -> Value | None:
         return value
     for alias in reversed(frame.source.program.aliases):
         if alias.name == "*":
-            value = imported(run, frame, f"{alias.type[0].removesuffix('.*')}.{name}")
+            value = imported(run, frame, f"{alias.type.name.removesuffix('.*')}.{name}")
             if not isinstance(value, Library):
                 return value
     return None
@@ -254,7 +255,7 @@ def _starred(run: Run, source: Source, name: str) -> str | None:
     """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
     outside = []
     for alias in reversed(source.program.aliases):  # of several the last counts
-        module = alias.type[0].removesuffix(".*")
+        module = alias.type.name.removesuffix(".*")
         package, _, kind = module.rpartition(".")
         if alias.name == "*" and f"{module}.{name}" in run.rows:
             return f"{module}.{name}"
@@ -326,7 +327,7 @@ def is_generated(run: Run, source: Source, name: str) -> bool:
 def _rebound(source: Source) -> set[str]:
     """The variables of a Python module that its functions assign to (``global``)."""
     statements = (statement for function in source.program.functions for statement in function.body or ())
-    return {name for each in statements if each[0] == "global" for name in each[1]}
+    return {name for each in statements if isinstance(each, syntax.Global) for name in each.names}
 
 
 def module_frame(run: Run, source: Source) -> Frame:
@@ -342,7 +343,7 @@ def module_frame(run: Run, source: Source) -> Frame:
         if body is not None and body.body:
             for statement in body.body:
                 run.step()
-                if statements.STATEMENTS[statement[0]](run, frame, statement) != NEXT:
+                if statements.STATEMENTS[type(statement)](run, frame, statement) != NEXT:
                     break
         for name in _rebound(source):
             if name in frame.scopes[0]:

@@ -7,12 +7,13 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import alternatives, expressions, statements, static_types
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
 from haros_ci.link.state import certain, joined
 from haros_ci.link.values import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
 from haros_ci.model.location import Location
-from haros_ci.model.program import Block, Expression, Statement, Type
+from haros_ci.syntax import Block, Expression, Type
 
 #: Turns that are tried to find what a loop changes.
 REHEARSALS = 3
@@ -26,20 +27,21 @@ NESTED = 8
 NAMED = "the list is a matter of parameters"
 
 
-def loop(run: Run, frame: Frame, statement: Statement) -> str:
-    _, keyword, line, column, text, first, test, body = statement
+def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
+    keyword, line, column, text = statement.keyword, statement.line, statement.column, statement.text
+    first, test, body = statement.before, statement.test, statement.body
     frame.scopes.append({})
     current = Loop(run.state.mark())
     known = len(run.made)
 
-    step = body[-1] if body and body[-1][0] == "step" else None
+    step = body[-1] if body and isinstance(body[-1], syntax.Step) else None
 
     def one() -> str:
         return statements.execute(run, frame, body[:-1] if step else body)
 
     def after() -> None:
         if step is not None:
-            expressions.evaluate(run, frame, step[1])
+            expressions.evaluate(run, frame, step.value)
 
     def after_and_test() -> None:
         after()
@@ -48,7 +50,7 @@ def loop(run: Run, frame: Frame, statement: Statement) -> str:
 
     try:
         for item in first:
-            statements.STATEMENTS[item[0]](run, frame, item)
+            statements.STATEMENTS[type(item)](run, frame, item)
         with run.under(keyword, text, frame, line, column):
             before = run.steps - run.aside
             worthwhile = _worthwhile(run, frame, body, test)
@@ -131,7 +133,12 @@ def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) ->
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
     if _matters(run, frame, body, test):
         return run.turns < NESTED
-    if run.turns < NESTED and test is not None and test[0] == "op" and run.relevance.edits(body, frame.source):
+    if (
+        run.turns < NESTED
+        and test is not None
+        and isinstance(test, syntax.Operation)
+        and run.relevance.edits(body, frame.source)
+    ):
         return True
     return run.turns == 1 and run.relevance.collects(body, frame.source)
 
@@ -194,19 +201,20 @@ def _forgotten(run: Run, frame: Frame, line: int, begun: int, ways: list[tuple[C
     return changed
 
 
-def each(run: Run, frame: Frame, statement: Statement) -> str:
-    _, line, column, text, name, kind, iterable, body = statement
+def each(run: Run, frame: Frame, statement: syntax.Each) -> str:
+    line, column, text = statement.line, statement.column, statement.text
+    name, kind, iterable, body = statement.name, statement.type, statement.iterable, statement.body
     items, others = static_types.some_elements(run, frame, iterable)
     resolved = run.type_in(kind, frame)
 
     def turn(value: Value | Cell) -> str:
         frame.scopes.append({})
         try:
-            if isinstance(value, Cell) and "&" in resolved[2]:
+            if isinstance(value, Cell) and "&" in resolved.marks:
                 frame.declare(name, value)
             else:
                 inner = value.value if isinstance(value, Cell) else value
-                frame.declare(name, Cell(inner, resolved if resolved[0] not in ("", "auto") else None))
+                frame.declare(name, Cell(inner, resolved if resolved.name not in ("", "auto") else None))
             return statements.execute(run, frame, body)
         finally:
             frame.scopes.pop()
@@ -245,7 +253,7 @@ def each(run: Run, frame: Frame, statement: Statement) -> str:
 
 
 def _element_type(run: Run, frame: Frame, iterable: Expression, written: Type) -> Type | None:
-    return static_types.element_type(run, frame, iterable) if written[0] in ("", "auto") else written
+    return static_types.element_type(run, frame, iterable) if written.name in ("", "auto") else written
 
 
 def _possible(run: Run, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from haros_ci.model.program import Expression
+from haros_ci import syntax
+from haros_ci.syntax import Expression
 
 if TYPE_CHECKING:
     from haros_ci.link.index import Index, Source
@@ -38,7 +39,7 @@ class _Unreadable(Exception):
 
 
 def expression(body: str) -> Expression:
-    """What an object-like macro's text stands for wherever it is used; ("?", text) where that is not told.
+    """What an object-like macro's text stands for wherever it is used; unknown where that is not told.
 
     Operators outside of parentheses are put between those around the macro's use ([cpp.replace]: the replacement is
     text), so that their value is known for texts alone.
@@ -50,7 +51,7 @@ def expression(body: str) -> Expression:
         if left != len(tokens) or (_is_open(tokens) and not _is_text(found)):
             raise _Unreadable
     except _Unreadable:
-        return ("?", f"a macro: {text[:80]}")
+        return syntax.Unknown(f"a macro: {text[:80]}")
     return found
 
 
@@ -87,9 +88,9 @@ def _is_open(tokens: list[tuple[str, str]]) -> bool:
 
 def _is_text(found: Expression) -> bool:
     """Whether an expression adds to a text, and is the same however it goes on."""
-    if found[0] == "op" and found[1] == "+" and len(found[2]) == 2:
-        return _is_text(found[2][0])
-    return bool(found[0] == "cast" and found[1][0] == "std::string")
+    if isinstance(found, syntax.Operation) and found.operator == "+" and len(found.operands) == 2:
+        return _is_text(found.operands[0])
+    return bool(isinstance(found, syntax.Cast) and found.type.name == "std::string")
 
 
 def _binary(tokens: list[tuple[str, str]], at: int, level: int, depth: int) -> tuple[Expression, int]:
@@ -97,7 +98,7 @@ def _binary(tokens: list[tuple[str, str]], at: int, level: int, depth: int) -> t
     while at < len(tokens) and tokens[at][0] == "op" and _LEVELS.get(tokens[at][1], 0) > level:
         symbol = tokens[at][1]
         right, at = _binary(tokens, at + 1, _LEVELS[symbol], depth)
-        left = ("op", symbol, (left, right))
+        left = syntax.Operation(symbol, (left, right))
     return left, at
 
 
@@ -107,25 +108,25 @@ def _unary(tokens: list[tuple[str, str]], at: int, depth: int) -> tuple[Expressi
     kind, text = tokens[at]
     if kind == "op" and text in "-+~":
         inner, at = _unary(tokens, at + 1, depth + 1)
-        if inner[0] == "num" and text != "~":
-            return ("num", -inner[1] if text == "-" else inner[1]), at
-        return ("op", text, (inner,)), at
+        if isinstance(inner, syntax.Number) and text != "~":
+            return syntax.Number(-inner.value if text == "-" else inner.value), at
+        return syntax.Operation(text, (inner,)), at
     if kind == "op" and text == "(":
         inner, at = _binary(tokens, at + 1, 0, depth + 1)
         at = _closed(tokens, at)
     elif kind == "str":
         inner, at = _texts(tokens, at)
     elif kind == "chr":
-        inner, at = ("cast", ("char", (), ""), ("num", ord(_unescaped(text[1:-1])))), at + 1
+        inner, at = syntax.Cast(syntax.Type("char"), syntax.Number(ord(_unescaped(text[1:-1])))), at + 1
     elif kind == "num":
-        inner, at = ("num", _number(text)), at + 1
+        inner, at = syntax.Number(_number(text)), at + 1
     elif kind == "name" and text in ("true", "false"):
-        inner, at = ("bool", text == "true"), at + 1
+        inner, at = syntax.Boolean(text == "true"), at + 1
     elif kind == "name" and text in ("std::string", "string") and tokens[at + 1 : at + 2] == [("op", "(")]:
         whole, at = _texts(tokens, at + 2)
-        inner, at = ("cast", ("std::string", (), ""), whole), _closed(tokens, at)
+        inner, at = syntax.Cast(syntax.Type("std::string"), whole), _closed(tokens, at)
     elif kind == "name":
-        inner, at = ("name", text), at + 1
+        inner, at = syntax.Name(text), at + 1
     else:
         raise _Unreadable
     if at < len(tokens) and (tokens[at][0] != "op" or tokens[at][1] in "(~"):  # a call, a cast, words in a row
@@ -141,16 +142,18 @@ def _closed(tokens: list[tuple[str, str]], at: int) -> int:
 
 def _texts(tokens: list[tuple[str, str]], at: int) -> tuple[Expression, int]:
     """Literals in a row, and the macros between them."""
-    parts: list[Any] = []
+    parts: list[Expression] = []
     while at < len(tokens) and tokens[at][0] in ("str", "name"):
         kind, text = tokens[at]
-        parts.append(("str", _unescaped(text[text.index('"') + 1 : -1])) if kind == "str" else ("name", text))
+        is_text = kind == "str"
+        parts.append(syntax.String(_unescaped(text[text.index('"') + 1 : -1])) if is_text else syntax.Name(text))
         at += 1
-    if not any(part[0] == "str" for part in parts):
+    texts = [part.value for part in parts if isinstance(part, syntax.String)]
+    if not texts:
         raise _Unreadable
-    if all(part[0] == "str" for part in parts):
-        return ("str", "".join(part[1] for part in parts)), at
-    return ("format", tuple(parts)), at
+    if len(texts) == len(parts):
+        return syntax.String("".join(texts)), at
+    return syntax.Format(tuple(parts)), at
 
 
 def _unescaped(text: str) -> str:

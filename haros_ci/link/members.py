@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from haros_ci import syntax
 from haros_ci.link import expressions, iterators, library_python, lookup, methods, python_modules
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
@@ -24,7 +25,7 @@ from haros_ci.link.values import (
     Value,
     join,
 )
-from haros_ci.model.program import Class, Expression
+from haros_ci.syntax import Class, Expression
 
 
 def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
@@ -72,7 +73,7 @@ def static_cell(run: Run, source: Source, definition: Class, name: str, depth: i
             return lookup.global_cell(run, source, f"{definition.name}{separator}{name}", declared.init, kind)
     if depth < methods.BASES:
         for base in run.bases(source, definition, {}):
-            owner = methods.python_class(run, base, source) if separator == "." else run.class_of(base[0], source)
+            owner = methods.python_class(run, base, source) if separator == "." else run.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
                 found = static_cell(run, owner[0], owner[1], name, depth + 1)
                 if found is not None:
@@ -135,8 +136,8 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
         return result if result is not None else NONE
     if isinstance(value, Opaque):
         kind = value.type
-        if kind is not None and kind[0]:
-            owner = run.class_of(pointee(kind)[0], frame.source)
+        if kind is not None and kind.name:
+            owner = run.class_of(pointee(kind).name, frame.source)
             if owner is not None:
                 declared = methods.field_of(run, owner[0], owner[1], name, {})
                 if declared is not None:
@@ -144,7 +145,7 @@ def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
                 unbound = methods.class_method(run, owner[0], owner[1], name)
                 if unbound is not None:
                     return Callable(*unbound)
-            return Library(f"{pointee(kind)[0]}{frame.source.separator}{name}", value)
+            return Library(f"{pointee(kind).name}{frame.source.separator}{name}", value)
         return Opaque(value.reason, value.location)
     return Library(name, value)
 
@@ -187,19 +188,19 @@ def class_inside(run: Run, source: Source, definition: Class, name: str, depth: 
     return None
 
 
-def field(run: Run, frame: Frame, expression: Expression) -> Value:
-    value = expressions.evaluate(run, frame, expression[1])
-    cell = member(run, value, expression[2], frame)
+def field(run: Run, frame: Frame, expression: syntax.Member) -> Value:
+    value = expressions.evaluate(run, frame, expression.object)
+    cell = member(run, value, expression.name, frame)
     if cell is not None:
         return cell.value
-    return attribute(run, value, expression[2], frame)
+    return attribute(run, value, expression.name, frame)
 
 
 def dotted(expression: Expression) -> str:
     parts: list[str] = []
-    while expression[0] == "field":
-        parts.append(expression[2])
-        expression = expression[1]
-    if expression[0] != "name":
+    while isinstance(expression, syntax.Member):
+        parts.append(expression.name)
+        expression = expression.object
+    if not isinstance(expression, syntax.Name):
         return ""
-    return ".".join((expression[1], *reversed(parts)))
+    return ".".join((expression.name, *reversed(parts)))

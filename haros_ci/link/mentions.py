@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link.index import Index, Source
-from haros_ci.model.program import Statement
+from haros_ci.syntax.walk import Part, below, everything
 
 #: Methods that build a list, whose turns are worth following one by one.
 COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplace", "extend"))
@@ -36,49 +36,57 @@ CALLED = "()"
 FUNCTIONS = frozenset(("()", "boost::function", "std::function", "function"))
 #: The method that a call of an object runs.
 CALL = "operator()"
-HELD = frozenset(("lambda", "name", "field", "call", "index", "if", "op"))
+HELD = (
+    syntax.Lambda,
+    syntax.Name,
+    syntax.Member,
+    syntax.Call,
+    syntax.Subscript,
+    syntax.Conditional,
+    syntax.Operation,
+)
+#: What ``auto`` may take a function from.
+GIVING = (syntax.Lambda, syntax.Name, syntax.Address, syntax.Call, syntax.Conditional)
 
 
-def called_in(item: Any, found: set[str], mentioned: set[str], source: Source) -> None:
+def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) -> None:
     """Collect what is called or constructed in *item*, and what is mentioned in any other way."""
     lambdas: set[int] = set()
-    waiting = _inner((item,))
+    waiting = below((item,))
     while waiting:
         node = waiting.pop()
-        tag = node[0]
-        if tag == "call" and len(node) == 6:
-            callee = node[1]
-            if callee[0] == "name":
-                found.add(last(callee[1]))
-                found.add("::".join(callee[1].split("::")[-2:]))
-                if callee[1].endswith(("::make_shared", "::make_unique")):
-                    found.add(callee[1].split("::")[-2])
-            elif callee[0] == "field":
-                found.add(callee[2] if callee[2] in COLLECTING else f".{callee[2].rpartition('::')[2]}")
-                if callee[2] in COUNTED:
-                    found.add(f"{callee[2]}/{len(node[2])}")
-            elif callee[0] == "index" and source.separator == ".":
+        if isinstance(node, syntax.Call):
+            callee = node.callee
+            if isinstance(callee, syntax.Name):
+                found.add(last(callee.name))
+                found.add("::".join(callee.name.split("::")[-2:]))
+                if callee.name.endswith(("::make_shared", "::make_unique")):
+                    found.add(callee.name.split("::")[-2])
+            elif isinstance(callee, syntax.Member):
+                found.add(callee.name if callee.name in COLLECTING else f".{callee.name.rpartition('::')[2]}")
+                if callee.name in COUNTED:
+                    found.add(f"{callee.name}/{len(node.arguments)}")
+            elif isinstance(callee, syntax.Subscript) and source.separator == ".":
                 found.add(CALLED)
-            elif callee[0] == "index" and callee[1][0] in ("name", "field"):
-                found.add(last(callee[1][-1]))
-            found.update(last(name) for kind in node[3] for name in type_names(kind))  # make_shared<T>()
-        elif tag == "set" and len(node) == 4 and node[2][0] == "index":
+            elif isinstance(callee, syntax.Subscript) and isinstance(callee.object, (syntax.Name, syntax.Member)):
+                found.add(last(callee.object.name))
+            found.update(last(name) for kind in node.templates for name in type_names(kind))  # make_shared<T>()
+        elif isinstance(node, syntax.Assignment) and isinstance(node.target, syntax.Subscript):
             found.add(ELEMENT)
-        elif (tag == "new" and len(node) == 5) or (tag == "var" and len(node) == 6):
-            kind = node[1] if tag == "new" else node[2]
-            found.update(last(name) for name in type_names(kind))
-        elif tag in ("lambda", "def") and isinstance(node[-1], int) and node[-1] not in lambdas:
-            lambdas.add(node[-1])
-            if 0 <= node[-1] < len(source.program.functions):
-                waiting += _inner((source.program.functions[node[-1]].body,))
-        elif tag in ("name", "field") and isinstance(node[-1], str):
-            mentioned.add(last(node[-1]))
-        waiting += _inner(node)
+        elif isinstance(node, (syntax.New, syntax.Variable)):
+            found.update(last(name) for name in type_names(node.type))
+        elif isinstance(node, (syntax.Lambda, syntax.NestedFunction)) and node.function not in lambdas:
+            lambdas.add(node.function)
+            if 0 <= node.function < len(source.program.functions):
+                waiting += below(source.program.functions[node.function].body)
+        elif isinstance(node, (syntax.Name, syntax.Member)):
+            mentioned.add(last(node.name))
+        waiting += below(node)
 
 
-def may_be_called(kind: Any, source: Source, kinds: frozenset[str] = FUNCTIONS) -> bool:
+def may_be_called(kind: syntax.Type, source: Source, kinds: frozenset[str] = FUNCTIONS) -> bool:
     """Whether a parameter of the type may be a function, which those of *kinds* are; Python does not say."""
-    return kind[0] in kinds or kind[0] == "auto" or (kind[0] == "" and source.program.language == "python")
+    return kind.name in kinds or kind.name == "auto" or (kind.name == "" and source.program.language == "python")
 
 
 def function_types(index: Index) -> frozenset[str]:
@@ -131,85 +139,65 @@ def holding(index: Index) -> frozenset[str]:
     return frozenset(found | (attributes - methods - CONTAINERS))
 
 
-def _attributes(block: Any, found: set[str]) -> None:
+def _attributes(block: Part, found: set[str]) -> None:
     """Collect the attributes that Python code may keep a function in."""
-    waiting = _inner((block,))
-    while waiting:
-        node = waiting.pop()
-        if node[0] == "set" and len(node) == 4 and node[2][0] == "field" and node[3][0] in HELD:
-            found.add(node[2][2])
-        waiting += _inner(node)
+    for node in everything(block):
+        if (
+            isinstance(node, syntax.Assignment)
+            and isinstance(node.target, syntax.Member)
+            and isinstance(node.value, HELD)
+        ):
+            found.add(node.target.name)
 
 
-def callable_variables(block: Any, names: set[str], source: Source, kinds: frozenset[str]) -> None:
+def callable_variables(block: Part, names: set[str], source: Source, kinds: frozenset[str]) -> None:
     """Collect the local variables of *block* that a function, lambda or class is assigned to, or of one of *kinds*."""
-    waiting = _inner((block,))
     python = source.program.language == "python"
-    while waiting:
-        node = waiting.pop()
-        if node[0] == "var" and len(node) == 6:
-            init = node[3]
+    for node in everything(block):
+        if isinstance(node, syntax.Variable):
+            value = node.init.value if isinstance(node.init, syntax.Equals) else None
             if (
-                may_be_called(node[2], source)
-                or any(last(name) in kinds for name in type_names(node[2]))
-                or (init and init[0] == "=" and init[1] and init[1][0] == "lambda")
+                may_be_called(node.type, source)
+                or any(last(name) in kinds for name in type_names(node.type))
+                or isinstance(value, syntax.Lambda)
             ):
-                if node[2][0] != "auto" or (
-                    init and init[0] == "=" and init[1][0] in ("lambda", "name", "&", "call", "if")
-                ):
-                    names.add(node[1])
-        elif python and node[0] == "set" and len(node) == 4 and node[2][0] == "name" and node[3][0] in HELD:
-            names.add(node[2][1])
-        elif node[0] == "each" and len(node) == 8 and may_be_called(node[5], source):
-            names.add(node[4])
-        elif node[0] == "def":
-            continue
-        waiting += _inner(node)
+                if node.type.name != "auto" or isinstance(value, GIVING):
+                    names.add(node.name)
+        elif isinstance(node, syntax.Assignment):
+            if python and isinstance(node.target, syntax.Name) and isinstance(node.value, HELD):
+                names.add(node.target.name)
+        elif isinstance(node, syntax.Each) and may_be_called(node.type, source):
+            names.add(node.name)
 
 
-def _inner(node: Any) -> list[Any]:
-    """The parts of a node that have parts themselves."""
-    return [part for part in node if (part.__class__ is list or part.__class__ is tuple) and part]
-
-
-def targets(item: Any, found: set[str]) -> None:
+def targets(item: Part, found: set[str]) -> None:
     """The last names of all that is assigned to, read into or built up in a block."""
-    waiting = _inner((item,))
-    while waiting:
-        node = waiting.pop()
-        target = None
-        if node[0] == "set" and len(node) == 4:
-            target = node[2]
-        elif node[0] == "op" and len(node) == 3 and node[1] in (">>", "<<") and len(node[2]) == 2:
-            target = node[2][1] if node[1] == ">>" else node[2][0]
-        elif node[0] == "call" and len(node) == 6 and node[1][0] == "field" and node[1][2] not in READING:
-            target = node[1][1]
+    for node in everything(item):
+        target: syntax.Expression | None = None
+        if isinstance(node, syntax.Assignment):
+            target = node.target
+        elif isinstance(node, syntax.Operation) and node.operator in (">>", "<<") and len(node.operands) == 2:
+            target = node.operands[1] if node.operator == ">>" else node.operands[0]
+        elif isinstance(node, syntax.Call) and isinstance(node.callee, syntax.Member):
+            target = node.callee.object if node.callee.name not in READING else None
         while target is not None:
-            if target[0] in ("name", "field"):
-                found.add(last(target[-1]))
+            if isinstance(target, (syntax.Name, syntax.Member)):
+                found.add(last(target.name))
                 break
-            target = (
-                target[1] if target[0] in ("index", "*", "&", "call") else target[2] if target[0] == "cast" else None
-            )
-        waiting += _inner(node)
+            if isinstance(target, syntax.Subscript):
+                target = target.object
+            elif isinstance(target, syntax.Call):
+                target = target.callee
+            else:
+                target = target.value if isinstance(target, (syntax.Dereference, syntax.Address, syntax.Cast)) else None
 
 
-def type_names(kind: Any) -> Iterable[str]:
-    if isinstance(kind, (tuple, list)) and len(kind) == 3 and isinstance(kind[0], str):
-        yield kind[0]
-        for inner in kind[1]:
+def type_names(kind: syntax.Argument) -> Iterable[str]:
+    if isinstance(kind, syntax.Type):
+        yield kind.name
+        for inner in kind.arguments:
             yield from type_names(inner)
 
 
 def last(name: str) -> str:
     return name.rpartition("::")[2].rpartition(".")[2]
-
-
-def without(item: Any, statement: Statement) -> Any:
-    """*item*, statements in one another, without one of them; the same object where it is not in it."""
-    if not isinstance(item, (tuple, list)):
-        return item
-    if item is statement:
-        return ("block", ())
-    inner = [without(each, statement) for each in item]
-    return item if all(one is other for one, other in zip(item, inner, strict=True)) else tuple(inner)

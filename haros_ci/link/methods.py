@@ -6,11 +6,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from haros_ci import syntax
 from haros_ci.link import expressions, lookup, members, overloads
 from haros_ci.link.index import Source
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import Callable, ClassValue, Object, Value
-from haros_ci.model.program import Class, Field, Function, Type
+from haros_ci.syntax import Class, Field, Function, Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -26,7 +27,7 @@ Found = tuple[Source, Function]
 
 
 def field_of(
-    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, Type], depth: int = 0
+    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int = 0
 ) -> Member | None:
     """The data member *name* of a class or its bases: where it is declared, and its resolved type."""
     key = ("field", id(definition), name, run.numbered(templates) if templates else 0)
@@ -37,16 +38,16 @@ def field_of(
 
 
 def _field_of(
-    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, Type], depth: int
+    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int
 ) -> Member | None:
     for declared in definition.fields:
         if declared.name == name:
             return source, declared, run.resolved(declared.type, definition.name, source, templates)
     if depth < BASES:
         for base in run.bases(source, definition, templates):
-            owner = run.class_of(base[0], source)
+            owner = run.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
-                bound = dict(zip(owner[1].templates, base[1], strict=False))
+                bound = dict(zip(owner[1].templates, base.arguments, strict=False))
                 found = field_of(run, owner[0], owner[1], name, bound, depth + 1)
                 if found is not None:
                     return found
@@ -74,7 +75,7 @@ def class_method(
         return where, overloads.decorated(run, function) if separator == "." else function
     if depth < BASES:
         for base in run.bases(source, definition, {}):
-            owner = python_class(run, base, source) if separator == "." else run.class_of(base[0], source)
+            owner = python_class(run, base, source) if separator == "." else run.class_of(base.name, source)
             if owner is not None and owner[1] is not definition:
                 found = class_method(run, owner[0], owner[1], name, given, depth + 1)
                 if found is not None:
@@ -83,8 +84,8 @@ def class_method(
 
 
 def python_class(run: Run, base: Type, source: Source) -> tuple[Source, Class] | None:
-    value: Value = expressions.evaluate(run, lookup.module_frame(run, source), ("name", base[0].split(".")[0]))
-    for part in base[0].split(".")[1:]:
+    value: Value = expressions.evaluate(run, lookup.module_frame(run, source), syntax.Name(base.name.split(".")[0]))
+    for part in base.name.split(".")[1:]:
         value = members.attribute(run, value, part, Frame(source, ""))
     return (value.source, value.definition) if isinstance(value, ClassValue) else None
 
@@ -102,12 +103,12 @@ def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -
         for base in run.bases(source, definition, {}):
             if source.program.language == "python":
                 owner = python_class(run, base, source)
-                name = base[0]
+                name = base.name
                 if owner is None:
-                    value = expressions.evaluate(run, Frame(source, ""), ("name", name.split(".")[0]))
+                    value = expressions.evaluate(run, Frame(source, ""), syntax.Name(name.split(".")[0]))
                     name = ".".join((getattr(value, "name", name.split(".")[0]), *name.split(".")[1:]))
             else:
-                owner, name = run.class_of(base[0], source), base[0]
+                owner, name = run.class_of(base.name, source), base.name
             if owner is None:
                 found.append(name)
             elif owner[1] is not definition:
@@ -126,7 +127,7 @@ def method_of(run: Run, this: Object, name: str, given: Given = None) -> Callabl
     return Callable(found[0], found[1], this, templates=this.templates)
 
 
-def templates_of(run: Run, this: Object, owner: str) -> Mapping[str, Type] | None:
+def templates_of(run: Run, this: Object, owner: str) -> Mapping[str, syntax.Argument] | None:
     """What the template parameters of *owner*, a base class of the object *this*, stand for; None if it has none."""
     if this.definition is None or this.definition[1].name == owner:
         return None
@@ -138,10 +139,10 @@ def templates_of(run: Run, this: Object, owner: str) -> Mapping[str, Type] | Non
         source, definition, templates = waiting.pop(0)
         seen += 1
         for base in run.bases(source, definition, templates):
-            found = run.class_of(base[0], source)
+            found = run.class_of(base.name, source)
             if found is None:
                 continue
-            bound = dict(zip(found[1].templates, base[1], strict=False))
+            bound = dict(zip(found[1].templates, base.arguments, strict=False))
             if found[1].name == owner:
                 return bound
             waiting.append((*found, bound))

@@ -7,6 +7,7 @@ import operator
 from dataclasses import replace
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     activation,
     call_arguments,
@@ -42,7 +43,7 @@ from haros_ci.link.values import (
     data_of,
     join,
 )
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 BINARY = {
     "-": operator.sub,
@@ -59,9 +60,9 @@ BINARY = {
 }
 
 
-def operation(run: Run, frame: Frame, expression: Expression) -> Value:
+def operation(run: Run, frame: Frame, expression: syntax.Operation) -> Value:
     """A unary or binary operator, overloaded ones of the workspace included."""
-    symbol, operands = expression[1], expression[2]
+    symbol, operands = expression.operator, expression.operands
     if symbol in ("&&", "||"):
         return _logical(run, frame, symbol, operands)
     left = expressions.evaluate(run, frame, operands[0])
@@ -149,7 +150,7 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
                 pass
     kind = conversions.value_type(left) or conversions.value_type(right)
     comparison = symbol in ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not")
-    return run.opaque("it is computed from what is not known", frame, None, ("bool", (), "") if comparison else kind)
+    return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool") if comparison else kind)
 
 
 def _over(choice: Choice, function: Any) -> Value:
@@ -197,7 +198,7 @@ def _computed(run: Run, frame: Frame, symbol: str, left: Any, right: Any) -> Val
     return run.opaque("it cannot be computed", frame)
 
 
-def _logical(run: Run, frame: Frame, symbol: str, operands: Any) -> Value:
+def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...]) -> Value:
     left = expressions.evaluate(run, frame, operands[0])
     first = statements.truth(left)
     reason = f"it stands behind {symbol}"
@@ -219,14 +220,14 @@ def _logical(run: Run, frame: Frame, symbol: str, operands: Any) -> Value:
         return TRUE
     if one is not None and other is not None:
         return Known(one and other if symbol == "&&" else one or other)
-    return run.opaque("it is computed from what is not known", frame, None, ("bool", (), ""))
+    return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
 
 
 def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
     if symbol == "!":
         holds = statements.truth(value)
         if holds is None:
-            return run.opaque("it is computed from what is not known", frame, None, ("bool", (), ""))
+            return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
         return FALSE if holds else TRUE
     if isinstance(value, Known) and isinstance(value.value, (int, float)):
         if symbol == "-":
@@ -238,7 +239,7 @@ def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
     return run.opaque("it is computed from what is not known", frame, None, conversions.value_type(value))
 
 
-def _shift(run: Run, frame: Frame, symbol: str, operands: Any, left: Value) -> Value:
+def _shift(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...], left: Value) -> Value:
     """``<<`` and ``>>``: overloads of the workspace, streams, YAML's extraction, integers."""
     cell = expressions.cell_of(run, frame, operands[1])
     right = cell.value if cell is not None else expressions.evaluate(run, frame, operands[1])
@@ -269,7 +270,7 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: Any, left: Value) -> V
 
 def _token(run: Run, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Value:
     """The next word of a string stream; false (as the stream then is) where there is none."""
-    if isinstance(text.value, Known) and cell.type is not None and cell.type[0] in STRINGS:
+    if isinstance(text.value, Known) and cell.type is not None and cell.type.name in STRINGS:
         head, *rest = str(text.value.value).split(None, 1) or [""]
         run.state.write(text, Known(rest[0] if rest else ""))
         if not head:
@@ -283,5 +284,5 @@ def _token(run: Run, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Val
 
 def _is_text(value: Value) -> bool:
     if isinstance(value, Opaque):
-        return value.type is not None and value.type[0] in STRINGS
+        return value.type is not None and value.type.name in STRINGS
     return isinstance(value, Text) or (isinstance(value, Known) and isinstance(value.value, str))

@@ -7,14 +7,14 @@ C++ ranks overloads by how their parameters fit the arguments (en.cppreference.c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from haros_ci import syntax
 from haros_ci.link.index import EITHER, Source
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import INTEGERS, REALS, STRINGS, is_smart_pointer, is_type, pointee
+from haros_ci.link.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
 from haros_ci.link.values import Known, Object
-from haros_ci.model.program import Function, Type
+from haros_ci.syntax import Block, Function, Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -43,7 +43,7 @@ TRANSPARENT = frozenset(
     )
 )
 #: Expressions and statements whose numbers are no places.
-STRICT = ("num", "lambda", "def")
+STRICT = (syntax.Number, syntax.Lambda, syntax.NestedFunction)
 ACCESSORS = frozenset(("setter", "deleter", "getter"))
 #: Classes of bases that are looked into.
 BASES = 12
@@ -126,16 +126,20 @@ def is_any(run: Run, function: Function) -> bool:
 def decorated(run: Run, function: Function) -> Function:
     """A Python function as its decorators leave it: with results that are not known where they may do anything."""
     for decorator in function.decorators:
-        while decorator[0] == "call":
-            decorator = decorator[1]
-        if decorator[0] not in ("name", "field") or decorator[-1] not in TRANSPARENT:
+        while isinstance(decorator, syntax.Call):
+            decorator = decorator.callee
+        if not isinstance(decorator, (syntax.Name, syntax.Member)) or decorator.name not in TRANSPARENT:
             return _unsure(run, function, (function,))
     return function
 
 
 def python_methods(found: list[Found]) -> list[Found]:
     """The last definition of a method counts; a property's setter is none."""
-    own = [item for item in found if not any(d[0] == "field" and d[-1] in ACCESSORS for d in item[1].decorators)]
+    own = [
+        item
+        for item in found
+        if not any(isinstance(d, syntax.Member) and d.name in ACCESSORS for d in item[1].decorators)
+    ]
     return (own or found)[-1:]
 
 
@@ -144,22 +148,26 @@ def signature(function: Function) -> tuple[str, ...]:
     return tuple(_plain(parameter.type) for parameter in function.parameters)
 
 
-def _plain(kind: Any, depth: int = 0) -> str:
-    if not is_type(kind) or depth > BASES:
+def _plain(kind: syntax.Argument, depth: int = 0) -> str:
+    if not isinstance(kind, syntax.Type) or depth > BASES:
         return "?"
-    inner = ",".join(_plain(item, depth + 1) for item in kind[1])
-    return f"{kind[0].rpartition('::')[2]}<{inner}>{kind[2]}"
+    inner = ",".join(_plain(item, depth + 1) for item in kind.arguments)
+    return f"{kind.name.rpartition('::')[2]}<{inner}>{kind.marks}"
 
 
-def _same(one: Any, other: Any) -> bool:
+def _same(one: object, other: object) -> bool:
     """Whether two blocks are the same but for their places."""
     waiting = [(one, other)]
     while waiting:
         left, right = waiting.pop()
-        if isinstance(left, (tuple, list)) and isinstance(right, (tuple, list)):
-            if len(left) != len(right) or (left and left[0] in STRICT and list(left) != list(right)):
+        if isinstance(left, tuple) and isinstance(right, tuple):
+            if len(left) != len(right):
                 return False
             waiting += zip(left, right, strict=True)
+        elif isinstance(left, syntax.Record) and isinstance(right, syntax.Record):
+            if type(left) is not type(right) or (isinstance(left, STRICT) and left != right):
+                return False
+            waiting += [(getattr(left, name), getattr(right, name)) for name in left.__struct_fields__]
         elif left != right and not (type(left) is int and type(right) is int):
             return False
     return True
@@ -167,22 +175,23 @@ def _same(one: Any, other: Any) -> bool:
 
 def _guarded(run: Run, functions: tuple[Function, ...]) -> Function:
     """One function of the bodies under the branches of an #if."""
-    branches = tuple((*function.guards[-1], function.body) for function in functions)
-    return _made(run, functions, (("pre", branches),), functions[0].guards[:-1])
+    branches = tuple(syntax.Branch(*function.guards[-1], function.body or ()) for function in functions)
+    return _made(run, functions, (syntax.Preprocessor(branches),), functions[0].guards[:-1])
 
 
 def _unsure(run: Run, function: Function, functions: tuple[Function, ...]) -> Function:
     """*function* with results, and effects, that are not sure."""
-    gone = (("return", ("?", EITHER)),)
-    body = (("pre", ((function.line, function.column, "", gone),)), *(function.body or ()))
+    gone = (syntax.Return(syntax.Unknown(EITHER)),)
+    branch = syntax.Branch(function.line, function.column, "", gone)
+    body = (syntax.Preprocessor((branch,)), *(function.body or ()))
     return _made(run, functions, body, function.guards)
 
 
-def _made(run: Run, functions: tuple[Function, ...], body: Any, guards: Any) -> Function:
+def _made(run: Run, functions: tuple[Function, ...], body: Block, guards: tuple[tuple[int, int, str], ...]) -> Function:
     key = ("any of", *(id(function) for function in functions))
     found: Function | None = run.found.get(key)
     if found is None:
-        found = run.found[key] = replace(functions[0], body=body, guards=guards)
+        found = run.found[key] = syntax.replace(functions[0], body=body, guards=guards)
         run.found["any", id(found)] = found
     return found
 
@@ -190,21 +199,21 @@ def _made(run: Run, functions: tuple[Function, ...], body: Any, guards: Any) -> 
 def _fit(run: Run, item: Found, written: Type, argument: Argument) -> int:
     source, function = item
     value, given = argument.value, argument.type
-    if given is None or not given[0]:
+    if given is None or not given.name:
         if isinstance(value, Known) and value.value is None:
-            return EXACT if "*" in written[2] else PERHAPS
+            return EXACT if "*" in written.marks else PERHAPS
         if source.separator != "::" or not isinstance(value, Object) or value.definition is None:
             return PERHAPS
-        given = (value.name, value.arguments, "*")
-    if written[0] in function.templates:
+        given = syntax.Type(value.name, value.arguments, "*")
+    if written.name in function.templates:
         return GENERIC
     kind = run.type_in(written, Frame(source, function.owner or function.name.rpartition("::")[0]))
     owner = run.class_of(function.owner, source) if function.owner else None
-    if owner is not None and kind[0] in owner[1].templates:
+    if owner is not None and kind.name in owner[1].templates:
         return GENERIC
     fits = _conversion(run, source, kind, given)
-    is_own = given is not argument.type and fits == PERHAPS and (is_smart_pointer(kind) or "*" in kind[2])
-    return NOT if is_own and _is_of_workspace(run, source, given[0]) and "void" not in pointee(kind)[0] else fits
+    is_own = given is not argument.type and fits == PERHAPS and (is_smart_pointer(kind) or "*" in kind.marks)
+    return NOT if is_own and _is_of_workspace(run, source, given.name) and "void" not in pointee(kind).name else fits
 
 
 def _is_of_workspace(run: Run, source: Source, name: str) -> bool:
@@ -217,14 +226,14 @@ def _is_of_workspace(run: Run, source: Source, name: str) -> bool:
             return False
         if current not in seen:
             seen.add(current)
-            waiting += [kind[0] for kind in run.bases(owner[0], owner[1], {})]
+            waiting += [kind.name for kind in run.bases(owner[0], owner[1], {})]
     return True
 
 
 def _conversion(run: Run, source: Source, kind: Type, given: Type) -> int:
     wanted, shown = _sort(kind), _sort(given)
     if wanted in ("int", "real", "bool") and shown in ("int", "real", "bool"):
-        if "*" in kind[2]:
+        if "*" in kind.marks:
             return NOT
         return EXACT if wanted == shown else CONVERTED
     if "auto" in (wanted, shown):
@@ -233,7 +242,7 @@ def _conversion(run: Run, source: Source, kind: Type, given: Type) -> int:
         return EXACT
     if shown == "text":
         return NOT if wanted in ("int", "real") else PERHAPS
-    inner, actual = pointee(kind)[0], pointee(given)[0]
+    inner, actual = pointee(kind).name, pointee(given).name
     if wanted == "text":
         return NOT if shown in ("real", "bool") or _has_no_conversion(run, source, actual) else PERHAPS
     if inner == actual or inner in (f"{actual}Ptr", f"{actual}ConstPtr"):
@@ -254,8 +263,8 @@ def _has_no_conversion(run: Run, source: Source, name: str) -> bool:
 
 def _sort(kind: Type) -> str:
     """What sort of thing a type is: text, bool, int, real, auto or its own name."""
-    name: str = kind[0]
-    if name in STRINGS or (name == "char" and "*" in kind[2]):
+    name: str = kind.name
+    if name in STRINGS or (name == "char" and "*" in kind.marks):
         return "text"
     if name == "bool":
         return name
@@ -276,5 +285,5 @@ def _derives(run: Run, source: Source, name: str, base: str) -> bool:
         owner = run.class_of(current, source)
         if owner is not None and current not in seen:
             seen.add(current)
-            waiting += [kind[0] for kind in run.bases(owner[0], owner[1], {})]
+            waiting += [kind.name for kind in run.bases(owner[0], owner[1], {})]
     return False

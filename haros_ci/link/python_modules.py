@@ -35,7 +35,7 @@ def imported(run: Run, first: Iterable[Source]) -> set[str]:
         package = source.module if source.path.endswith("__init__.py") else source.module.rpartition(".")[0]
         targets = [source.module]
         for alias in source.program.aliases:
-            target = alias.type[0].removesuffix(".*")
+            target = alias.type.name.removesuffix(".*")
             dots = len(target) - len(target.lstrip("."))
             base = package.split(".")[: len(package.split(".")) - dots + 1] if dots else []
             targets += [".".join((*base, target[dots:])) if base else target, f"{package}.{target}"]

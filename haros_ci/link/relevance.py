@@ -28,11 +28,11 @@ from haros_ci.link.mentions import (
     members_of,
     targets,
     type_names,
-    without,
 )
 from haros_ci.model.api import Entry, Row
 from haros_ci.model.architecture import KINDS
-from haros_ci.model.program import Class, Function, Parameter, Statement
+from haros_ci.syntax import Block, Class, Function, Parameter, Statement
+from haros_ci.syntax.walk import Part, without
 
 #: Stands for the call of a parameter: whether what it holds may make something is seen where an argument is given.
 GIVEN = "(given)"
@@ -64,7 +64,7 @@ class Relevance:
         for table in (index.functions, index.classes):
             for name, found in table.items():
                 self._by_name.setdefault(last(name), []).extend(found)
-        self._blocks: dict[tuple[int, int], tuple[Any, frozenset[str]]] = {}
+        self._blocks: dict[tuple[int, int], tuple[Part, frozenset[str]]] = {}
         self._known: dict[str, bool] = {}
         #: The files whose functions and classes count; None for all.
         self._visible: frozenset[str] | None = None
@@ -77,20 +77,20 @@ class Relevance:
         self._barren: set[int] = set()
         #: Static variables that are made already, by identity; bodies without them, by the identity of the whole body.
         self.made: frozenset[int] = frozenset()
-        self._rest: dict[int, tuple[Any, Any]] = {}
+        self._rest: dict[int, tuple[Block | None, Block | None]] = {}
         self._views: dict[frozenset[int], Relevance] = {}
         #: The last parts of the names of all global variables, module variables and static members.
         self.shared = frozenset(
-            [last(name) for name, found in index.variables.items() if any("c" not in v.type[2] for _, v in found)]
+            [last(name) for name, found in index.variables.items() if any("c" not in v.type.marks for _, v in found)]
             + [
                 f.name
                 for found in index.classes.values()
                 for _, c in found
                 for f in c.fields
-                if f.is_static and "c" not in f.type[2]
+                if f.is_static and "c" not in f.type.marks
             ]
         )
-        self._targets: dict[int, tuple[Any, frozenset[str]]] = {}
+        self._targets: dict[int, tuple[Part, frozenset[str]]] = {}
         #: The names of members that hold, or may hold, a function; and how calls of them look.
         self.holding = holding(index)
         self._function_types = function_types(index)
@@ -118,7 +118,7 @@ class Relevance:
             view._rest = {**self._rest, id(function.body): (function.body, rest)}
         return self._views[made]
 
-    def _without_made(self, body: Any) -> Any:
+    def _without_made(self, body: Block | None) -> Block | None:
         found = self._rest.get(id(body)) if self._rest else None
         return body if found is None else found[1]
 
@@ -126,16 +126,16 @@ class Relevance:
         """The names of which it was asked so far whether they matter, before and after static variables were made."""
         return self._known.keys() | {name for view in self._views.values() for name in view._known}
 
-    def matters(self, block: Any, source: Source, function: Function | None = None) -> bool:
+    def matters(self, block: Part, source: Source, function: Function | None = None) -> bool:
         """Whether *block* (of a function in *source*) may make something, whatever its arguments are."""
         return any(name == GIVEN or self._name_matters(name) for name in self.names(block, source, function))
 
-    def collects(self, block: Any, source: Source) -> bool:
+    def collects(self, block: Part, source: Source) -> bool:
         """Whether *block* puts together a list or map."""
         names = self.names(block, source)
         return ELEMENT in names or not COLLECTING.isdisjoint(names)
 
-    def loads(self, block: Any, source: Source) -> bool:
+    def loads(self, block: Part, source: Source) -> bool:
         """Whether a plug-in may be loaded by *block*."""
         view = self._views.get(_LOADING)
         if view is None:
@@ -143,11 +143,11 @@ class Relevance:
             view._known, view._makes, view._api = {}, {}, frozenset(f".{name}" for name in LOADERS)
         return any(map(view._name_matters, self.names(block, source)))
 
-    def edits(self, block: Any, source: Source) -> bool:
+    def edits(self, block: Part, source: Source) -> bool:
         """Whether *block* may change a text by positions."""
         return not EDITING.isdisjoint(self.names(block, source))
 
-    def names(self, block: Any, source: Source, function: Function | None = None) -> frozenset[str]:
+    def names(self, block: Part, source: Source, function: Function | None = None) -> frozenset[str]:
         """The last parts of all names that are called or constructed in *block* (of *function*), lambdas included."""
         key = (id(block), id(function))
         known = self._blocks.get(key)
@@ -162,7 +162,7 @@ class Relevance:
                     found.add(CALLED)  # what is made depends on what a template is used for
                 if any(p.name in found and self._is_open(p, function, source) for p in function.parameters):
                     found.add(GIVEN)
-                if any(p.name in found and last(p.type[0]) in self._functors for p in function.parameters):
+                if any(p.name in found and last(p.type.name) in self._functors for p in function.parameters):
                     found.add(CALL)
             if not self._held.isdisjoint(found):
                 found.add(CALLED)
@@ -188,7 +188,7 @@ class Relevance:
         return frozenset(function.templates).union(*(each.templates for _, each in owners))
 
     def _is_open(self, parameter: Parameter, function: Function, source: Source) -> bool:
-        return may_be_called(parameter.type, source, self._function_types) or parameter.type[0] in function.templates
+        return may_be_called(parameter.type, source, self._function_types) or parameter.type.name in function.templates
 
     def named(self, name: str) -> bool:
         """Whether a function or class of this name, of an API or of the workspace, may make something."""
@@ -268,7 +268,7 @@ class Relevance:
         sets = (self._api, self._registering, self.shared, self.holding, self._function_types, self._functors)
         return tuple(tuple(sorted(each)) for each in (*sets, self._functor_members))
 
-    def _assigned(self, block: Any) -> frozenset[str]:
+    def _assigned(self, block: Part) -> frozenset[str]:
         known = self._targets.get(id(block))
         if known is None:
             found: set[str] = set()
@@ -318,7 +318,9 @@ class Relevance:
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
         if isinstance(item, Class):
-            found = [last(kind) for f in item.fields for kind in type_names(f.type)] + [last(b[0]) for b in item.bases]
+            found = [last(kind) for f in item.fields for kind in type_names(f.type)] + [
+                last(b.name) for b in item.bases
+            ]
             if dict.get(self._index.functions, f"{item.name}::{CALL}"):  # untraced: kept.py compares what is called
                 found.append(CALL)
             for where, function in dict.get(self._index.functions, f"{item.name}.__init__", ()):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import conversions, forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.link.names import UNKNOWN, pattern
 from haros_ci.link.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
@@ -171,7 +172,7 @@ def _parameter(
     elif isinstance(kind, Library):
         declared = ros2_selectors.type_word(kind)
     elif isinstance(kind, Known):
-        declared = ros2_parameter_type((str(kind.value), (), "")) or str(kind.value)
+        declared = ros2_parameter_type(syntax.Type(str(kind.value))) or str(kind.value)
     if declared is None and default is not None:
         declared = ros2_data_type(data) if data is not None else ros2_parameter_type(conversions.value_type(default))
     is_told = why is None or ros2_parameters.is_telling(text)

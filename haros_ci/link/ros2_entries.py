@@ -11,7 +11,7 @@ from haros_ci.link.follow import Entry
 from haros_ci.link.index import Source, aliased
 from haros_ci.model.api import Row
 from haros_ci.model.build import Target
-from haros_ci.model.program import Class
+from haros_ci.syntax import Class
 
 #: The base class of what rclcpp_components_register_node registers, and the macro that registers a class in its source.
 FACTORY = "rclcpp_components::NodeFactory"

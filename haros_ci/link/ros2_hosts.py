@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from haros_ci import syntax
 from haros_ci.link import behavior_tree_files
 from haros_ci.link.ros2_system import PLUGINS, TREES, alone
 from haros_ci.link.system import Job, Types
-from haros_ci.link.types import is_type
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 
 def hosts(types: Types) -> Iterable[Job]:
@@ -68,6 +68,6 @@ def _loaders(types: Types) -> tuple[dict[str, set[str]], set[str | None]]:
 
 def _loaded_base(kind: Type) -> str:
     """The base class of a loader's type, also behind a pointer to it; ``?`` if it is no loader."""
-    while kind[0] and kind[0].rpartition("::")[2] != "ClassLoader":
-        kind = kind[1][0] if kind[1] and is_type(kind[1][0]) else ("", (), "")
-    return str(kind[1][0][0]) if kind[1] and is_type(kind[1][0]) else "?"
+    while kind.name and kind.name.rpartition("::")[2] != "ClassLoader":
+        kind = kind.arguments[0] if kind.arguments and isinstance(kind.arguments[0], syntax.Type) else syntax.Type("")
+    return str(kind.arguments[0].name) if kind.arguments and isinstance(kind.arguments[0], syntax.Type) else "?"

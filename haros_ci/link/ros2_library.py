@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 
+from haros_ci import syntax
 from haros_ci.link import activation, callbacks, construct, methods, ros2_nodes, ros2_system
 from haros_ci.link.call_arguments import Argument
 from haros_ci.link.follow import Entry
@@ -24,8 +25,8 @@ from haros_ci.link.types import pointee
 from haros_ci.link.values import Callable, Object
 from haros_ci.model.architecture import LIBRARY, Node, Unknown
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Function, Type
 from haros_ci.model.workspace import Problem
+from haros_ci.syntax import Class, Function, Type
 
 #: Why the name of the node is not known.
 USER = "it is the node of whoever uses the class"
@@ -148,13 +149,13 @@ def _begin(each: Library, run: Run, frame: Frame) -> None:
         activation.invoke(run, frame, Callable(where, function, this), _arguments(run, each, function, given))
 
 
-def _templates(each: Library, constructor: Function | None) -> dict[str, Type]:
+def _templates(each: Library, constructor: Function | None) -> dict[str, syntax.Argument]:
     """What template parameters stand for: the node's for a node, all others for nothing that is known."""
     own = constructor.templates if constructor is not None else ()
-    found: dict[str, Type] = {name: (name, (), "") for name in (*each.definition.templates, *own)}
+    found: dict[str, syntax.Argument] = {name: syntax.Type(name) for name in (*each.definition.templates, *own)}
     taking = each.method or constructor
     for number, kind in each.nodes.items():
-        name = pointee(taking.parameters[number].type)[0] if taking is not None else ""
+        name = pointee(taking.parameters[number].type).name if taking is not None else ""
         if name in found:
             found[name] = kind
     return found
@@ -168,9 +169,9 @@ def _arguments(run: Run, each: Library, function: Function, given: RosNode | Non
         if kind is not None:
             found.append(
                 Argument(
-                    Object(kind[0], (), run.class_of(kind[0], each.source), node=given), None, kind, parameter.name
+                    Object(kind.name, (), run.class_of(kind.name, each.source), node=given), None, kind, parameter.name
                 )
             )
-        elif parameter.type[0].rpartition("::")[2] == "NodeOptions":
-            found.append(Argument(ros2_nodes.options_for(run), None, (OPTIONS, (), ""), parameter.name))
+        elif parameter.type.name.rpartition("::")[2] == "NodeOptions":
+            found.append(Argument(ros2_nodes.options_for(run), None, syntax.Type(OPTIONS), parameter.name))
     return tuple(found)

@@ -9,13 +9,14 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
+from haros_ci import syntax
 from haros_ci.link.entries import files_of
 from haros_ci.link.index import HEADERS, Index, Source
 from haros_ci.link.relevance import Relevance
 from haros_ci.link.ros2_library import Library, Seen
 from haros_ci.link.system import Types
-from haros_ci.link.types import is_type, pointee, resolve_type
-from haros_ci.model.program import Class, Function, Type
+from haros_ci.link.types import pointee, resolve_type
+from haros_ci.syntax import Class, Function, Type
 
 #: What is a node in rclcpp, and how the names of what stands for a part of one begin.
 NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))
@@ -74,7 +75,7 @@ def _named_as_nodes(index: Index) -> frozenset[str]:
     for found in index.classes.values():
         for _, definition in found:
             for base in definition.bases:
-                derived.setdefault(base[0].rpartition("::")[2], set()).add(definition.name.rpartition("::")[2])
+                derived.setdefault(base.name.rpartition("::")[2], set()).add(definition.name.rpartition("::")[2])
     names: set[str] = set()
     waiting = [name.rpartition("::")[2] for name in NODES]
     while waiting:
@@ -100,7 +101,7 @@ def _all_bases(index: Index, names: Iterable[str]) -> set[str]:
 def _bases(index: Index, source: Source, definition: Class) -> Iterator[str]:
     scope = definition.name.rpartition("::")[0]
     for base in definition.bases:
-        yield resolve_type(index, base, scope, source, frozenset(), {})[0]
+        yield resolve_type(index, base, scope, source, frozenset(), {}).name
 
 
 def _libraries_by_source(types: Types) -> Mapping[str, frozenset[str]]:
@@ -183,7 +184,7 @@ class _View:
         if any(self._is_made_in(self.seen, each, where) for where, each in bodies):
             return False
         short = function.name.rpartition("::")[2]
-        if any(init[0].rpartition("::")[2] == short for _, each in bodies for init in each.inits):  # to another one
+        if any(init.name.rpartition("::")[2] == short for _, each in bodies for init in each.inits):  # to another one
             others = [each for where, each in self.index.functions.get(function.name, ()) if where.path == source.path]
             bodies = [*bodies, *(body for each in others for body in self._bodies(each, source))]
         return self._reaches_new(bodies, source, (self.seen,))
@@ -217,9 +218,11 @@ class _View:
 
     def _rank(self, function: Function, nodes: Mapping[int, Type], source: Source) -> tuple[int, int, int]:
         """The less the sooner: a node itself before parts of one; then how many arguments have no default, of classes first."""
-        parts = sum(kind[0].startswith(PARTS) for kind in nodes.values())
+        parts = sum(kind.name.startswith(PARTS) for kind in nodes.values())
         unknown = [p for number, p in enumerate(function.parameters) if number not in nodes and p.default is None]
-        kinds = [pointee(resolve_type(self.index, p.type, function.owner, source, frozenset(), {}))[0] for p in unknown]
+        kinds = [
+            pointee(resolve_type(self.index, p.type, function.owner, source, frozenset(), {})).name for p in unknown
+        ]
         return parts, sum(kind in self.index.classes for kind in kinds), len(unknown)
 
     def _end(self, function: Function, source: Source) -> float:
@@ -238,17 +241,17 @@ class _View:
                 "node" in word.lower() for word in _words(parameter.type)
             ):
                 continue
-            if pointee(parameter.type)[0] in (*function.templates, *definition.templates):
-                found[number] = ("rclcpp::Node", (), "")
+            if pointee(parameter.type).name in (*function.templates, *definition.templates):
+                found[number] = syntax.Type("rclcpp::Node")
                 continue
             kind = pointee(resolve_type(self.index, parameter.type, definition.name, source, frozenset(), {}))
-            if self._is_node(kind[0]):
+            if self._is_node(kind.name):
                 found[number] = kind
         return found
 
     def _is_for_others(self, nodes: Mapping[int, Type]) -> bool:
         """Whether no parameter takes one particular node of the workspace."""
-        return self.particular.isdisjoint(kind[0] for kind in nodes.values())
+        return self.particular.isdisjoint(kind.name for kind in nodes.values())
 
     def _is_node(self, name: str, depth: int = 0) -> bool:
         if name in NODES or name.startswith(PARTS):
@@ -261,7 +264,7 @@ class _View:
 
 
 def _words(kind: Type) -> Iterator[str]:
-    yield kind[0]
-    for inner in kind[1]:
-        if is_type(inner):
+    yield kind.name
+    for inner in kind.arguments:
+        if isinstance(inner, syntax.Type):
             yield from _words(inner)

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from haros_ci import syntax
 from haros_ci.link.index import Source
 from haros_ci.link.ros2_library import Library, Seen
 from haros_ci.link.ros2_library_classes import ASIDE, DEEPEST
 from haros_ci.link.system import Types
-from haros_ci.model.program import Class, Type
+from haros_ci.syntax import Class, Type
 
 #: What is a node in rclpy.
 NODES = frozenset(
@@ -49,7 +50,7 @@ def libraries(types: Types, seen: Seen) -> Iterator[Library]:
         if seen.between(source.path, inits[-1].line, min(later, default=float("inf"))):
             continue
         nodes = {
-            number: ("rclpy.node.Node", (), "")
+            number: syntax.Type("rclpy.node.Node")
             for number, parameter in enumerate(inits[-1].parameters)
             if _takes_node(kinds, source, parameter.name, parameter.type)
         }
@@ -63,7 +64,7 @@ def _is_aside(path: str) -> bool:
 
 
 def _bases(source: Source, definition: Class) -> tuple[str, ...]:
-    return tuple(_whole(source, base[0]) for base in definition.bases)
+    return tuple(_whole(source, base.name) for base in definition.bases)
 
 
 def _whole(source: Source, name: str) -> str:
@@ -71,7 +72,7 @@ def _whole(source: Source, name: str) -> str:
     head, dot, rest = name.partition(".")
     for alias in source.program.aliases:
         if alias.name == head:
-            target = alias.type[0]
+            target = alias.type.name
             if target.startswith("."):
                 above = len(target) - len(target.lstrip("."))
                 package = source.module.split(".")
@@ -82,9 +83,9 @@ def _whole(source: Source, name: str) -> str:
 
 
 def _takes_node(kinds: Mapping[str, Iterable[str]], source: Source, name: str, kind: Type) -> bool:
-    if not kind[0]:
+    if not kind.name:
         return name == "node" or name.endswith("_node")
-    return _is_node(_whole(source, kind[0]), kinds)
+    return _is_node(_whole(source, kind.name), kinds)
 
 
 def _is_node(name: str, kinds: Mapping[str, Iterable[str]], depth: int = 0) -> bool:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import ros2_nodes
 from haros_ci.link.ros2_process import EVERY
 from haros_ci.link.values import NONE, Cell, Known, Opaque, Pointer, Sequence, Value
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from haros_ci.link.ros2_process import RosNode
     from haros_ci.link.selectors import Applied
 
-_TEXTS = ("std::vector", (("std::string", (), ""),), "")
+_TEXTS = syntax.Type("std::vector", (syntax.Type("std::string"),))
 
 
 def listed(applied: Applied, prefixes: Value | None, depth: Value | None, what: str) -> Value:

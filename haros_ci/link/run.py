@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link.behavior_tree_files import TreeFiles
 from haros_ci.link.index import Index, Source
 from haros_ci.link.relevance import Relevance
@@ -22,7 +23,7 @@ from haros_ci.model.api import Row
 from haros_ci.model.architecture import Condition, Qos
 from haros_ci.model.build import ConfigFile
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Function, Type
+from haros_ci.syntax import Class, Function, Type
 
 #: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
 STEPS = 60_000
@@ -62,7 +63,7 @@ class Frame:
     function: Function | None = None
     this: Object | None = None
     scopes: list[dict[str, Cell]] = field(default_factory=lambda: [{}])
-    templates: Mapping[str, Type] = field(default_factory=dict)
+    templates: Mapping[str, syntax.Argument] = field(default_factory=dict)
     outer: Frame | None = None
     mark: int = 0
     returned: list[Value] = field(default_factory=list)
@@ -307,8 +308,7 @@ class Run:
     #: Steps that callbacks have put into functions that could make something, since they last did, by function.
     idle: dict[int, int] = field(default_factory=dict)
     #: By identity, what stands for template arguments in look-ups.
-    tuples: dict[int, tuple[Any, Any]] = field(default_factory=dict)
-    numbers: dict[int, tuple[int, Mapping[str, Type]]] = field(default_factory=dict)
+    numbers: dict[int, tuple[int, Mapping[str, syntax.Argument]]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only.
     found: dict[Any, Any] = field(init=False)
 
@@ -469,35 +469,23 @@ class Run:
 
     def type_in(self, kind: Type, frame: Frame) -> Type:
         """*kind* as written in *frame*, resolved."""
-        if not kind[0]:
+        if not kind.name:
             return NO_TYPE
         return self.resolved(kind, frame.scope, frame.source, frame.templates)
 
-    def resolved(self, kind: Type, scope: str, source: Source, templates: Mapping[str, Type]) -> Type:
+    def resolved(self, kind: Type, scope: str, source: Source, templates: Mapping[str, syntax.Argument]) -> Type:
         """*kind* as written in a scope of a file, resolved; each once."""
-        inner = self.frozen(kind[1]) if kind[1] else ()
-        key = (kind[0], inner, kind[2], scope, source.path, self.numbered(templates) if templates else 0)
+        key = (kind.name, kind.arguments, kind.marks, scope, source.path, self.numbered(templates) if templates else 0)
         found: Type | None = self.found.get(key)
         if found is None:
             found = self.found[key] = resolve_type(self.index, kind, scope, source, self.files, templates)
         return found
 
-    def frozen(self, facts: Any) -> Any:
-        """*facts* with tuples for lists, so that they can be keys of look-ups."""
-        try:
-            hash(facts)
-        except TypeError:
-            known = self.tuples.get(id(facts))
-            if known is None:
-                known = self.tuples[id(facts)] = (tuple(map(self.frozen, facts)), facts)
-            return known[0]
-        return facts
-
-    def numbered(self, templates: Mapping[str, Type]) -> int:
+    def numbered(self, templates: Mapping[str, syntax.Argument]) -> int:
         """What stands for *templates* and all that are the same, in the keys of look-ups."""
         known = self.numbers.get(id(templates))
         if known is None:
-            key = ("templates", *((name, self.frozen(kind)) for name, kind in templates.items()))
+            key = ("templates", *templates.items())
             number: int = self.found.setdefault(key, len(self.found) + 1)
             known = self.numbers[id(templates)] = (number, templates)  # which keeps its identity from being used again
         return known[0]
@@ -505,7 +493,7 @@ class Run:
     def opaque(self, reason: str, frame: Frame, line: int | None = None, kind: Type | None = None) -> Opaque:
         return Opaque(reason, Location(frame.source.path, line), kind)
 
-    def bases(self, source: Source, definition: Class, templates: Mapping[str, Type]) -> list[Type]:
+    def bases(self, source: Source, definition: Class, templates: Mapping[str, syntax.Argument]) -> list[Type]:
         """The resolved base types of a class of the workspace."""
         if not definition.bases:
             return []

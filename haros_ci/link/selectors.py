@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import (
     conversions,
     handles,
@@ -19,7 +20,7 @@ from haros_ci.link import (
     ros2_selectors,
 )
 from haros_ci.link.run import Frame, Run
-from haros_ci.link.types import is_type, parameter_type
+from haros_ci.link.types import parameter_type
 from haros_ci.link.values import (
     Callable,
     ClassValue,
@@ -33,7 +34,7 @@ from haros_ci.link.values import (
 )
 from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
@@ -55,7 +56,7 @@ class Applied:
     row: Row
     receiver: Value | None
     args: tuple[Argument, ...]
-    types: tuple[Any, ...]
+    types: tuple[syntax.Argument, ...]
     location: Location
     item: Mapping[str, Any] | None = None
     parameter: Value | None = None
@@ -76,7 +77,7 @@ def config_name(value: Any, run: Run) -> str:
     A name without its package (its header is included by another) is the one of that name in the workspace.
     """
     if isinstance(value, TypeValue):
-        name = value.type[0]
+        name = value.type.name
     elif isinstance(value, Library):
         name = value.name
     elif isinstance(value, ClassValue):
@@ -116,7 +117,7 @@ def value_of(applied: Applied, template: Template) -> Any:
             continue
         found = value_of(applied, Template((part,)))
         if isinstance(found, TypeValue):
-            found = Known(found.type[0])
+            found = Known(found.type.name)
         values.append(found if found is not None else applied.run.opaque("an argument is missing", applied.frame))
     return concatenate(tuple(values))
 
@@ -202,9 +203,9 @@ def select_value(applied: Applied, selector: str) -> Any:
     if function == "callback":
         return _callback_type(run, found, int(index or 0))
     if isinstance(found.value, Library):
-        return TypeValue((found.value.name, (), ""))
+        return TypeValue(syntax.Type(found.value.name))
     if isinstance(found.value, ClassValue):
-        return TypeValue((found.value.definition.name, (), ""))
+        return TypeValue(syntax.Type(found.value.definition.name))
     kind = found.type or conversions.value_type(found.value)
     return TypeValue(kind) if kind is not None else None
 
@@ -219,8 +220,10 @@ def _type_of(applied: Applied, selector: str) -> TypeValue | None:
         return None
     shown = conversions.value_type(argument.value)
     for kind in (argument.type, shown):
-        is_array = kind is not None and kind[0] == "char" and parameter_type(shown) == "str"  # its brackets are not in its type
-        if parameter_type(kind) is not None and not is_array:
+        is_array = (
+            kind is not None and kind.name == "char" and parameter_type(shown) == "str"
+        )  # its brackets are not in its type
+        if kind is not None and parameter_type(kind) is not None and not is_array:
             return TypeValue(kind)
     return None
 
@@ -241,10 +244,9 @@ def _members(applied: Applied, value: Value, names: list[str]) -> Any:
     return value
 
 
-def _template_argument(types: tuple[Any, ...], index: int) -> TypeValue | None:
-    if index < len(types) and is_type(types[index]):
-        return TypeValue(types[index])
-    return None
+def _template_argument(types: tuple[syntax.Argument, ...], index: int) -> TypeValue | None:
+    found = types[index] if index < len(types) else None
+    return TypeValue(found) if isinstance(found, syntax.Type) else None
 
 
 def _callback_type(run: Run, argument: Argument, index: int) -> TypeValue | None:
@@ -260,8 +262,9 @@ def _callback_type(run: Run, argument: Argument, index: int) -> TypeValue | None
         inner = Frame(value.source, scope, value.function, value.this, templates=value.templates)
         return TypeValue(run.type_in(free[index].type, inner))
     kind = argument.type or conversions.value_type(value)
-    if kind is not None and kind[0] in ("boost::function", "std::function") and kind[1]:
-        inner_type = kind[1][0]
-        if inner_type[0] == "()" and len(inner_type[1]) > index + 1:
-            return TypeValue(inner_type[1][index + 1])
+    if kind is not None and kind.name in ("boost::function", "std::function") and kind.arguments:
+        inner_type = kind.of(0)
+        taken = inner_type.of(index + 1) if inner_type is not None and inner_type.name == "()" else None
+        if taken is not None:
+            return TypeValue(taken)
     return None

@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
+from haros_ci import syntax
 from haros_ci.link import construct, expressions, harmless, lookup, loops, members
 from haros_ci.link.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop, Run
 from haros_ci.link.state import Writes, joined
 from haros_ci.link.values import Cell, Known, Library, Object, Sequence, Value
 from haros_ci.model.location import Location
-from haros_ci.model.program import Block, Expression, Statement
+from haros_ci.syntax import Block, Expression, Statement
 
 #: What holds in the script that is started, and in no other module: no condition at all.
 MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
@@ -20,7 +24,7 @@ def execute(run: Run, frame: Frame, block: Block) -> str:
     try:
         for statement in block:
             run.step()
-            ended = STATEMENTS[statement[0]](run, frame, statement)
+            ended = STATEMENTS[type(statement)](run, frame, statement)
             if ended != NEXT:
                 return ended
         return NEXT
@@ -48,23 +52,24 @@ def _decides(value: Object) -> bool:
     return any(function.name in words for function in source.program.functions)
 
 
-def _do(run: Run, frame: Frame, statement: Statement) -> str:
-    expressions.evaluate(run, frame, statement[1])
+def _do(run: Run, frame: Frame, statement: syntax.Do) -> str:
+    expressions.evaluate(run, frame, statement.value)
     return NEXT
 
 
-def _variable(run: Run, frame: Frame, statement: Statement) -> str:
-    _, name, kind, init, line, column = statement
-    construct.declare(run, frame, name, kind, init, line, column)
+def _variable(run: Run, frame: Frame, statement: syntax.Variable) -> str:
+    construct.declare(run, frame, statement)
     return NEXT
 
 
-def _static(run: Run, frame: Frame, statement: Statement) -> str:
+def _static(run: Run, frame: Frame, statement: syntax.Static) -> str:
     """A variable that is made once. What is made in a rehearsal only is not kept: it has made nothing of note."""
-    name, line, column = statement[1][1], statement[1][4], statement[1][5]
-    key = ("static", frame.source.path, line, column, name, *(kind[0] for kind in frame.templates.values()))
+    variable = statement.statement
+    name = variable.name
+    kinds = (kind.name if isinstance(kind, syntax.Type) else "" for kind in frame.templates.values())
+    key = ("static", frame.source.path, variable.line, variable.column, name, *kinds)
     if key not in run.statics:
-        _variable(run, frame, statement[1])
+        _variable(run, frame, variable)
         cell = frame.scopes[-1].get(name)
         if run.quiet or cell is None:
             return NEXT
@@ -76,25 +81,26 @@ def _static(run: Run, frame: Frame, statement: Statement) -> str:
     return NEXT
 
 
-def _global(run: Run, frame: Frame, statement: Statement) -> str:
+def _global(run: Run, frame: Frame, statement: syntax.Global) -> str:
     scope = lookup.module_frame(run, frame.source).scopes[0]
-    for name in statement[1]:
+    for name in statement.names:
         frame.scopes[0][name] = scope.setdefault(name, Cell(run.opaque(f"{name} is not set", frame)))
     return NEXT
 
 
-def _nonlocal(run: Run, frame: Frame, statement: Statement) -> str:
-    for name in statement[1]:
+def _nonlocal(run: Run, frame: Frame, statement: syntax.Nonlocal) -> str:
+    for name in statement.names:
         cell = frame.outer.find(name) if frame.outer is not None else None
         frame.scopes[0][name] = cell or Cell(run.opaque(f"{name} is not set", frame))
     return NEXT
 
 
-def _if(run: Run, frame: Frame, statement: Statement) -> str:
-    _, line, column, text, test, then, else_line, else_column, other = statement
+def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
+    line, column, text = statement.line, statement.column, statement.text
+    then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
     if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
         return execute(run, frame, then) if frame.source.path in run.files else NEXT
-    holds = truth(expressions.evaluate(run, frame, test))
+    holds = truth(expressions.evaluate(run, frame, statement.test))
     if holds is not None and run.outer is not None:  # what a wrapper does not do as things are is nobody's
         return execute(run, frame, then if holds else other)
     branches = []
@@ -141,21 +147,21 @@ def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: lis
     return next((ended for ended in (CONTINUE, BREAK, RETURN, THROW) if ended in ends), NEXT)
 
 
-def _switch(run: Run, frame: Frame, statement: Statement) -> str:
-    _, line, column, text, test, cases = statement
+def _switch(run: Run, frame: Frame, statement: syntax.Switch) -> str:
+    line, column, text, test, cases = statement.line, statement.column, statement.text, statement.value, statement.cases
     value = expressions.evaluate(run, frame, test)
     branches: list[tuple[str, Writes]] = []
     live: list[int] = []
     default = None
-    taken = _taken(run, frame, value, [label for label, _ in cases])
+    taken = _taken(run, frame, value, [case.value for case in cases])
     can_be = taken is None
-    for index, (label, own) in enumerate(cases):
-        if label is None:
+    for index, case in enumerate(cases):
+        if case.value is None:
             default = len(branches)
         if taken is not None and index in taken:
             can_be = True
             live.append(len(branches))
-        if not own and index + 1 < len(cases):  # the same as the next case
+        if not case.body and index + 1 < len(cases):  # the same as the next case
             continue
         was_dead, is_dead = frame.is_dead, not can_be
         frame.is_dead = was_dead or is_dead
@@ -165,8 +171,8 @@ def _switch(run: Run, frame: Frame, statement: Statement) -> str:
         run.loops.append(loop)
         ended = NEXT
         with run.under("switch", text, frame, line, column):
-            for _, block in cases[index:]:
-                ended = execute(run, frame, block)
+            for following in cases[index:]:
+                ended = execute(run, frame, following.body)
                 if ended != NEXT:
                     break
         run.loops.pop()
@@ -202,13 +208,13 @@ def _taken(run: Run, frame: Frame, value: Value, labels: list[Expression | None]
     return found or {number for number, label in enumerate(labels) if label is None}
 
 
-def _try(run: Run, frame: Frame, statement: Statement) -> str:
+def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
     """A handler begins with anything that the block may have done by then; afterwards counts what it assigns itself.
 
     What else the block has left undone where it threw is not thought of: most never throw. A handler that gives up, as it
     returns false or nothing, is followed for what it makes, and not for what it leaves behind.
     """
-    _, block, handlers = statement
+    block, handlers = statement.body, statement.handlers
     mark = run.state.mark()
     is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
     run.trying += is_caught
@@ -218,17 +224,18 @@ def _try(run: Run, frame: Frame, statement: Statement) -> str:
         run.trying -= is_caught
     after = run.state.undo(mark)
     branches: list[tuple[str, Writes]] = [(ended, after)]
-    for line, column, text, name, kind, handler in handlers:
+    for handler in handlers:
         start = run.state.mark()
         for cell, value in after.items():
             run.state.write(cell, joined(cell.value, value))
         begun = run.state.mark()
         frame.scopes.append({})
-        if name:
-            frame.declare(name, Cell(run.opaque("an exception", frame, line, run.type_in(kind, frame))))
+        if handler.name:
+            kind = run.type_in(handler.type, frame)
+            frame.declare(handler.name, Cell(run.opaque("an exception", frame, handler.line, kind)))
         returned = len(frame.returned)
-        with run.under("catch", text, frame, line, column):
-            how = execute(run, frame, handler)
+        with run.under("catch", handler.text, frame, handler.line, handler.column):
+            how = execute(run, frame, handler.body)
         frame.scopes.pop()
         if how == RETURN and ended != THROW and all(map(_is_failure, frame.returned[returned:])):
             del frame.returned[returned:], frame.exits[returned:]
@@ -245,24 +252,24 @@ def _is_failure(value: Value) -> bool:
     return value in (Known(False), Known(None))
 
 
-def _preprocessor(run: Run, frame: Frame, statement: Statement) -> str:
+def _preprocessor(run: Run, frame: Frame, statement: syntax.Preprocessor) -> str:
     branches: list[tuple[str, Writes]] = []
-    for line, column, text, block in statement[1]:
+    for branch in statement.branches:
         mark = run.state.mark()
         declared: dict[str, Cell] = {}
-        with run.under("#if", text, frame, line, column):
+        with run.under("#if", branch.text, frame, branch.line, branch.column):
             frame.scopes.append(declared)
             ended = NEXT
-            for item in block:
+            for item in branch.body:
                 run.step()
-                ended = STATEMENTS[item[0]](run, frame, item)
+                ended = STATEMENTS[type(item)](run, frame, item)
                 if ended != NEXT:
                     break
             frame.scopes.pop()
         for name, cell in declared.items():  # no scope of its own: what it declares is there afterwards
             frame.scopes[-1].setdefault(name, cell)
         branches.append((ended, run.state.undo(mark)))
-    if not any(text.startswith("#else") for _, _, text, _ in statement[1]):
+    if not any(branch.text.startswith("#else") for branch in statement.branches):
         branches.append((NEXT, {}))
     for _, writes in branches:  # what one branch alone declares keeps its value
         for cell in writes:
@@ -272,27 +279,27 @@ def _preprocessor(run: Run, frame: Frame, statement: Statement) -> str:
     return _merge(run, frame, branches, None)
 
 
-def _return(run: Run, frame: Frame, statement: Statement) -> str:
-    value = expressions.evaluate(run, frame, statement[1]) if statement[1] is not None else Known(None)
+def _return(run: Run, frame: Frame, statement: syntax.Return) -> str:
+    value = expressions.evaluate(run, frame, statement.value) if statement.value is not None else Known(None)
     if not frame.is_dead:
         frame.returned.append(value)
         frame.exits.append(run.state.since(frame.mark))
     return RETURN
 
 
-def _throw(run: Run, frame: Frame, statement: Statement) -> str:
-    if statement[1] is not None:
-        expressions.evaluate(run, frame, statement[1])
+def _throw(run: Run, frame: Frame, statement: syntax.Throw) -> str:
+    if statement.value is not None:
+        expressions.evaluate(run, frame, statement.value)
     return THROW
 
 
-def _break(run: Run, frame: Frame, statement: Statement) -> str:
+def _break(run: Run, frame: Frame, statement: syntax.Break) -> str:
     if run.loops and not frame.is_dead:
         run.loops[-1].breaks.append(run.state.since(run.loops[-1].mark))
     return BREAK
 
 
-def _continue(run: Run, frame: Frame, statement: Statement) -> str:
+def _continue(run: Run, frame: Frame, statement: syntax.Continue) -> str:
     if not frame.is_dead:
         for loop in reversed(run.loops):
             if not loop.is_switch:
@@ -301,16 +308,16 @@ def _continue(run: Run, frame: Frame, statement: Statement) -> str:
     return CONTINUE
 
 
-def _define(run: Run, frame: Frame, statement: Statement) -> str:
+def _define(run: Run, frame: Frame, statement: syntax.NestedFunction) -> str:
     from haros_ci.link.values import Callable
 
-    function = frame.source.program.functions[statement[2]]
-    frame.declare(statement[1], Cell(Callable(frame.source, function, frame.this, frame=expressions.kept(frame))))
+    function = frame.source.program.functions[statement.function]
+    frame.declare(statement.name, Cell(Callable(frame.source, function, frame.this, frame=expressions.kept(frame))))
     return NEXT
 
 
-def _class(run: Run, frame: Frame, statement: Statement) -> str:
-    found = run.class_of(statement[1], frame.source)
+def _class(run: Run, frame: Frame, statement: syntax.NestedClass) -> str:
+    found = run.class_of(statement.name, frame.source)
     if found is None:
         return NEXT
     for field in found[1].fields if found[0] is frame.source and not run.quiet else ():
@@ -319,33 +326,34 @@ def _class(run: Run, frame: Frame, statement: Statement) -> str:
     if run.modules.get(frame.source.path) is not frame:
         from haros_ci.link.values import ClassValue
 
-        frame.declare(statement[1].rpartition(frame.source.separator)[2], Cell(ClassValue(*found)))
+        frame.declare(statement.name.rpartition(frame.source.separator)[2], Cell(ClassValue(*found)))
     return NEXT
 
 
-def _import(run: Run, frame: Frame, statement: Statement) -> str:
-    frame.declare(statement[1], Cell(lookup.imported(run, frame, statement[2])))
+def _import(run: Run, frame: Frame, statement: syntax.Import) -> str:
+    frame.declare(statement.name, Cell(lookup.imported(run, frame, statement.target)))
     return NEXT
 
 
-STATEMENTS = {
-    "do": _do,
-    "var": _variable,
-    "static": _static,
-    "global": _global,
-    "nonlocal": _nonlocal,
-    "if": _if,
-    "loop": lambda run, frame, s: loops.loop(run, frame, s),
-    "each": lambda run, frame, s: loops.each(run, frame, s),
-    "switch": _switch,
-    "try": _try,
-    "pre": _preprocessor,
-    "block": lambda run, frame, s: execute(run, frame, s[1]),
-    "return": _return,
-    "break": _break,
-    "continue": _continue,
-    "throw": _throw,
-    "def": _define,
-    "class": _class,
-    "import": _import,
+#: Each takes what its key is a class of.
+STATEMENTS: dict[type[Statement], Callable[[Run, Frame, Any], str]] = {
+    syntax.Do: _do,
+    syntax.Variable: _variable,
+    syntax.Static: _static,
+    syntax.Global: _global,
+    syntax.Nonlocal: _nonlocal,
+    syntax.If: _if,
+    syntax.Loop: lambda run, frame, s: loops.loop(run, frame, s),
+    syntax.Each: lambda run, frame, s: loops.each(run, frame, s),
+    syntax.Switch: _switch,
+    syntax.Try: _try,
+    syntax.Preprocessor: _preprocessor,
+    syntax.Nested: lambda run, frame, s: execute(run, frame, s.body),
+    syntax.Return: _return,
+    syntax.Break: _break,
+    syntax.Continue: _continue,
+    syntax.Throw: _throw,
+    syntax.NestedFunction: _define,
+    syntax.NestedClass: _class,
+    syntax.Import: _import,
 }

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from haros_ci import syntax
 from haros_ci.link import conversions, expressions, iterators
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.state import certain, possible
@@ -20,7 +19,7 @@ from haros_ci.link.values import (
     Sequence,
     Value,
 )
-from haros_ci.model.program import Expression, Type
+from haros_ci.syntax import Expression, Type
 
 
 def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
@@ -75,24 +74,25 @@ def _all_elements(frame: Frame, value: Value) -> list[Value | Cell] | None:
 def element_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
     """The static type of a container's elements."""
     kind = static_type(run, frame, expression)
-    if kind is not None and kind[0] in SEQUENCES and kind[1]:
-        found: Type = kind[1][0]
-        return found
+    if kind is not None and kind.name in SEQUENCES and kind.arguments:
+        return kind.of(0)
     return None
 
 
-def member_called(run: Run, frame: Frame, callee: Expression, targs: Any) -> tuple[Expression, Any]:
+def member_called(
+    run: Run, frame: Frame, callee: Expression, targs: tuple[syntax.Argument, ...]
+) -> tuple[Expression, tuple[syntax.Argument, ...]]:
     """``decltype(a)::element_type::make`` with the class that it stands for, and this class's template arguments."""
-    if callee[0] != "name" or not callee[1].startswith("decltype("):
+    if not isinstance(callee, syntax.Name) or not callee.name.startswith("decltype("):
         return callee, targs
-    inside, _, rest = callee[1][9:].partition(")")
+    inside, _, rest = callee.name[9:].partition(")")
     name = inside.removeprefix("this->").strip()
-    kind = static_type(run, frame, ("name", name)) if name.isidentifier() and rest.startswith("::") else None
+    kind = static_type(run, frame, syntax.Name(name)) if name.isidentifier() and rest.startswith("::") else None
     if kind is None:
         return callee, targs
     head, _, last = rest[2:].rpartition("::")
-    owner = run.type_in((f"{kind[0]}::{head}" if head else kind[0], kind[1], ""), frame)
-    return ("name", f"{owner[0]}::{last}"), targs or owner[1]
+    owner = run.type_in(syntax.Type(f"{kind.name}::{head}" if head else kind.name, kind.arguments, ""), frame)
+    return syntax.Name(f"{owner.name}::{last}"), targs or owner.arguments
 
 
 def static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
@@ -107,35 +107,45 @@ def static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
 
 
 def _static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
-    tag = expression[0]
-    if tag in LITERAL_TYPES:
-        return LITERAL_TYPES[tag]
-    if tag == "num":
-        return ("int", (), "") if isinstance(expression[1], int) else ("double", (), "")
-    if tag in ("&", "*", "kw"):
-        return _static_type(run, frame, expression[-1])
-    if tag == "cast":
-        return run.type_in(expression[1], frame)
-    if tag == "op" and expression[1] in ("==", "!=", "<", ">", "<=", ">=", "!", "&&", "||"):
-        return ("bool", (), "")
-    if tag == "op":
-        kinds = [_static_type(run, frame, item) for item in expression[2]]
+    literal = LITERAL_TYPES.get(type(expression))
+    if literal is not None:
+        return literal
+    if isinstance(expression, syntax.Number):
+        return syntax.Type("int") if isinstance(expression.value, int) else syntax.Type("double")
+    if isinstance(expression, (syntax.Address, syntax.Dereference, syntax.Keyword)):
+        return _static_type(run, frame, expression.value)
+    if isinstance(expression, syntax.Cast):
+        return run.type_in(expression.type, frame)
+    if isinstance(expression, syntax.Operation) and expression.operator in (
+        "==",
+        "!=",
+        "<",
+        ">",
+        "<=",
+        ">=",
+        "!",
+        "&&",
+        "||",
+    ):
+        return syntax.Type("bool")
+    if isinstance(expression, syntax.Operation):
+        kinds = [_static_type(run, frame, item) for item in expression.operands]
         known = [kind for kind in kinds if kind is not None]
         for name in ("std::string", "double", "float"):
-            if any(kind[0] == name for kind in known):
-                return (name, (), "")
+            if any(kind.name == name for kind in known):
+                return syntax.Type(name)
         return known[0] if len(known) == len(kinds) and known else None
     cell = expressions.cell_of(run, frame, expression)
-    if cell is not None and cell.type is not None and cell.type[0] not in ("", "auto"):
+    if cell is not None and cell.type is not None and cell.type.name not in ("", "auto"):
         return cell.type
     value = cell.value if cell is not None else expressions.evaluate(run, frame, expression)
     return conversions.value_type(value)
 
 
-LITERAL_TYPES: dict[str, Type] = {
-    "str": ("std::string", (), ""),
-    "bool": ("bool", (), ""),
-    "format": ("std::string", (), ""),
-    "list": ("list", (), ""),
-    "dict": ("dict", (), ""),
+LITERAL_TYPES: dict[type[Expression], Type] = {
+    syntax.String: syntax.Type("std::string"),
+    syntax.Boolean: syntax.Type("bool"),
+    syntax.Format: syntax.Type("std::string"),
+    syntax.ListLiteral: syntax.Type("list"),
+    syntax.DictLiteral: syntax.Type("dict"),
 }

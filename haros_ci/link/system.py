@@ -32,8 +32,8 @@ from haros_ci.model.build import ConfigFile, PluginClass
 from haros_ci.model.launch import Started
 from haros_ci.model.launch_facts import ParameterFileUse
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class
 from haros_ci.model.workspace import Problem
+from haros_ci.syntax import Class
 
 #: What the arguments of the nodelet program can begin with.
 LOAD, STANDALONE, MANAGER = "load", "standalone", "manager"

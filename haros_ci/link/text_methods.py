@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from haros_ci import syntax
 from haros_ci.link import conversions, texts
 from haros_ci.link.values import TEXT_LIMIT, Character, Known, Object, Pointer, Value
 
 if TYPE_CHECKING:
     from haros_ci.link.call_arguments import Argument
-    from haros_ci.model.program import Expression
+    from haros_ci.syntax import Expression
 
 #: Searches for one of several characters: whether from the end, whether for one that is none of them.
 OF = {
@@ -67,9 +68,13 @@ def found(text: str, name: str, args: tuple[Argument, ...]) -> Value | None:
 
 def end_of(expression: Expression, iterator: Value) -> Value | None:
     """``*text.begin()`` or ``*text.rbegin()``: the first or last character, where the text is known."""
-    if not isinstance(iterator, Object) or expression[0] != "call" or expression[1][0] != "field":
+    if (
+        not isinstance(iterator, Object)
+        or not isinstance(expression, syntax.Call)
+        or not isinstance(expression.callee, syntax.Member)
+    ):
         return None
-    name = expression[1][2]
+    name = expression.callee.name
     of = iterator.fields["[of]"].value if "[of]" in iterator.fields else None
     held = of.cell.value if isinstance(of, Pointer) else None
     if not isinstance(held, Known) or not isinstance(held.value, str) or not held.value:

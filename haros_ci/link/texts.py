@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from haros_ci import syntax
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.types import STRINGS
 from haros_ci.link.values import (
@@ -35,7 +36,7 @@ IS_SET = "[set]"
 
 def constructed(args: tuple[Argument, ...]) -> Value:
     """``std::string(s)``, ``(s, n)``, ``(s, pos, n)``, ``(n, c)``; ``append`` and ``assign`` take the same."""
-    kind = ("std::string", (), "")
+    kind = syntax.Type("std::string")
     values = [argument.value for argument in args]
     if not values:
         return Known("")
@@ -52,10 +53,12 @@ def constructed(args: tuple[Argument, ...]) -> Value:
         if len(numbers) == 2 and numbers[0] <= len(data[0]):
             return Known(data[0][numbers[0] : numbers[0] + numbers[1]])
         if len(numbers) == 1 and numbers[0] <= len(data[0]):
-            is_object = args[0].cell is not None and given is not None and given[0] in STRINGS and "*" not in given[2]
+            is_object = (
+                args[0].cell is not None and given is not None and given.name in STRINGS and "*" not in given.marks
+            )
             if is_object:
                 return Known(data[0][numbers[0] :])
-            if args[0].cell is None or (given is not None and "*" in given[2]):
+            if args[0].cell is None or (given is not None and "*" in given.marks):
                 return Known(data[0][: numbers[0]])
     return Opaque("a part of a text that is not known", None, kind)
 

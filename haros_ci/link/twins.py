@@ -6,8 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from haros_ci import syntax
 from haros_ci.model.location import Location
-from haros_ci.model.program import Block, Expression, Function
+from haros_ci.syntax import Block, Expression, Function
 
 if TYPE_CHECKING:
     from haros_ci.link.run import Run
@@ -47,8 +48,8 @@ class Standing:
 
 def called(run: Run, callee: Expression) -> None:
     """A call, after which a node may be gone."""
-    name = callee[2] if callee[0] == "field" else callee[1] if callee[0] == "name" else ""
-    if isinstance(name, str) and name.rpartition("::")[2].rpartition(".")[2] in _ENDING:
+    name = syntax.name_of(callee)
+    if name.rpartition("::")[2].rpartition(".")[2] in _ENDING:
         run.has_ended = True
 
 
@@ -75,4 +76,4 @@ def _has_scopes(function: Function) -> bool:
 
 
 def _has_block(body: Block) -> bool:
-    return any(statement and statement[0] == "block" for statement in body)
+    return any(isinstance(statement, syntax.Nested) for statement in body)

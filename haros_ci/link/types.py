@@ -6,12 +6,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link.common_messages import COMMON
 from haros_ci.link.index import Index, Source, pointed_class
 from haros_ci.link.macros import class_named
-from haros_ci.model.program import Type
+from haros_ci.syntax import Argument, Type
+from haros_ci.syntax.codec import plain
 
-NO_TYPE: Type = ("", (), "")
+NO_TYPE = syntax.NOTHING
 SMART_POINTERS = frozenset(
     f"{space}::{name}"
     for space in ("boost", "std")
@@ -78,7 +80,7 @@ SERIALISED = {
 }
 
 
-_STRING: Type = ("std::string", (), "")
+_STRING: Type = syntax.Type("std::string")
 #: Type definitions of ros/datatypes.h and nodelet/nodelet.h.
 _TYPEDEFS: dict[str, tuple[str, tuple[Type, ...]]] = {
     f"{space}::{short}": target
@@ -93,79 +95,82 @@ def resolve_type(
     scope: str,
     source: Source,
     files: frozenset[str],
-    templates: Mapping[str, Type],
+    templates: Mapping[str, Argument],
     depth: int = 0,
 ) -> Type:
     """*kind* with its aliases and template parameters replaced, all names qualified as far as the workspace tells."""
-    name, arguments, marks = kind[0], kind[1], kind[2]
+    name, arguments, marks = kind.name, kind.arguments, kind.marks
     if not name or depth > 20:
-        return (name, (), marks)
+        return syntax.Type(name, (), marks)
     pointer, of_pointer, rest = name.partition("::element_type")
-    if of_pointer and pointer in SMART_POINTERS and arguments and rest[:2] in ("", "::"):
-        pointed = resolve_type(index, arguments[0], scope, source, files, templates, depth + 1)
+    held = kind.of(0)
+    if of_pointer and pointer in SMART_POINTERS and held is not None and rest[:2] in ("", "::"):
+        pointed = resolve_type(index, held, scope, source, files, templates, depth + 1)
         if not rest:
-            return (pointed[0], pointed[1], pointed[2] + marks)
-        return resolve_type(index, (pointed[0] + rest, pointed[1], marks), scope, source, files, {}, depth + 1)
+            return pointed.marked(marks)
+        member = syntax.Type(pointed.name + rest, pointed.arguments, marks)
+        return resolve_type(index, member, scope, source, files, {}, depth + 1)
 
-    def inner(item: Any) -> Any:
-        if is_type(item):
+    def inner(item: Argument) -> Argument:
+        if isinstance(item, Type):
             return resolve_type(index, item, scope, source, files, templates, depth + 1)
         return item
 
     resolved = tuple(inner(item) for item in arguments)
     bound = templates.get(name)
-    if bound is not None and not is_type(bound):
-        return (name, resolved, marks)
+    if bound is not None and not isinstance(bound, Type):
+        return syntax.Type(name, resolved, marks)
     if bound is not None:
-        return (bound[0], bound[1], bound[2] + marks)
+        return bound.marked(marks)
     head, colons, tail = name.partition("::")
-    if colons and is_type(templates.get(head)):
-        member = (f"{templates[head][0]}::{tail}", resolved or templates[head][1], marks)
+    around_it = templates.get(head) if colons else None
+    if isinstance(around_it, Type):
+        member = syntax.Type(f"{around_it.name}::{tail}", resolved or around_it.arguments, marks)
         return resolve_type(index, member, scope, source, files, {}, depth + 1)
     hidden: Type | None = None
     for candidate in index.scopes(name, scope, source):
         if index.classes.get(candidate):
             if index.includes(source, index.classes[candidate]):
-                return (candidate, resolved, marks)
-            hidden = hidden or (candidate, resolved, marks)
+                return syntax.Type(candidate, resolved, marks)
+            hidden = hidden or syntax.Type(candidate, resolved, marks)
             continue
         targets = []
         for where, alias in index.near(index.aliases, candidate, source, files):
-            if alias.type[0] in (name, candidate):  # typedef struct X X
+            if alias.type.name in (name, candidate):  # typedef struct X X
                 continue
             around = candidate.rpartition("::")[0]
-            bindings: Mapping[str, Type] = dict(zip(alias.templates, resolved, strict=False))
+            bindings: Mapping[str, Argument] = dict(zip(alias.templates, resolved, strict=False))
             if not alias.templates and (owners := index.classes.get(around)) and owners[0][1].templates:
                 of_class = dict(zip(owners[0][1].templates, resolved, strict=False))
                 bindings = of_class if colons else templates
             targets.append(resolve_type(index, alias.type, around, where, files, bindings, depth + 1))
         if targets:
             target = targets[0]
-            if any(repr(pointee(other)) != repr(pointee(target)) for other in targets):
-                target = (candidate, resolved, "")  # one of several, under an #if
+            if any(plain(pointee(other)) != plain(pointee(target)) for other in targets):
+                target = syntax.Type(candidate, resolved)  # one of several, under an #if
             if index.includes(source, index.aliases[candidate]):
-                return (target[0], target[1], target[2] + marks)
-            hidden = hidden or (target[0], target[1], target[2] + marks)
+                return target.marked(marks)
+            hidden = hidden or target.marked(marks)
     if not colons and hidden is None and (macro := class_named(index, name, source, files)) is not None:
-        target = resolve_type(index, (macro[1], (), ""), scope, macro[0], files, {}, depth + 1)
-        return (target[0], target[1], target[2] + marks)
+        target = resolve_type(index, syntax.Type(macro[1]), scope, macro[0], files, {}, depth + 1)
+        return target.marked(marks)
     if colons:
         for candidate in index.scopes(head, scope, source):
             for where, alias in index.near(index.aliases, candidate, source, files)[:1]:
                 around = candidate.rpartition("::")[0]
-                target = resolve_type(index, (alias.type[0], alias.type[1], ""), around, where, files, {}, depth + 1)
-                if target[0] not in (head, name):
-                    member = (f"{target[0]}::{tail}", resolved or target[1], marks)
+                target = resolve_type(index, alias.type.bare(), around, where, files, {}, depth + 1)
+                if target.name not in (head, name):
+                    member = syntax.Type(f"{target.name}::{tail}", resolved or target.arguments, marks)
                     return resolve_type(index, member, scope, source, files, {}, depth + 1)
     if source.program.language != "python":
         owner = pointed_class(index, name, scope, source) if hidden is None else None
         if owner is not None:
-            return ("std::shared_ptr", ((owner, resolved, ""),), marks)
+            return syntax.Type("std::shared_ptr", (syntax.Type(owner, resolved),), marks)
         local = index.local.get(source.path, {}).get(name) if not colons and not _foreign(index, source) else None
         if local is not None:
             around = local.name.rpartition("::")[0].rpartition("::")[0]
             target = resolve_type(index, local.type, around, source, files, templates, depth + 1)
-            return (target[0], target[1], target[2] + marks)
+            return target.marked(marks)
         if not colons:
             found = _by_include(index, name, source, scope)
             if hidden is not None and found == name:
@@ -182,7 +187,7 @@ def resolve_type(
         if name in _TYPEDEFS:
             name, resolved = _TYPEDEFS[name]
         return _pointer(name, resolved, marks)
-    return hidden or (name, resolved, marks)
+    return hidden or syntax.Type(name, resolved, marks)
 
 
 def _foreign(index: Index, source: Source) -> bool:
@@ -190,22 +195,18 @@ def _foreign(index: Index, source: Source) -> bool:
     return any(space.partition("::")[0] not in ("std", "ros", "boost") for space in index.opened(source))
 
 
-def _pointer(name: str, arguments: Any, marks: str) -> Type:
+def _pointer(name: str, arguments: tuple[Argument, ...], marks: str) -> Type:
     """``ros::NodeHandlePtr``, ``pkg::Message::ConstPtr``: the smart pointers that ROS packages give their classes."""
     head, _, last = name.rpartition("::")
     if last in ROS2_POINTERS and "::" in head:
-        return ("std::shared_ptr", ((head, arguments, ""),), marks)
+        return syntax.Type("std::shared_ptr", (syntax.Type(head, arguments),), marks)
     for suffix in ("ConstPtr", "Ptr"):
         if last == suffix and "::" in head:
-            return ("boost::shared_ptr", ((head, arguments, ""),), marks)
+            return syntax.Type("boost::shared_ptr", (syntax.Type(head, arguments),), marks)
         if last.endswith(suffix) and last != suffix and head and head != "cv":
-            return ("boost::shared_ptr", ((f"{head}::{last.removesuffix(suffix)}", arguments, ""),), marks)
-    return (name, arguments, marks)
-
-
-def is_type(item: Any) -> bool:
-    """Whether a template argument is a type, and no expression."""
-    return isinstance(item, (tuple, list)) and len(item) == 3 and isinstance(item[0], str) and isinstance(item[2], str)
+            pointed = syntax.Type(f"{head}::{last.removesuffix(suffix)}", arguments)
+            return syntax.Type("boost::shared_ptr", (pointed,), marks)
+    return syntax.Type(name, arguments, marks)
 
 
 def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
@@ -238,13 +239,13 @@ def _of_library(index: Index, name: str, spaces: set[str], scope: str) -> str:
 
 def pointee(kind: Type) -> Type:
     """What a pointer or smart pointer points to; the type itself otherwise. Const, references and pointers are dropped."""
-    while kind[0] in SMART_POINTERS and kind[1]:
-        kind = kind[1][0]
-    return (kind[0], kind[1], "")
+    while kind.name in SMART_POINTERS and (inner := kind.of(0)) is not None:
+        kind = inner
+    return kind.bare()
 
 
 def is_smart_pointer(kind: Type | None) -> bool:
-    return kind is not None and kind[0] in SMART_POINTERS
+    return kind is not None and kind.name in SMART_POINTERS
 
 
 def message_type(kind: Type | None) -> str | None:
@@ -255,9 +256,9 @@ def message_type(kind: Type | None) -> str | None:
     if kind is None:
         return None
     kind = pointee(kind)
-    while kind[0] in WRAPPERS and kind[1]:
-        kind = pointee(kind[1][0])
-    name = kind[0]
+    while kind.name in WRAPPERS and (inner := kind.of(0)) is not None:
+        kind = pointee(inner)
+    name = kind.name
     if "." in name:
         parts = name.split(".")
         if len(parts) >= 3 and parts[-2].strip("_") in ("msg", "srv", "action"):
@@ -285,12 +286,12 @@ def message_type(kind: Type | None) -> str | None:
 
 def parameter_type(kind: Type | None) -> str | None:
     """The ROS 1 parameter type that a C++ or Python type stands for: bool, int, double, str or yaml; None if unknown."""
-    if kind is None or not kind[0]:
+    if kind is None or not kind.name:
         return None
-    name = kind[0].removeprefix("::")
+    name = kind.name.removeprefix("::")
     if name == "bool":
         return "bool"
-    if name in STRINGS or (name == "char" and "*" in kind[2]):
+    if name in STRINGS or (name == "char" and "*" in kind.marks):
         return "str"
     if name in REALS:
         return "double"
@@ -317,13 +318,13 @@ def ros2_type(kind: Type | None) -> str | None:
     if kind is None:
         return None
     kind = pointee(kind)
-    while kind[0] in WRAPPERS and kind[1] and is_type(kind[1][0]):
-        kind = pointee(kind[1][0])
-    name = kind[0]
-    if name.startswith("rclcpp::TypeAdapter") and len(kind[1]) > 1 and is_type(kind[1][1]):
-        return ros2_type(kind[1][1])
-    if name.startswith("rclcpp::adapt_type") and kind[1] and is_type(kind[1][-1]):
-        return ros2_type(kind[1][-1])
+    while kind.name in WRAPPERS and (inner := kind.of(0)) is not None:
+        kind = pointee(inner)
+    name = kind.name
+    if name.startswith("rclcpp::TypeAdapter") and (adapted := kind.of(1)) is not None:
+        return ros2_type(adapted)
+    if name.startswith("rclcpp::adapt_type") and (last := kind.of(len(kind.arguments) - 1)) is not None:
+        return ros2_type(last)
     parts = [part for part in name.replace(".", "::").split("::") if part]
     for index in range(1, len(parts) - 1):
         if parts[index] in ("msg", "srv", "action"):
@@ -346,18 +347,18 @@ def _of_action(action: str, inner: list[str]) -> str | None:
 
 def ros2_parameter_type(kind: Type | None) -> str | None:
     """bool, int, double, str, bytes or a list of these (``int[]``) for a C++ or Python type; None if it is none of them."""
-    if kind is None or not kind[0]:
+    if kind is None or not kind.name:
         return None
     kind = pointee(kind)
-    if kind[0] in SEQUENCES:
-        inner = kind[1][0] if kind[1] and is_type(kind[1][0]) else None
-        if inner is not None and inner[0] in _BYTES:
+    if kind.name in SEQUENCES:
+        inner = kind.of(0)
+        if inner is not None and inner.name in _BYTES:
             return "bytes"
         return _ARRAYS.get(ros2_parameter_type(inner) or "")
     found = parameter_type(kind)
     if found == "yaml":
         return None
-    return found if found is not None else kind[0] if kind[0] in ("bytes", *_ARRAYS.values()) else None
+    return found if found is not None else kind.name if kind.name in ("bytes", *_ARRAYS.values()) else None
 
 
 def ros2_data_type(value: Any) -> str | None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.link import conversions, copies, dispatch, expressions, havoc, members, statements
 from haros_ci.link.run import Frame, Run
 from haros_ci.link.values import (
@@ -23,21 +24,25 @@ from haros_ci.link.values import (
     data_of,
     join,
 )
-from haros_ci.model.program import Expression
+from haros_ci.syntax import Expression
 
 UNCERTAIN = "it is assigned to in a way that is not followed"
 
 
 def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
     """What has no single cell is assigned to: all that may be meant is what it was or the value, or not known."""
-    tag = target[0]
-    if tag == "field" and isinstance(value, Callable) and _given_to_library(run, frame, target, value):
+    if (
+        isinstance(target, syntax.Member)
+        and isinstance(value, Callable)
+        and _given_to_library(run, frame, target, value)
+    ):
         return
-    if tag == "cast":
-        lost(run, frame, target[2], value)
-    elif tag == "if":
-        holds = statements.truth(expressions.evaluate(run, frame, target[1]))
-        for side in target[2:4] if holds is None else (target[2 if holds else 3],):
+    if isinstance(target, syntax.Cast):
+        lost(run, frame, target.value, value)
+    elif isinstance(target, syntax.Conditional):
+        holds = statements.truth(expressions.evaluate(run, frame, target.test))
+        sides = (target.then, target.other)
+        for side in sides if holds is None else (sides[0 if holds else 1],):
             cell = expressions.cell_of(run, frame, side)
             if cell is None:
                 lost(run, frame, side, value)
@@ -45,26 +50,30 @@ def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
                 run.state.write(cell, conversions.converted(value, cell.type))
             else:
                 _maybe(run, frame, cell, value)
-    elif tag == "field":
-        owners = _options(expressions.evaluate(run, frame, target[1]))
-        if target[1][0] == "index" and not any(isinstance(owner, Object) for owner in owners):
-            owners = [each for held in _options(expressions.evaluate(run, frame, target[1][1])) for each in _held(held)]
+    elif isinstance(target, syntax.Member):
+        owners = _options(expressions.evaluate(run, frame, target.object))
+        if isinstance(target.object, syntax.Subscript) and not any(isinstance(owner, Object) for owner in owners):
+            owners = [
+                each
+                for held in _options(expressions.evaluate(run, frame, target.object.object))
+                for each in _held(held)
+            ]
         for owner in owners:
             for option in _pointed(owner):
-                cell = members.member(run, option, target[2], frame)
+                cell = members.member(run, option, target.name, frame)
                 if cell is not None:
                     _maybe(run, frame, cell, value)
-    elif tag == "*":
-        owner = expressions.evaluate(run, frame, target[1])
+    elif isinstance(target, syntax.Dereference):
+        owner = expressions.evaluate(run, frame, target.value)
         for each in owner.options if isinstance(owner, Choice) else (owner,):
             if isinstance(each, Pointer):
                 _maybe(run, frame, each.cell, value)
             elif isinstance(each, Object) and "[of]" in each.fields:
                 _element(run, frame, each.fields["[of]"].value, value)
-    elif tag == "index":
+    elif isinstance(target, syntax.Subscript):
         python = frame.source.program.language == "python"
-        key = expressions.evaluate(run, frame, target[2])
-        for container in _options(expressions.evaluate(run, frame, target[1])):
+        key = expressions.evaluate(run, frame, target.index)
+        for container in _options(expressions.evaluate(run, frame, target.object)):
             if isinstance(container, (Sequence, Mapped)) and (isinstance(key, Known) or python):
                 if python:
                     dispatch.kept(run, container, value)
@@ -73,28 +82,32 @@ def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
                 _element(run, frame, container, value)
             elif isinstance(container, Known):
                 _inside(run, frame, target, container, key, value)
-    elif tag == "call" and target[1][0] == "field":
-        cell = _root(run, frame, target[1][1])
+    elif isinstance(target, syntax.Call) and isinstance(target.callee, syntax.Member):
+        cell = _root(run, frame, target.callee.object)
         if cell is not None:
             _forget(run, frame, cell)
 
 
-def _given_to_library(run: Run, frame: Frame, target: Expression, value: Callable) -> bool:
+def _given_to_library(run: Run, frame: Frame, target: syntax.Member, value: Callable) -> bool:
     """A function is assigned to a member of a struct inside a library's object: the struct is made, as a part of it."""
-    inside = expressions.evaluate(run, frame, target[1])
-    if not isinstance(inside, Library) or target[1][0] != "field" or frame.source.separator != "::":
+    inside = expressions.evaluate(run, frame, target.object)
+    if (
+        not isinstance(inside, Library)
+        or not isinstance(target.object, syntax.Member)
+        or frame.source.separator != "::"
+    ):
         return False
     if not isinstance(inside.this, Object) or inside.this.definition is not None:
         return False
     struct = Object(inside.name, location=inside.this.location)
-    struct.fields[target[2]] = Cell(value)
-    inside.this.fields[target[1][2]] = Cell(struct)
+    struct.fields[target.name] = Cell(value)
+    inside.this.fields[target.object.name] = Cell(struct)
     return True
 
 
-def _inside(run: Run, frame: Frame, target: Expression, container: Known, key: Value, value: Value) -> None:
+def _inside(run: Run, frame: Frame, target: syntax.Subscript, container: Known, key: Value, value: Value) -> None:
     """An element of known data or a character of a text is set: the variable holds other data."""
-    cell = expressions.cell_of(run, frame, target[1])
+    cell = expressions.cell_of(run, frame, target.object)
     data: Any = container.value
     known, item = data_of(value)
     if cell is not None and cell.value is container and known and isinstance(key, Known):
@@ -106,7 +119,7 @@ def _inside(run: Run, frame: Frame, target: Expression, container: Known, key: V
             changed[key.value] = item
             run.state.write(cell, Known(changed))
             return
-    cell = cell if cell is not None else _root(run, frame, target[1])
+    cell = cell if cell is not None else _root(run, frame, target.object)
     if cell is not None:
         _forget(run, frame, cell)
 
@@ -141,12 +154,12 @@ def _root(run: Run, frame: Frame, expression: Expression) -> Cell | None:
         cell = expressions.cell_of(run, frame, expression)
         if cell is not None:
             return cell
-        if expression[0] in ("index", "field", "*"):
-            expression = expression[1]
-        elif expression[0] == "cast":
-            expression = expression[2]
-        elif expression[0] == "call" and expression[1][0] == "field":
-            expression = expression[1][1]
+        if isinstance(expression, (syntax.Subscript, syntax.Member)):
+            expression = expression.object
+        elif isinstance(expression, (syntax.Dereference, syntax.Cast)):
+            expression = expression.value
+        elif isinstance(expression, syntax.Call) and isinstance(expression.callee, syntax.Member):
+            expression = expression.callee.object
         else:
             return None
 
@@ -175,7 +188,7 @@ def _pointed(value: Value) -> list[Value]:
 
 def exposed(run: Run, frame: Frame, expression: Expression) -> None:
     """A reference to one of several is made: what they hold may be changed through it from here on."""
-    for side in expression[2:4] if expression[0] == "if" else ():
+    for side in (expression.then, expression.other) if isinstance(expression, syntax.Conditional) else ():
         cell = expressions.cell_of(run, frame, side)
         if cell is None:
             exposed(run, frame, side)
@@ -190,9 +203,9 @@ def deleted(run: Run, frame: Frame, text: str) -> None:
         if found is None:
             continue
         first, *rest = re.split(r"\s*\.\s*", found[1])
-        expression: Expression = ("this",) if first == "self" and frame.find("self") is None else ("name", first)
+        expression: Expression = syntax.This() if first == "self" and frame.find("self") is None else syntax.Name(first)
         for part in rest:
-            expression = ("field", expression, part)
+            expression = syntax.Member(expression, part)
         cell = expressions.cell_of(run, frame, expression)
         if cell is None:
             continue

@@ -14,8 +14,9 @@ from itertools import count
 from math import isfinite, prod
 from typing import Any, Union
 
+from haros_ci import syntax
 from haros_ci.model.location import Location
-from haros_ci.model.program import Class, Function, Type
+from haros_ci.syntax import Class, Function, Type
 
 #: More possible values than this are not kept apart.
 CHOICES = 8
@@ -105,11 +106,11 @@ class Object:
     """An instance of class *name* (canonical, without template arguments); ``definition`` is None for a library's."""
 
     name: str
-    arguments: tuple[Type, ...] = ()
+    arguments: tuple[syntax.Argument, ...] = ()
     definition: Any = None
     fields: dict[str, Cell] = field(default_factory=dict)
     location: Location | None = None
-    templates: Mapping[str, Type] = field(default_factory=dict)
+    templates: Mapping[str, syntax.Argument] = field(default_factory=dict)
     #: The node handle's namespace, where the object is one: a value.
     namespace: Value | None = None
     #: The ROS 2 node that the object is (``ros2_process.RosNode``).
@@ -152,7 +153,7 @@ class Callable:
     #: Bound arguments in place; None is a placeholder.
     bound: tuple[Value | None, ...] = ()
     frame: Any = None
-    templates: Mapping[str, Type] = field(default_factory=dict)
+    templates: Mapping[str, syntax.Argument] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -67,6 +67,12 @@ class _Noting:
         self.values[group, key] = value
         self._store.put(group, path, key, value)
 
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        return self._store.get_text(group, path, key)
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        self._store.put_text(group, path, key, text)
+
 
 def answers(
     works: list[Work | Run],

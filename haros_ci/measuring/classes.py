@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from haros_ci import syntax
 from haros_ci.code.classes import Owner, class_named, dotted_name, resolved
 from haros_ci.code.codebase import Codebase
 from haros_ci.link.index import Source
-from haros_ci.link.types import is_type
 from haros_ci.measuring.facts import ClassFacts, FileFacts, FunctionFacts
-from haros_ci.model.program import Type
+from haros_ci.syntax import Type
 
 NOWHERE: frozenset[str] = frozenset()
 
@@ -101,9 +101,9 @@ class _Measuring:
         source, definition = each.owner
         scope = definition.name.rpartition(source.separator)[0]
         for base in definition.bases:
-            if source.separator == "." and base[0] == "object":
+            if source.separator == "." and base.name == "object":
                 continue
-            found = self.named(source, scope, base[0])
+            found = self.named(source, scope, base.name)
             yield None if found is each else found
 
     def _owner(self, source: Source, function: FunctionFacts) -> Measured | None:
@@ -142,7 +142,7 @@ class _Measuring:
             if source.separator == ".":
                 self.meant[key] = self._class(dotted_name(source, name), source)
             else:
-                self.meant[key] = self._class(self._type(source, scope, name)[0], source)
+                self.meant[key] = self._class(self._type(source, scope, name).name, source)
         return self.meant[key]
 
     def _set_depth(self, each: Measured) -> None:
@@ -177,24 +177,26 @@ class _Measuring:
             every = [] if found is None else [found]
             if found is None and source.separator == "::":
                 every = [
-                    e for e in map(self._seen_by(source), _parts(self._type(source, scope, name)[1])) if e is not None
+                    e
+                    for e in map(self._seen_by(source), _parts(self._type(source, scope, name).arguments))
+                    if e is not None
                 ]
             head = name.rpartition(source.separator)[0]
             self.mentioned[key] = tuple(every) or (self._mentioned(source, scope, head) if head else ())
         return self.mentioned[key]
 
     def _type(self, source: Source, scope: str, name: str) -> Type:
-        return resolved(self.code, (name, (), ""), scope, source)
+        return resolved(self.code, syntax.Type(name), scope, source)
 
     def _seen_by(self, source: Source) -> Callable[[str], Measured | None]:
         return lambda name: self._class(name, source)
 
 
-def _parts(arguments: Iterable[Type]) -> Iterator[str]:
+def _parts(arguments: Iterable[syntax.Argument]) -> Iterator[str]:
     """The names of the types among template arguments, and in theirs."""
     waiting = list(arguments)
     while waiting:
         each = waiting.pop()
-        if is_type(each):
-            yield each[0]
-            waiting.extend(each[1])
+        if isinstance(each, syntax.Type):
+            yield each.name
+            waiting.extend(each.arguments)

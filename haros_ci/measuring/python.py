@@ -12,7 +12,7 @@ from haros_ci.extract.python.read import tree_of
 from haros_ci.extract.python.source import Source, place
 from haros_ci.measuring.facts import MOST_PROBLEMS, TOO_DEEP, ClassFacts, FileFacts, FunctionFacts
 from haros_ci.measuring.python_body import Body
-from haros_ci.model.program import Program
+from haros_ci.syntax import Program
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)

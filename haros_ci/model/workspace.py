@@ -37,6 +37,12 @@ class Store(Protocol):
 
     def put(self, group: str, path: str, key: str, value: object) -> None: ...
 
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        """The same as the JSON text that it is kept as, for a reader of its own."""
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        """Put a value that is JSON text already, of ASCII characters on one line."""
+
 
 @dataclass(frozen=True, slots=True)
 class Problem:

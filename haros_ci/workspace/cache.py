@@ -9,12 +9,13 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 from zlib import crc32
 
 from haros_ci.errors import UserError
 from haros_ci.workspace.files import TooLarge, read_regular
 
+T = TypeVar("T")
 FORMAT = 1
 SHARDS = 16
 CAP_BYTES = 200_000_000
@@ -60,6 +61,13 @@ class MemoryCache:
     def put(self, group: str, path: str, key: str, value: object) -> None:
         self._values[group, path, key] = value
 
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        value = self.get(group, path, key)
+        return value if isinstance(value, str) else None
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        self.put(group, path, key, text)
+
     def flush(self) -> str | None:
         return None
 
@@ -80,15 +88,16 @@ class DiskCache:
         self._shards: dict[tuple[str, int], _Shard] = {}
 
     def get(self, group: str, path: str, key: str) -> object | None:
-        value = self._shard(group, path).get(f"{key} {path}")
-        if value is None:
-            self.stats.misses += 1
-        else:
-            self.stats.hits += 1
-        return value
+        return self._counted(self._shard(group, path).get(f"{key} {path}"))
 
     def put(self, group: str, path: str, key: str, value: object) -> None:
         self._shard(group, path).put(f"{key} {path}", value)
+
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        return self._counted(self._shard(group, path).get_text(f"{key} {path}"))
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        self._shard(group, path).put_text(f"{key} {path}", text)
 
     def flush(self) -> str | None:
         """Write what is new. A sentence if that is not possible; the run is none the worse for it."""
@@ -123,6 +132,13 @@ class DiskCache:
             raise UserError(
                 f"the cache cannot be read ({err.strerror})", help="name another place with --cache-dir"
             ) from err
+
+    def _counted(self, value: T | None) -> T | None:
+        if value is None:
+            self.stats.misses += 1
+        else:
+            self.stats.hits += 1
+        return value
 
     def _shard(self, group: str, path: str) -> _Shard:
         """By path, so that a changed file rewrites one shard, where its old entries are the first to be dropped."""
@@ -195,6 +211,26 @@ class _Shard:
         self._used.add(entry)
         self.is_changed = True
 
+    def get_text(self, entry: str) -> str | None:
+        """The value's text; whether it is JSON is for its reader to find out."""
+        found = self._entries.get(entry)
+        if isinstance(found, str):
+            head = _LAST_RUN.match(found)
+            if head is None or found[-1] != "]":
+                return None
+            self._used.add(entry)
+            return found[head.end() : -1]
+        value = self.get(entry)
+        try:
+            return None if value is None else json.dumps(value, allow_nan=False)
+        except (ValueError, RecursionError):
+            return None
+
+    def put_text(self, entry: str, text: str) -> None:
+        self._entries[entry] = f"[0,{text}]"
+        self._used.add(entry)
+        self.is_changed = True
+
     def document(self, limit: int) -> str:
         """The file's text, of at most *limit* bytes: the entries that were not used for the longest are left out."""
         rows = []
@@ -202,7 +238,8 @@ class _Shard:
             if isinstance(found, str):
                 written = _LAST_RUN.match(found)
                 if written is not None:
-                    rows.append((int(written[1]), entry, f"{json.dumps(entry)}:{found}"))
+                    last = self._run + 1 if entry in self._used else int(written[1])
+                    rows.append((last, entry, f"{json.dumps(entry)}:[{last},{found[written.end() :]}"))
             elif isinstance(found, list) and len(found) == 2 and isinstance(found[0], int):
                 last = self._run + 1 if entry in self._used else found[0]
                 try:

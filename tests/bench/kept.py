@@ -43,6 +43,13 @@ class Written(MemoryCache):
     def put(self, group: str, path: str, key: str, value: object) -> None:
         super().put(group, path, key, json.dumps(value))
 
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        found = super().get(group, path, key)
+        return found if isinstance(found, str) else None
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        super().put(group, path, key, text)
+
 
 class Forgetful:
     """The facts of files that *store* has, but not what was followed."""
@@ -56,6 +63,12 @@ class Forgetful:
     def put(self, group: str, path: str, key: str, value: object) -> None:
         if group != LINKED:
             self._store.put(group, path, key, value)
+
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        return self._store.get_text(group, path, key)
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        self._store.put_text(group, path, key, text)
 
 
 def model(root: Path, store: Any) -> tuple[str, float]:

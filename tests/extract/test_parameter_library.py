@@ -6,10 +6,16 @@ import math
 from typing import Any
 
 import pytest
+from syntax_kit import shown
 
-from haros_ci.extract.parameter_library import read_parameter_library
-from haros_ci.extract.program_json import from_json, to_json
-from haros_ci.model.program import Program
+from haros_ci.extract.parameter_library import read_parameter_library as typed_library
+from haros_ci.syntax import Program
+from haros_ci.syntax.codec import decoded, encoded
+
+
+def read_parameter_library(path: str, text: str, language: str = "cpp") -> Any:
+    return shown(typed_library(path, text, language))
+
 
 WHOLE = """\
 arm_driver:
@@ -301,11 +307,10 @@ def test_maps_in_maps_take_their_keys_from_the_nearest_scope() -> None:
 @pytest.mark.parametrize("language", ["cpp", "python"])
 @pytest.mark.parametrize("text", [WHOLE, NESTED, "ns:\n  p: {type: double, default_value: .nan}\n", "", "a: ["])
 def test_programs_survive_the_cache(text: str, language: str) -> None:
-    program = read_parameter_library("x.yaml", text, language)
-    data = json.loads(json.dumps(to_json(program), allow_nan=False))
-    again = from_json(data)
-    assert again is not None
-    assert json.dumps(to_json(again)) == json.dumps(to_json(program))
+    program = typed_library("x.yaml", text, language)
+    written = encoded(program)
+    assert decoded(written) == program
+    assert json.loads(written or "")
 
 
 @pytest.mark.parametrize(

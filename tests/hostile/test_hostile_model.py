@@ -5,13 +5,12 @@ from __future__ import annotations
 
 import json
 import shutil
-from dataclasses import fields
 from pathlib import Path
 
 import pytest
 from commandline import haros, write
 
-from haros_ci.model.program import Function
+from haros_ci.syntax import Function
 
 GOOD = {
     "good/package.xml": '<package format="2"><name>good</name><version>1.0.0</version></package>',
@@ -100,7 +99,7 @@ def test_a_hostile_package(name: str, tmp_path: Path) -> None:
 
 
 #: Where a function's body stands among its values in the cache.
-BODY = [field.name for field in fields(Function)].index("body")
+BODY = Function.__struct_fields__.index("body")
 
 
 def spoil(value: object, turn: int) -> object:
@@ -130,6 +129,25 @@ def test_a_planted_cache(tmp_path: Path) -> None:
         assert done.returncode == 0, done.stderr
         assert "Traceback" not in done.stderr
     assert spoilt
+
+
+@pytest.mark.parametrize("lines", [True, False])
+@pytest.mark.parametrize("depth", [90, 400, 5_000, 200_000])
+def test_planted_facts_of_any_depth(tmp_path: Path, depth: int, lines: bool) -> None:
+    """Expressions nested deeper than any front end writes them: taken or not, the run ends well."""
+    root = write(tmp_path / "ws", GOOD)
+    cache = tmp_path / "cache"
+    haros("model", ".", f"--cache-dir={cache}", cwd=root)
+    (shard,) = (path for path in cache.iterdir() if path.name.startswith("facts-"))
+    text = shard.read_text()
+    deep = '["do",' + '["star",' * depth + '["none"]' + "]" * depth + "],"
+    planted = text.replace('["do",', deep + '["do",', 1)
+    assert planted != text
+    shard.write_text(planted if lines else planted.replace(",\n", ", "))
+    done = haros("model", ".", "--format=json", f"--cache-dir={cache}", cwd=root)
+    assert done.returncode == 0, done.stderr
+    assert "Traceback" not in done.stderr
+    assert "/chatter" in done.stdout or depth < 1_000
 
 
 def test_a_planted_record_of_what_was_followed(tmp_path: Path) -> None:

@@ -43,6 +43,12 @@ class Nothing:
     def put(self, group: str, path: str, key: str, value: object) -> None:
         return None
 
+    def get_text(self, group: str, path: str, key: str) -> None:
+        return None
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        return None
+
 
 def workspace(texts: Mapping[str, str], ros: int | None = None) -> Workspace:
     """The workspace with these files; every first directory is a package, of the ROS version *ros*."""

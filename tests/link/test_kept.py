@@ -48,6 +48,12 @@ class Cache:
         if group != "linked" or self.keeps:
             self.kept[group, path, key] = json.dumps(value)
 
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        return self.kept.get((group, path, key))
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        self.kept[group, path, key] = text
+
     def records(self) -> list[tuple[str, str, str]]:
         return [place for place in self.kept if place[0] == "linked" and place[1] != "last"]
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import pytest
 
 from haros_ci.link.types import ros2_type
+from haros_ci.syntax import Type
 
 
 @pytest.mark.parametrize(
@@ -26,4 +27,4 @@ from haros_ci.link.types import ros2_type
     ],
 )
 def test_what_an_action_is_made_of(written: str, meant: str | None) -> None:
-    assert ros2_type((written, (), "")) == meant
+    assert ros2_type(Type(written)) == meant

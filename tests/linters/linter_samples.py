@@ -56,6 +56,14 @@ class MemoryStore:
     def put(self, group: str, path: str, key: str, value: object) -> None:
         self.values[group, path, key] = json.dumps(value)
 
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        text = self.values.get((group, path, key))
+        self.hits += text is not None
+        return text
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        self.values[group, path, key] = text
+
 
 def workspace(
     root: Path, files: Mapping[str, str | bytes], packages: Iterable[Package] = (), targets: Iterable[str] | None = None

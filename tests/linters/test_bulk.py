@@ -23,6 +23,12 @@ class NoStore:
     def put(self, group: str, path: str, key: str, value: object) -> None:
         pass
 
+    def get_text(self, group: str, path: str, key: str) -> str | None:
+        return None
+
+    def put_text(self, group: str, path: str, key: str, text: str) -> None:
+        pass
+
 
 @pytest.mark.parametrize(
     ("path", "lines", "generated", "expected"),

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from tree_sitter import Node
 
+from haros_ci import syntax
 from haros_ci.extract.cpp import expressions, types
 from haros_ci.extract.cpp.grammar import field, kinds
 from haros_ci.extract.cpp.unit import Unit
@@ -24,34 +23,34 @@ _DEPENDENT = kinds("dependent_name")
 _FIELD_EXPRESSION = kinds("field_expression")
 
 
-def call(unit: Unit, node: Node, depth: int) -> Any:
+def call(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     """A call or a named cast."""
     children = node.children
     if len(children) != 2:
         return unit.opaque(node)
     function, given = children
     kind = function.kind_id
-    chosen: tuple[Any, ...] = ()
-    callee: Any
+    chosen: tuple[syntax.Argument, ...] = ()
+    callee: syntax.Expression
     if kind in _IDENTIFIER:
-        callee = ("name", unit.cut(function))
+        callee = syntax.Name(unit.cut(function))
     elif kind in _FIELD_EXPRESSION:
         callee, chosen = _member(unit, function, depth + 1)
     elif kind in _QUALIFIED or kind in _TEMPLATE_FUNCTION:
         name, chosen = types.path(unit, function, depth)
-        callee = ("name", name)
-        if name in _CASTS and len(chosen) == 1:
+        callee = syntax.Name(name)
+        if name in _CASTS and len(chosen) == 1 and isinstance(chosen[0], syntax.Type):
             values = expressions.arguments(unit, given, depth)
-            return ("cast", chosen[0], values[0] if len(values) == 1 else unit.opaque(given))
+            return syntax.Cast(chosen[0], values[0] if len(values) == 1 else unit.opaque(given))
     else:
         callee = expressions.expression(unit, function, depth)
-        if callee[0] == "type":
-            callee = ("name", callee[1][0])
+        if isinstance(callee, syntax.TypeName):
+            callee = syntax.Name(callee.type.name)
     line, column = unit.position(node)
-    return ("call", callee, expressions.arguments(unit, given, depth), chosen, line, column)
+    return syntax.Call(callee, expressions.arguments(unit, given, depth), chosen, line, column)
 
 
-def _member(unit: Unit, node: Node, depth: int) -> tuple[Any, tuple[Any, ...]]:
+def _member(unit: Unit, node: Node, depth: int) -> tuple[syntax.Expression, tuple[syntax.Argument, ...]]:
     """A member access, and the template arguments after it."""
     children = node.children
     if len(children) != 3:
@@ -59,20 +58,20 @@ def _member(unit: Unit, node: Node, depth: int) -> tuple[Any, tuple[Any, ...]]:
     receiver, operator, member = children
     inner = expressions.expression(unit, receiver, depth)
     if operator.end_byte - operator.start_byte > 1 and unit.text[operator.end_byte - 1] == "*":
-        return ("op", unit.cut(operator), (inner, expressions.expression(unit, member, depth))), ()
+        return syntax.Operation(unit.cut(operator), (inner, expressions.expression(unit, member, depth))), ()
     kind = member.kind_id
     if kind in _DEPENDENT or kind in _TEMPLATE_METHOD or kind in _QUALIFIED:
         name, chosen = types.path(unit, member, depth)
-        return ("field", inner, name), chosen
-    return ("field", inner, unit.cut(member)), ()
+        return syntax.Member(inner, name), chosen
+    return syntax.Member(inner, unit.cut(member)), ()
 
 
-def field_access(unit: Unit, node: Node, depth: int) -> Any:
+def field_access(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     """``a.b``, ``a->b``."""
     return _member(unit, node, depth)[0]
 
 
-def new(unit: Unit, node: Node, depth: int) -> Any:
+def new(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     """``new T(x)``; an array of T is a pointer to it."""
     type_node = node.child_by_field_id(_TYPE)
     if type_node is None:
@@ -80,16 +79,16 @@ def new(unit: Unit, node: Node, depth: int) -> Any:
     given = node.child_by_field_id(_ARGUMENTS)
     made = types.plain_type(unit, type_node, depth)
     if node.child_by_field_id(_DECLARATOR) is not None:
-        made = (made[0], made[1], made[2] + "*")
+        made = made.marked("*")
     line, column = unit.position(node)
-    return ("new", made, () if given is None else expressions.arguments(unit, given, depth), line, column)
+    return syntax.New(made, () if given is None else expressions.arguments(unit, given, depth), line, column)
 
 
-def braced(unit: Unit, node: Node, depth: int) -> Any:
+def braced(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     """``T{x}``: a call."""
     type_node, value = node.child_by_field_id(_TYPE), node.child_by_field_id(_VALUE)
     if type_node is None or value is None:
         return unit.opaque(node)
-    name, chosen, _ = expressions.named_type(unit, type_node, depth)[1]
+    made = expressions.named_type(unit, type_node, depth).type
     line, column = unit.position(node)
-    return ("call", ("name", name), expressions.arguments(unit, value, depth), chosen, line, column)
+    return syntax.Call(syntax.Name(made.name), expressions.arguments(unit, value, depth), made.arguments, line, column)

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from tree_sitter import Node
 
+from haros_ci import syntax
 from haros_ci.extract.cpp import expansion, expressions, scopes, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Scope, Unit
-from haros_ci.model.program import Class, Field
+from haros_ci.syntax import Class, Field
 
 _NAME = field("name")
 _BODY = field("body")
@@ -28,7 +28,7 @@ _PARENTHESES = kinds("argument_list")
 IGNORED = kinds("bitfield_clause attribute_specifier attribute_declaration gnu_asm_expression ERROR")
 
 #: A declarator with its initialiser; "function" where it declares one.
-Variable = tuple["types.Declared", Any]
+Variable = tuple["types.Declared", syntax.Init | None | str]
 
 
 def variables(unit: Unit, node: Node, scope: Scope, depth: int) -> Iterator[Variable]:
@@ -37,8 +37,9 @@ def variables(unit: Unit, node: Node, scope: Scope, depth: int) -> Iterator[Vari
     for declared, init in declarators(unit, before, depth):
         if init is None and declared.function is not None:
             given = expansion.constructed(unit, declared.function, depth)
-            init = "function" if given is None else ("(", given)
-        yield declared, init
+            yield declared, "function" if given is None else syntax.Parentheses(given)
+        else:
+            yield declared, init
 
 
 def before_declarators(unit: Unit, node: Node, scope: Scope, depth: int) -> types.Specifiers:
@@ -49,17 +50,19 @@ def before_declarators(unit: Unit, node: Node, scope: Scope, depth: int) -> type
     kind = before.node.kind_id
     if kind in types.ENUM:
         enumeration(unit, before.node, scope, depth)
-        if before.type[0] == "":
-            return before._replace(type=("int", (), before.type[2]))
+        if before.type.name == "":
+            return before._replace(type=syntax.Type("int", (), before.type.marks))
     elif kind in types.CLASS_KINDS and before.node.child_by_field_id(_BODY) is not None:
         is_used = any(child.is_named for child in before.rest)
         name = class_of(unit, before.node, scope, depth, is_used)
-        if name and before.type[0] == "":
-            return before._replace(type=(name, (), before.type[2]))
+        if name and before.type.name == "":
+            return before._replace(type=syntax.Type(name, (), before.type.marks))
     return before
 
 
-def declarators(unit: Unit, before: types.Specifiers, depth: int) -> Iterator[Variable]:
+def declarators(
+    unit: Unit, before: types.Specifiers, depth: int
+) -> Iterator[tuple[types.Declared, syntax.Init | None]]:
     """The declarators after *before*, each with its initialiser or None; unknown ones where there is an error."""
     rest = before.rest
     if any(child.kind_id == ERROR for child in rest):
@@ -74,12 +77,12 @@ def declarators(unit: Unit, before: types.Specifiers, depth: int) -> Iterator[Va
             continue
         if kind in _SEMICOLON or not node.is_named:
             return
-        init: Any = None
+        init: syntax.Init | None = None
         if kind in _INITIALIZER:
             children = node.children
             node, value = children[0], children[-1]
             if expressions.is_damaged(each):
-                init = ("=", expressions.damaged(unit, each, children[1:], depth))
+                init = syntax.Equals(expressions.damaged(unit, each, children[1:], depth))
             else:
                 init = _initialiser(unit, value, any(child.kind_id in _EQUALS for child in children), depth)
         else:
@@ -95,21 +98,21 @@ def declarators(unit: Unit, before: types.Specifiers, depth: int) -> Iterator[Va
         yield types.declarator(unit, node, before.type, depth), init
 
 
-def _damaged(unit: Unit, before: types.Specifiers, depth: int) -> Iterator[Variable]:
+def _damaged(unit: Unit, before: types.Specifiers, depth: int) -> Iterator[tuple[types.Declared, syntax.Init]]:
     for child in before.rest:
         node = child.children[0] if child.kind_id in _INITIALIZER else child
         if node.kind_id in types.DECLARATORS:
             declared = types.declarator(unit, node, before.type, depth)
-            yield declared, ("=", expressions.damaged(unit, child, before.rest, depth))
+            yield declared, syntax.Equals(expressions.damaged(unit, child, before.rest, depth))
 
 
-def _initialiser(unit: Unit, value: Node, equals: bool, depth: int) -> Any:
+def _initialiser(unit: Unit, value: Node, equals: bool, depth: int) -> syntax.Init | None:
     if equals:
-        return ("=", expressions.expression(unit, value, depth))
+        return syntax.Equals(expressions.expression(unit, value, depth))
     if value.kind_id in _PARENTHESES:
-        return ("(", expressions.arguments(unit, value, depth))
+        return syntax.Parentheses(expressions.arguments(unit, value, depth))
     if value.kind_id in _BRACES:
-        return ("{", expressions.arguments(unit, value, depth))
+        return syntax.Braces(expressions.arguments(unit, value, depth))
     return None
 
 
@@ -163,8 +166,8 @@ def enumeration(unit: Unit, node: Node, scope: Scope, depth: int, alias: str = "
     prefixes = [f"{name}::"] if name else []
     if not is_scoped:
         prefixes.append("")
-    type_ = (scope.qualified(name) if name else "int", (), "c")
-    start: Any = ("num", 0)
+    type_ = syntax.Type(scope.qualified(name) if name else "int", (), "c")
+    start: syntax.Expression = syntax.Number(0)
     count = 0
     for child in _enumerators(body):
         child_name = child.child_by_field_id(_NAME)
@@ -173,16 +176,16 @@ def enumeration(unit: Unit, node: Node, scope: Scope, depth: int, alias: str = "
         given = child.child_by_field_id(_VALUE)
         if given is not None:
             start, count = expressions.expression(unit, given, depth), 0
-        if start[0] == "num":
-            value: Any = ("num", start[1] + count)
+        if isinstance(start, syntax.Number):
+            value: syntax.Expression = syntax.Number(start.value + count)
         else:
-            value = ("op", "+", (start, ("num", count))) if count else start
+            value = syntax.Operation("+", (start, syntax.Number(count))) if count else start
         count += 1
         line, column = unit.position(child_name)
         text = unit.cut(child_name)
         for prefix in prefixes:
             qualified = scope.qualified(prefix + text)
-            unit.found.variables.append(Field(qualified, type_, ("=", value), line, column, True))
+            unit.found.variables.append(Field(qualified, type_, syntax.Equals(value), line, column, True))
 
 
 def _enumerators(body: Node) -> Iterator[Node]:

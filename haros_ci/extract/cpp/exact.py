@@ -17,7 +17,7 @@ from typing import Any
 
 from haros_ci.model.workspace import Problem
 
-#: Path, line and column where a call begins, as in ``haros_ci.model.program``.
+#: Path, line and column where a call begins, as in ``haros_ci.syntax``.
 Place = tuple[str, int, int]
 Scalar = str | bool | int | float
 #: An answer beyond this many characters is not read.

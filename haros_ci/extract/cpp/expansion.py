@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from typing import Any
 
 from tree_sitter import Node
 
+from haros_ci import syntax
 from haros_ci.extract.cpp import expressions, statements, types
 from haros_ci.extract.cpp.grammar import field, kinds, parse
 from haros_ci.extract.cpp.unit import Unit
@@ -41,7 +41,7 @@ def _block(text: str) -> Node | None:
     return root.children[0].child_by_field_id(_BODY)
 
 
-def expand(unit: Unit, call: Node, depth: int, out: list[Any]) -> bool:
+def expand(unit: Unit, call: Node, depth: int, out: list[syntax.Statement]) -> bool:
     """Lower a use of a macro of this file as its body, all of it at the use's position; False if it is not simple."""
     function, given = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
     if function is None or given is None or function.kind_id not in _IDENTIFIER:
@@ -83,7 +83,7 @@ def _substituted(body: str, parameters: tuple[str, ...], texts: list[str]) -> st
     return re.sub(r"\s*\0", "", _TOKEN.sub(token, body))
 
 
-def constructed(unit: Unit, head: Node, depth: int) -> tuple[Any, ...] | None:
+def constructed(unit: Unit, head: Node, depth: int) -> tuple[syntax.Expression, ...] | None:
     """The arguments of ``T x(a, b)`` where the tree has a function's declaration; None where it is one.
 
     Inside functions, a declaration of a function is rare and one of a variable is common: it is taken for a function
@@ -93,7 +93,7 @@ def constructed(unit: Unit, head: Node, depth: int) -> tuple[Any, ...] | None:
     if children[-1].kind_id not in _PARAMETERS:
         return None
     listed = children[-1]
-    names: list[Any] | None = []
+    names: list[syntax.Expression] | None = []
     named = 0
     for child in listed.children:
         kind = child.kind_id
@@ -107,7 +107,7 @@ def constructed(unit: Unit, head: Node, depth: int) -> tuple[Any, ...] | None:
         parts = child.children
         if len(parts) == 1 and parts[0].kind_id in _NAMED:
             if names is not None:
-                names.append(("name", types.path(unit, parts[0], depth)[0]))
+                names.append(syntax.Name(types.path(unit, parts[0], depth)[0]))
             continue
         names = None
         if any(part.kind_id in _NEVER for part in parts):
@@ -123,7 +123,7 @@ def constructed(unit: Unit, head: Node, depth: int) -> tuple[Any, ...] | None:
     return _reread(unit, listed, depth)
 
 
-def _reread(unit: Unit, listed: Node, depth: int) -> tuple[Any, ...]:
+def _reread(unit: Unit, listed: Node, depth: int) -> tuple[syntax.Expression, ...]:
     text = "x" + unit.text[listed.start_byte : listed.end_byte] + ";"
     node = _block(text)
     if node is not None:

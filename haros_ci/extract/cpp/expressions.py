@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from tree_sitter import Node
 
+from haros_ci import syntax
 from haros_ci.extract.cpp import calls, functions, literals, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Unit
@@ -38,11 +38,11 @@ _DESIGNATOR = kinds("field_designator")
 _DESCRIPTOR = kinds("type_descriptor")
 _UNUSED = kinds("expression_statement comma_expression")
 
-Handler = Callable[[Unit, Node, int], Any]
+Handler = Callable[[Unit, Node, int], syntax.Expression]
 
 
-def expression(unit: Unit, node: Node, depth: int) -> Any:
-    """The expression that *node* stands for; ("?", text) below DEEPEST or where nothing fits."""
+def expression(unit: Unit, node: Node, depth: int) -> syntax.Expression:
+    """The expression that *node* stands for; unknown below DEEPEST or where nothing fits."""
     if depth > DEEPEST:
         unit.problem(node, TOO_DEEP)
         return unit.opaque(node)
@@ -58,7 +58,7 @@ def is_damaged(node: Node) -> bool:
     return node.has_error and any(child.kind_id == ERROR for child in node.children)
 
 
-def damaged(unit: Unit, node: Node, nodes: list[Node], depth: int) -> Any:
+def damaged(unit: Unit, node: Node, nodes: list[Node], depth: int) -> syntax.Expression:
     """What is around a syntax error: of unknown value, but with the calls that can be told."""
     inside = []
     for each in nodes:
@@ -66,14 +66,16 @@ def damaged(unit: Unit, node: Node, nodes: list[Node], depth: int) -> Any:
             inside.append(expression(unit, each, depth))
         elif (each.kind_id in _LISTS or each.kind_id == ERROR) and depth < DEEPEST:
             inside.append(damaged(unit, each, each.children, depth + 1))
-    return ("op", "?", (unit.opaque(node), ("list", tuple(inside)))) if inside else unit.opaque(node)
+    return (
+        syntax.Operation("?", (unit.opaque(node), syntax.ListLiteral(tuple(inside)))) if inside else unit.opaque(node)
+    )
 
 
-def arguments(unit: Unit, node: Node, depth: int) -> tuple[Any, ...]:
+def arguments(unit: Unit, node: Node, depth: int) -> tuple[syntax.Expression, ...]:
     """The expressions of an argument list or of braces; an unknown number where there is a syntax error."""
     if is_damaged(node):
-        return (("star", damaged(unit, node, node.children, depth)),)
-    found = []
+        return (syntax.Star(damaged(unit, node, node.children, depth)),)
+    found: list[syntax.Expression] = []
     for child in node.children:
         if child.is_named:
             kind = child.kind_id
@@ -88,16 +90,16 @@ def _operands(node: Node) -> list[Node]:
     return [child for child in node.children if child.is_named]
 
 
-def _name(unit: Unit, node: Node, depth: int) -> Any:
+def _name(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     text = unit.cut(node)
-    return ("name", text) if text else ("?", "")
+    return syntax.Name(text) if text else syntax.Unknown("")
 
 
-def _qualified(unit: Unit, node: Node, depth: int) -> Any:
-    return ("name", types.path(unit, node, depth)[0])
+def _qualified(unit: Unit, node: Node, depth: int) -> syntax.Expression:
+    return syntax.Name(types.path(unit, node, depth)[0])
 
 
-def _binary(unit: Unit, node: Node, depth: int) -> Any:
+def _binary(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     """Chains such as ``a << b << c`` lean to the left: they are unrolled, for speed and for the stack."""
     waiting: list[tuple[str, Node]] = []
     left = node
@@ -118,27 +120,27 @@ def _binary(unit: Unit, node: Node, depth: int) -> Any:
     level = len(waiting)
     for operator, right in reversed(waiting):
         level -= 1
-        result = ("op", operator, (result, expression(unit, right, depth + level)))
+        result = syntax.Operation(operator, (result, expression(unit, right, depth + level)))
     return result
 
 
-def _unary(unit: Unit, node: Node, depth: int) -> Any:
+def _unary(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = node.children
     operator = unit.cut(children[0])
     value = expression(unit, children[-1], depth)
     operator = _SPELLED.get(operator, operator)
-    if value[0] == "num" and operator in ("-", "+"):
-        return ("num", -value[1] if operator == "-" else value[1])
-    return ("op", operator, (value,))
+    if isinstance(value, syntax.Number) and operator in ("-", "+"):
+        return syntax.Number(-value.value if operator == "-" else value.value)
+    return syntax.Operation(operator, (value,))
 
 
-def _pointer(unit: Unit, node: Node, depth: int) -> Any:
+def _pointer(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = node.children
-    operator = "*" if unit.cut(children[0]) == "*" else "&"
-    return (operator, expression(unit, children[-1], depth))
+    kind = syntax.Dereference if unit.cut(children[0]) == "*" else syntax.Address
+    return kind(expression(unit, children[-1], depth))
 
 
-def _set(unit: Unit, node: Node, depth: int) -> Any:
+def _set(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = node.children
     operator = next((child for child in children if not child.is_named), None)
     if operator is None or len(children) < 2:
@@ -147,131 +149,132 @@ def _set(unit: Unit, node: Node, depth: int) -> Any:
     target = expression(unit, children[0], depth)
     is_whole = len(children) == 3
     value = expression(unit, children[2], depth) if is_whole else damaged(unit, node, children[1:], depth)
-    return ("set", _SPELLED.get(text, text), target, value)
+    return syntax.Assignment(_SPELLED.get(text, text), target, value)
 
 
-def _update(unit: Unit, node: Node, depth: int) -> Any:
+def _update(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     argument = node.child_by_field_id(_ARGUMENT)
     if argument is None:
         return unit.opaque(node)
     is_prefix = argument.start_byte > node.start_byte
     sign = unit.text[node.start_byte] if is_prefix else unit.text[node.end_byte - 1]
-    changed = ("set", sign + "=", expression(unit, argument, depth), ("num", 1))
+    changed = syntax.Assignment(sign + "=", expression(unit, argument, depth), syntax.Number(1))
     above = node.parent
     if is_prefix or above is None or above.kind_id in _UNUSED or above.child_by_field_id(_UPDATED) == node:
         return changed
-    return ("op", "-" if sign == "+" else "+", (changed, ("num", 1)))  # x++ is (x += 1) - 1
+    return syntax.Operation("-" if sign == "+" else "+", (changed, syntax.Number(1)))  # x++ is (x += 1) - 1
 
 
-def _conditional(unit: Unit, node: Node, depth: int) -> Any:
+def _conditional(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     values = [expression(unit, child, depth) for child in _operands(node)]
     if len(values) == 3:
-        return ("if", values[0], values[1], values[2])
-    return ("if", values[0], values[0], values[1]) if len(values) == 2 else unit.opaque(node)
+        return syntax.Conditional(values[0], values[1], values[2])
+    return syntax.Conditional(values[0], values[0], values[1]) if len(values) == 2 else unit.opaque(node)
 
 
-def _parentheses(unit: Unit, node: Node, depth: int) -> Any:
+def _parentheses(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     for child in _operands(node):
         if child.kind_id in _BLOCK:
             line, column = unit.position(child)
-            return ("call", functions.block_as_lambda(unit, child, depth), (), (), line, column)
+            return syntax.Call(functions.block_as_lambda(unit, child, depth), (), (), line, column)
         return expression(unit, child, depth)
     return unit.opaque(node)
 
 
-def _comma(unit: Unit, node: Node, depth: int) -> Any:
-    return ("op", ",", tuple(expression(unit, child, depth) for child in _operands(node)))
+def _comma(unit: Unit, node: Node, depth: int) -> syntax.Expression:
+    return syntax.Operation(",", tuple(expression(unit, child, depth) for child in _operands(node)))
 
 
-def _index(unit: Unit, node: Node, depth: int) -> Any:
+def _index(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = _operands(node)
     if len(children) != 2:
         return unit.opaque(node)
     inside = arguments(unit, children[1], depth)
-    subscript = inside[0] if len(inside) == 1 else ("list", inside)
-    return ("index", expression(unit, children[0], depth), subscript)
+    subscript = inside[0] if len(inside) == 1 else syntax.ListLiteral(inside)
+    return syntax.Subscript(expression(unit, children[0], depth), subscript)
 
 
-def _cast(unit: Unit, node: Node, depth: int) -> Any:
+def _cast(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     type_node, value = node.child_by_field_id(_TYPE), node.child_by_field_id(_VALUE)
     if type_node is None or value is None:
         return unit.opaque(node)
-    return ("cast", types.descriptor(unit, type_node, depth), expression(unit, value, depth))
+    return syntax.Cast(types.descriptor(unit, type_node, depth), expression(unit, value, depth))
 
 
-def _keyword(unit: Unit, node: Node, depth: int) -> Any:
+def _keyword(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = node.children
     operands = _operands(node)
     if not operands:
         return unit.opaque(node)
-    return ("op", unit.cut(children[0]), (expression(unit, operands[-1], depth),))
+    return syntax.Operation(unit.cut(children[0]), (expression(unit, operands[-1], depth),))
 
 
-def named_type(unit: Unit, node: Node, depth: int) -> Any:
-    """("type", T) for a type where an expression is expected."""
+def named_type(unit: Unit, node: Node, depth: int) -> syntax.TypeName:
+    """The name of a type where an expression is expected."""
     if node.kind_id in _DESCRIPTOR:
-        return ("type", types.descriptor(unit, node, depth))
-    return ("type", types.plain_type(unit, node, depth))
+        return syntax.TypeName(types.descriptor(unit, node, depth))
+    return syntax.TypeName(types.plain_type(unit, node, depth))
 
 
-def _string(unit: Unit, node: Node, depth: int) -> Any:
-    return ("str", literals.string(unit.cut(node)))
+def _string(unit: Unit, node: Node, depth: int) -> syntax.Expression:
+    return syntax.String(literals.string(unit.cut(node)))
 
 
-def _strings(unit: Unit, node: Node, depth: int) -> Any:
-    pieces: list[Any] = []
+def _strings(unit: Unit, node: Node, depth: int) -> syntax.Expression:
+    pieces: list[syntax.Expression] = []
     for child in _operands(node):
         piece = expression(unit, child, depth)
-        if piece[0] == "str" and pieces and pieces[-1][0] == "str":
-            pieces[-1] = ("str", pieces[-1][1] + piece[1])
+        last = pieces[-1] if pieces else None
+        if isinstance(piece, syntax.String) and isinstance(last, syntax.String):
+            pieces[-1] = syntax.String(last.value + piece.value)
         else:
             pieces.append(piece)
-    return pieces[0] if len(pieces) == 1 else ("format", tuple(pieces))
+    return pieces[0] if len(pieces) == 1 else syntax.Format(tuple(pieces))
 
 
-def _number(unit: Unit, node: Node, depth: int) -> Any:
+def _number(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     value = literals.number(unit.text[node.start_byte : node.end_byte])
-    return unit.opaque(node) if value is None else ("num", value)
+    return unit.opaque(node) if value is None else syntax.Number(value)
 
 
-def _suffixed(unit: Unit, node: Node, depth: int) -> Any:
+def _suffixed(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = node.children
     value, suffix = expression(unit, children[0], depth), unit.cut(children[-1])
-    if value[0] == "str" and suffix in ("s", "sv"):
+    if isinstance(value, syntax.String) and suffix in ("s", "sv"):
         return value
     line, column = unit.position(node)
-    return ("call", ("name", 'operator""' + suffix), (value,), (), line, column)
+    return syntax.Call(syntax.Name('operator""' + suffix), (value,), (), line, column)
 
 
-def _character(unit: Unit, node: Node, depth: int) -> Any:
+def _character(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     text = unit.cut(node)
     value = literals.character(text)
     if value is None:
         return unit.opaque(node)
     is_wide = text.startswith(("L", "u'", "U"))
-    return ("num", value) if is_wide else ("cast", ("char", (), ""), ("num", value))
+    return syntax.Number(value) if is_wide else syntax.Cast(syntax.Type("char"), syntax.Number(value))
 
 
-def _designated(unit: Unit, node: Node, depth: int) -> Any:
+def _designated(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     children = node.children
     value = expression(unit, children[-1], depth)
     first = children[0]
-    return ("kw", unit.cut(first)[1:].strip(), value) if first.kind_id in _DESIGNATOR else value
+    return syntax.Keyword(unit.cut(first)[1:].strip(), value) if first.kind_id in _DESIGNATOR else value
 
 
-def _pack(unit: Unit, node: Node, depth: int) -> Any:
-    return ("star", expression(unit, node.children[0], depth))
+def _pack(unit: Unit, node: Node, depth: int) -> syntax.Expression:
+    return syntax.Star(expression(unit, node.children[0], depth))
 
 
-def _list(unit: Unit, node: Node, depth: int) -> Any:
-    return ("list", arguments(unit, node, depth))
+def _list(unit: Unit, node: Node, depth: int) -> syntax.Expression:
+    return syntax.ListLiteral(arguments(unit, node, depth))
 
 
-def _lambda(unit: Unit, node: Node, depth: int) -> Any:
+def _lambda(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     return functions.lambda_expression(unit, node, depth)
 
 
-def _constant(value: Any) -> Handler:
+def _constant(value: syntax.Expression) -> Handler:
     return lambda unit, node, depth: value
 
 
@@ -279,10 +282,10 @@ _HANDLERS: dict[int, Handler] = table(
     {
         "identifier field_identifier namespace_identifier operator_name destructor_name": _name,
         "qualified_identifier template_function template_method dependent_name": _qualified,
-        "this": _constant(("this",)),
-        "true": _constant(("bool", True)),
-        "false": _constant(("bool", False)),
-        "null": _constant(("none",)),
+        "this": _constant(syntax.This()),
+        "true": _constant(syntax.Boolean(True)),
+        "false": _constant(syntax.Boolean(False)),
+        "null": _constant(syntax.Null()),
         "field_expression": calls.field_access,
         "call_expression": calls.call,
         "binary_expression": _binary,

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from tree_sitter import Node
 
+from haros_ci import syntax
 from haros_ci.extract.cpp import expressions, statements, types
 from haros_ci.extract.cpp.grammar import ERROR, errors, kinds
-from haros_ci.extract.cpp.unit import AUTO, Scope, Unit
-from haros_ci.model.program import Function
+from haros_ci.extract.cpp.unit import Scope, Unit
+from haros_ci.syntax import Function
 
 _ERRORS = 20
 _BODY = kinds("compound_statement")
@@ -60,13 +60,13 @@ def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scop
     kind = "function"
     if last.startswith("~"):
         kind = "destructor"
-    elif owner.rpartition("::")[2] == last and (before.node is None or before.type[0].isupper()):
+    elif owner.rpartition("::")[2] == last and (before.node is None or before.type.name.isupper()):
         kind = "constructor"
     slot = len(unit.found.functions)
     unit.found.functions.append(None)
     around = unit.function, unit.owner
     unit.function, unit.owner = name, owner
-    parameters: tuple[Any, ...] = ()
+    parameters: tuple[syntax.Parameter, ...] = ()
     is_virtual = before.is_virtual
     for child in head.children:
         if child.kind_id in types.PARAMETER_LIST:
@@ -95,11 +95,11 @@ def declare(unit: Unit, declared: types.Declared, before: types.Specifiers, scop
     )
 
 
-def _definition(unit: Unit, node: Node) -> tuple[tuple[Any, ...] | None, tuple[int, int], tuple[Any, ...]]:
+def _definition(unit: Unit, node: Node) -> tuple[syntax.Block | None, tuple[int, int], tuple[syntax.Initializer, ...]]:
     """Body, its brace and the initialisers; defaulted and deleted functions have no body."""
-    body: tuple[Any, ...] | None = None
+    body: syntax.Block | None = None
     brace = (0, 0)
-    inits: tuple[Any, ...] = ()
+    inits: tuple[syntax.Initializer, ...] = ()
     for child in node.children:
         kind = child.kind_id
         if kind in _INITS:
@@ -128,31 +128,31 @@ def _note(unit: Unit, node: Node) -> None:
             return
 
 
-def _initialisers(unit: Unit, node: Node) -> tuple[Any, ...]:
+def _initialisers(unit: Unit, node: Node) -> tuple[syntax.Initializer, ...]:
     found = []
     for child in node.children:
         if child.kind_id not in _INIT:
             continue
         children = child.children
         name, chosen = types.path(unit, children[0], 0)
-        values: tuple[Any, ...] = ()
+        values: tuple[syntax.Expression, ...] = ()
         for each in children[1:]:
             if each.kind_id in _LISTS:
                 values = expressions.arguments(unit, each, 1)
         line, column = unit.position(child)
-        found.append((name, (name, chosen, ""), values, line, column))
+        found.append(syntax.Initializer(name, syntax.Type(name, chosen), values, line, column))
     return tuple(found)
 
 
-def lambda_expression(unit: Unit, node: Node, depth: int) -> Any:
-    """("lambda", index); captures with a value become variables at the start of its body."""
+def lambda_expression(unit: Unit, node: Node, depth: int) -> syntax.Lambda:
+    """The lambda; captures with a value become variables at the start of its body."""
     slot = len(unit.found.functions)
     unit.found.functions.append(None)
-    parameters: tuple[Any, ...] = ()
-    returns: Any = AUTO
-    captured: list[Any] = []
+    parameters: tuple[syntax.Parameter, ...] = ()
+    returns: syntax.Type = syntax.AUTO
+    captured: list[syntax.Statement] = []
     templates: tuple[str, ...] = ()
-    body: tuple[Any, ...] = ()
+    body: syntax.Block = ()
     brace = (0, 0)
     for child in node.children:
         kind = child.kind_id
@@ -170,26 +170,26 @@ def lambda_expression(unit: Unit, node: Node, depth: int) -> Any:
             brace = unit.position(child)
             body = statements.block(unit, child.children, depth)
     _fill(unit, slot, node, (*captured, *body), brace, parameters, returns, templates)
-    return ("lambda", slot)
+    return syntax.Lambda(slot)
 
 
-def block_as_lambda(unit: Unit, node: Node, depth: int) -> Any:
+def block_as_lambda(unit: Unit, node: Node, depth: int) -> syntax.Lambda:
     """A block where an expression is expected (a macro's argument, a statement expression): a lambda of it."""
     slot = len(unit.found.functions)
     unit.found.functions.append(None)
     body = statements.block(unit, node.children, depth)
     _fill(unit, slot, node, body, unit.position(node))
-    return ("lambda", slot)
+    return syntax.Lambda(slot)
 
 
 def _fill(
     unit: Unit,
     slot: int,
     node: Node,
-    body: tuple[Any, ...],
+    body: syntax.Block,
     brace: tuple[int, int],
-    parameters: tuple[Any, ...] = (),
-    returns: Any = AUTO,
+    parameters: tuple[syntax.Parameter, ...] = (),
+    returns: syntax.Type = syntax.AUTO,
     templates: tuple[str, ...] = (),
 ) -> None:
     line, column = unit.position(node)
@@ -208,8 +208,8 @@ def _fill(
     )
 
 
-def _captures(unit: Unit, node: Node, depth: int) -> list[Any]:
-    found = []
+def _captures(unit: Unit, node: Node, depth: int) -> list[syntax.Statement]:
+    found: list[syntax.Statement] = []
     for child in node.children:
         if child.kind_id in _CAPTURE_VALUE:
             children = child.children
@@ -217,5 +217,5 @@ def _captures(unit: Unit, node: Node, depth: int) -> list[Any]:
             if named is not None and children[-1].kind_id != ERROR:
                 line, column = unit.position(named)
                 value = expressions.expression(unit, children[-1], depth)
-                found.append(("var", unit.cut(named), AUTO, ("=", value), line, column))
+                found.append(syntax.Variable(unit.cut(named), syntax.AUTO, syntax.Equals(value), line, column))
     return found

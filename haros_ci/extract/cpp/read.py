@@ -8,7 +8,7 @@ from tree_sitter import Node
 from haros_ci.extract.cpp import blanks, branches, scopes
 from haros_ci.extract.cpp.grammar import errors, missing, parse
 from haros_ci.extract.cpp.unit import Scope, Unit, unit_of
-from haros_ci.model.program import Program
+from haros_ci.syntax import Program
 
 LARGEST = 4_000_000
 _COUNTED = 1000

@@ -8,10 +8,11 @@ from collections.abc import Callable
 
 from tree_sitter import Node
 
+from haros_ci import syntax
 from haros_ci.extract.cpp import declarations, functions, preprocessor, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Scope, Unit
-from haros_ci.model.program import Alias, Field
+from haros_ci.syntax import Alias, Field
 
 _NAME = field("name")
 _BODY = field("body")
@@ -144,14 +145,14 @@ def _typedef(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
         if declared.function is not None:
             type_ = types.function_type(unit, declared.function.children, type_, depth)
         if is_first and before.node is not None:
-            is_unnamed = base[0] == ""
+            is_unnamed = base.name == ""
             if before.node.kind_id in types.ENUM:
                 declarations.enumeration(unit, before.node, scope, depth, declared.name)
             elif before.node.kind_id in types.CLASS_KINDS:
                 declarations.class_of(unit, before.node, scope, depth, True, declared.name)
             is_first = False
             if is_unnamed:
-                base = (declared.name, (), base[2])
+                base = syntax.Type(declared.name, (), base.marks)
                 continue
         if declared.name:
             unit.found.aliases.append(Alias(scope.qualified(declared.name), type_, scope.templates))
@@ -176,13 +177,13 @@ def _using(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
             continue
         head, _, last = name.rpartition("::")
         if head.rpartition("::")[2] != last:
-            unit.found.aliases.append(Alias(scope.qualified(last), (name, (), "")))
+            unit.found.aliases.append(Alias(scope.qualified(last), syntax.Type(name)))
 
 
 def _namespace_alias(unit: Unit, node: Node, scope: Scope, depth: int) -> None:
     names = ["".join(unit.cut(child).split()) for child in node.children if child.kind_id in _NAMED]
     if len(names) == 2:
-        unit.found.aliases.append(Alias(scope.qualified(names[0]), (names[1], (), "namespace")))
+        unit.found.aliases.append(Alias(scope.qualified(names[0]), syntax.Type(names[1], (), "namespace")))
 
 
 def _include(unit: Unit, node: Node, scope: Scope, depth: int) -> None:

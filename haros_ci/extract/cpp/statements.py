@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from tree_sitter import Node
 
+from haros_ci import syntax
 from haros_ci.extract.cpp import declarations, expansion, expressions, preprocessor, scopes, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
-from haros_ci.extract.cpp.unit import AUTO, DEEPEST, NOTHING, TOO_DEEP, Scope, Unit
+from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Scope, Unit
 
 _BLOCK = kinds("compound_statement")
 _CASE = kinds("case_statement")
@@ -32,11 +32,11 @@ _RIGHT = field("right")
 _VALUE = field("value")
 _PARAMETERS = field("parameters")
 
-Statements = list[Any]
+Statements = list[syntax.Statement]
 Handler = Callable[[Unit, Node, int, Statements], None]
 
 
-def block(unit: Unit, nodes: list[Node], depth: int) -> tuple[Any, ...]:
+def block(unit: Unit, nodes: list[Node], depth: int) -> syntax.Block:
     """The statements among *nodes*, the children of a block."""
     out: Statements = []
     if depth > DEEPEST:
@@ -50,7 +50,7 @@ def block(unit: Unit, nodes: list[Node], depth: int) -> tuple[Any, ...]:
     return tuple(out)
 
 
-def _body(unit: Unit, node: Node | None, depth: int) -> tuple[Any, ...]:
+def _body(unit: Unit, node: Node | None, depth: int) -> syntax.Block:
     """The block of a controlled statement, with or without braces."""
     if node is None:
         return ()
@@ -62,11 +62,11 @@ def _expression(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     if child.kind_id in _CALL and unit.found.callable_macros and expansion.expand(unit, child, depth, out):
         return
     if child.is_named and child.kind_id != ERROR:
-        out.append(("do", expressions.expression(unit, child, depth)))
+        out.append(syntax.Do(expressions.expression(unit, child, depth)))
 
 
 def _bare(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    out.append(("do", expressions.expression(unit, node, depth)))
+    out.append(syntax.Do(expressions.expression(unit, node, depth)))
 
 
 def _declaration(unit: Unit, node: Node, depth: int, out: Statements) -> None:
@@ -74,12 +74,12 @@ def _declaration(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     is_static = any(unit.cut(child) == "static" for child in node.children if child.end_byte - child.start_byte == 6)
     for each in declarations.variables(unit, node, scope, depth):
         if each[0].is_parenthesized and each[1] is None:
-            out.append(("do", unit.opaque(node)))
+            out.append(syntax.Do(unit.opaque(node)))
             continue
         start = len(out)
         _variable(unit, each, depth, out)
         if is_static:
-            out[start:] = [("static", statement) for statement in out[start:]]
+            out[start:] = [syntax.Static(each) if isinstance(each, syntax.Variable) else each for each in out[start:]]
 
 
 def _variable(unit: Unit, each: declarations.Variable, depth: int, out: Statements) -> None:
@@ -87,23 +87,25 @@ def _variable(unit: Unit, each: declarations.Variable, depth: int, out: Statemen
     if isinstance(init, str):
         return
     line, column = unit.position(declared.node)
-    out.append(("var", declared.name, declared.type, init, line, column))
+    out.append(syntax.Variable(declared.name, declared.type, init, line, column))
     if declared.node.kind_id in _PATTERN:
         text = unit.cut(declared.node)[:200]
         for child in declared.node.children:
             if child.is_named:
                 line, column = unit.position(child)
-                out.append(("var", unit.cut(child), AUTO, ("=", ("?", text)), line, column))
+                out.append(
+                    syntax.Variable(unit.cut(child), syntax.AUTO, syntax.Equals(syntax.Unknown(text)), line, column)
+                )
 
 
-def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) -> tuple[str, Any]:
+def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) -> tuple[str, syntax.Expression]:
     """Text and value of a condition; what it declares goes to *before*."""
     if node is None:
-        return "", ("?", "")
+        return "", syntax.Unknown("")
     if node.kind_id not in _CONDITIONS:
         return unit.collapsed(node.start_byte, node.end_byte), expressions.expression(unit, node, depth)
     text = unit.collapsed(node.start_byte + 1, node.end_byte - 1)
-    value: Any = ("?", text)
+    value: syntax.Expression = syntax.Unknown(text)
     if expressions.is_damaged(node):
         return text, expressions.damaged(unit, node, node.children, depth)
     for child in node.children:
@@ -114,14 +116,16 @@ def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) ->
             start = len(before)
             _declaration(unit, child, depth, before)
             if len(before) > start:
-                value = ("name", before[start][1])
+                first = before[start]
+                first = first.statement if isinstance(first, syntax.Static) else first
+                value = syntax.Name(first.name) if isinstance(first, syntax.Variable) else value
         elif child.is_named:
             value = expressions.expression(unit, child, depth)
     return text, value
 
 
-def _wrapped(before: Statements, statement: Any, out: Statements) -> None:
-    out.append(("block", (*before, statement)) if before else statement)
+def _wrapped(before: Statements, statement: syntax.Statement, out: Statements) -> None:
+    out.append(syntax.Nested((*before, statement)) if before else statement)
 
 
 def _if(unit: Unit, node: Node, depth: int, out: Statements) -> None:
@@ -131,11 +135,11 @@ def _if(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     then = _body(unit, node.child_by_field_id(_CONSEQUENCE), depth)
     alternative = node.child_by_field_id(_ALTERNATIVE)
     else_line = else_column = 0
-    other: tuple[Any, ...] = ()
+    other: syntax.Block = ()
     if alternative is not None:
         else_line, else_column = unit.position(alternative)
         other = _body(unit, alternative.children[-1], depth)
-    _wrapped(before, ("if", line, column, text, value, then, else_line, else_column, other), out)
+    _wrapped(before, syntax.If(line, column, text, value, then, else_line, else_column, other), out)
 
 
 def _while(unit: Unit, node: Node, depth: int, out: Statements) -> None:
@@ -143,23 +147,23 @@ def _while(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     line, column = unit.position(node)
     text, value = _condition(unit, node.child_by_field_id(_CONDITION), depth, before)
     body = _body(unit, node.child_by_field_id(_BODY), depth)
-    out.append(("loop", "while", line, column, text, tuple(before), value, body))
+    out.append(syntax.Loop("while", line, column, text, tuple(before), value, body))
 
 
 def _do(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     line, column = unit.position(node)
     text, value = _condition(unit, node.child_by_field_id(_CONDITION), depth, [])
     body = _body(unit, node.child_by_field_id(_BODY), depth)
-    if unit.level and value in (("num", 0), ("bool", False)):
-        out.append(("block", body))
+    if unit.level and value in (syntax.Number(0), syntax.Boolean(False)):
+        out.append(syntax.Nested(body))
     else:
-        out.append(("loop", "do", line, column, text, (), value, body))
+        out.append(syntax.Loop("do", line, column, text, (), value, body))
 
 
 def _for(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     line, column = unit.position(node)
     first = node.child_by_field_id(_INITIALIZER)
-    before: tuple[Any, ...] = ()
+    before: syntax.Block = ()
     if first is not None:
         before = block(unit, [first], depth)
     condition = node.child_by_field_id(_CONDITION)
@@ -168,8 +172,8 @@ def _for(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     body = _body(unit, node.child_by_field_id(_BODY), depth)
     update = node.child_by_field_id(_UPDATE)
     if update is not None:
-        body = (*body, ("step", expressions.expression(unit, update, depth)))
-    out.append(("loop", "for", line, column, text, before, value, body))
+        body = (*body, syntax.Step(expressions.expression(unit, update, depth)))
+    out.append(syntax.Loop("for", line, column, text, before, value, body))
 
 
 def _each(unit: Unit, node: Node, depth: int, out: Statements) -> None:
@@ -187,28 +191,30 @@ def _each(unit: Unit, node: Node, depth: int, out: Statements) -> None:
         declared = types.declarator(unit, found.rest[0], found.type, depth)
     right = node.child_by_field_id(_RIGHT)
     body_node = node.child_by_field_id(_BODY)
-    value: Any = ("?", "") if right is None else expressions.expression(unit, right, depth)
+    value: syntax.Expression = syntax.Unknown("") if right is None else expressions.expression(unit, right, depth)
     text = "" if right is None else unit.collapsed(children[start].start_byte, right.end_byte)
     names: Statements = []
     if declared is not None and declared.node.kind_id in _PATTERN:
         _variable(unit, (declared, None), depth, names)
     body = (*names[1:], *_body(unit, body_node, depth))
-    name, type_ = ("", AUTO) if declared is None else (declared.name, declared.type)
-    _wrapped(before, ("each", line, column, text, name, type_, value, body), out)
+    name, type_ = ("", syntax.AUTO) if declared is None else (declared.name, declared.type)
+    _wrapped(before, syntax.Each(line, column, text, name, type_, value, body), out)
 
 
 def _switch(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     before: Statements = []
     line, column = unit.position(node)
     text, value = _condition(unit, node.child_by_field_id(_CONDITION), depth, before)
-    cases: list[Any] = []
+    cases: list[syntax.Case] = []
     body = node.child_by_field_id(_BODY)
     if body is not None:
-        _cases(unit, body.children, depth, cases, ())
-    _wrapped(before, ("switch", line, column, text, value, tuple(cases)), out)
+        _cases(unit, body.children, depth, cases, None)
+    _wrapped(before, syntax.Switch(line, column, text, value, tuple(cases)), out)
 
 
-def _cases(unit: Unit, nodes: list[Node], depth: int, cases: list[Any], guard: tuple[Any, ...]) -> None:
+def _cases(
+    unit: Unit, nodes: list[Node], depth: int, cases: list[syntax.Case], guard: tuple[int, int, str] | None
+) -> None:
     """Collect the cases among *nodes*; those under an #if have their blocks under that #if."""
     for node in nodes:
         if node.kind_id in _CASE:
@@ -217,8 +223,8 @@ def _cases(unit: Unit, nodes: list[Node], depth: int, cases: list[Any], guard: t
             start = next((index for index, child in enumerate(children) if child.kind_id in _COLON), 0) + 1
             inside = block(unit, children[start:], depth)
             if guard:
-                inside = (("pre", ((*guard, inside),)),)
-            cases.append((None if value is None else expressions.expression(unit, value, depth), inside))
+                inside = (syntax.Preprocessor((syntax.Branch(*guard, inside),)),)
+            cases.append(syntax.Case(None if value is None else expressions.expression(unit, value, depth), inside))
         elif node.kind_id in preprocessor.CONDITIONAL and depth <= DEEPEST:
             for line, column, text, children in preprocessor.branches(unit, node):
                 _cases(unit, children, depth + 1, cases, (line, column, text))
@@ -230,17 +236,19 @@ def _try(unit: Unit, node: Node, depth: int, out: Statements) -> None:
         if child.kind_id not in _CATCH:
             continue
         line, column = unit.position(child)
-        text, name, type_ = "...", "", NOTHING
+        text, name, type_ = "...", "", syntax.NOTHING
         caught = child.child_by_field_id(_PARAMETERS)
         if caught is not None:
             text = unit.collapsed(caught.start_byte + 1, caught.end_byte - 1)
             for each in types.parameters(unit, caught, depth):
                 name, type_ = each.name, each.type
-        handlers.append((line, column, text, name, type_, _body(unit, child.child_by_field_id(_BODY), depth)))
-    out.append(("try", _body(unit, node.child_by_field_id(_BODY), depth), tuple(handlers)))
+        handlers.append(
+            syntax.Handler(line, column, text, name, type_, _body(unit, child.child_by_field_id(_BODY), depth))
+        )
+    out.append(syntax.Try(_body(unit, node.child_by_field_id(_BODY), depth), tuple(handlers)))
 
 
-def _operand(unit: Unit, node: Node, depth: int) -> Any:
+def _operand(unit: Unit, node: Node, depth: int) -> syntax.Expression | None:
     if expressions.is_damaged(node):
         return expressions.damaged(unit, node, node.children, depth)
     for child in node.children[1:]:
@@ -250,19 +258,19 @@ def _operand(unit: Unit, node: Node, depth: int) -> Any:
 
 
 def _return(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    out.append(("return", _operand(unit, node, depth)))
+    out.append(syntax.Return(_operand(unit, node, depth)))
 
 
 def _throw(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    out.append(("throw", _operand(unit, node, depth)))
+    out.append(syntax.Throw(_operand(unit, node, depth)))
 
 
 def _yield(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    out.append(("do", _operand(unit, node, depth) or unit.opaque(node)))
+    out.append(syntax.Do(_operand(unit, node, depth) or unit.opaque(node)))
 
 
 def _nested(unit: Unit, node: Node, depth: int, out: Statements) -> None:
-    out.append(("block", block(unit, node.children, depth)))
+    out.append(syntax.Nested(block(unit, node.children, depth)))
 
 
 def _inside(unit: Unit, node: Node, depth: int, out: Statements) -> None:
@@ -272,13 +280,14 @@ def _inside(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 def _pre(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     found = preprocessor.branches(unit, node)
-    out.append(("pre", tuple((line, column, text, block(unit, nodes, depth)) for line, column, text, nodes in found)))
+    branches = (syntax.Branch(line, column, text, block(unit, nodes, depth)) for line, column, text, nodes in found)
+    out.append(syntax.Preprocessor(tuple(branches)))
 
 
 def _class(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     name = declarations.class_of(unit, node, Scope(unit.function, unit.function), depth)
     if name:
-        out.append(("class", name.rpartition("::")[2]))
+        out.append(syntax.NestedClass(name.rpartition("::")[2]))
 
 
 def _scoped(unit: Unit, node: Node, depth: int, out: Statements) -> None:
@@ -289,10 +298,10 @@ def _function(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     """A function definition within a body is a macro with a block after it: the block is read, the macro is not."""
     body = node.child_by_field_id(_BODY)
     if body is not None:
-        out.append(("block", block(unit, body.children, depth)))
+        out.append(syntax.Nested(block(unit, body.children, depth)))
 
 
-def _constant(statement: Any) -> Handler:
+def _constant(statement: syntax.Statement) -> Handler:
     return lambda unit, node, depth, out: out.append(statement)
 
 
@@ -310,8 +319,8 @@ _HANDLERS: dict[int, Handler] = table(
         "return_statement co_return_statement": _return,
         "co_yield_statement": _yield,
         "throw_statement": _throw,
-        "break_statement": _constant(("break",)),
-        "continue_statement": _constant(("continue",)),
+        "break_statement": _constant(syntax.Break()),
+        "continue_statement": _constant(syntax.Continue()),
         "compound_statement": _nested,
         "labeled_statement attributed_statement ERROR": _inside,
         "preproc_if preproc_ifdef": _pre,

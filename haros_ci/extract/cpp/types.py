@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from tree_sitter import Node
 
+from haros_ci import syntax
 from haros_ci.extract.cpp import expressions
 from haros_ci.extract.cpp.grammar import ERROR, kinds, table
-from haros_ci.extract.cpp.unit import AUTO, DEEPEST, NOTHING, Unit
-from haros_ci.model.program import Parameter
+from haros_ci.extract.cpp.unit import DEEPEST, Unit
+from haros_ci.syntax import Parameter
 
 CLASS_KINDS = kinds("class_specifier struct_specifier union_specifier")
 ENUM = kinds("enum_specifier")
@@ -79,7 +80,7 @@ class Declared(NamedTuple):
     """
 
     name: str
-    type: Any
+    type: syntax.Type
     node: Node
     function: Node | None
     is_parenthesized: bool = False
@@ -88,14 +89,14 @@ class Declared(NamedTuple):
 class Specifiers(NamedTuple):
     """What stands before declarators: *rest* are the children after it."""
 
-    type: Any
+    type: syntax.Type
     node: Node | None
     is_static: bool
     is_virtual: bool
     rest: list[Node]
 
 
-def path(unit: Unit, node: Node, depth: int, is_type: bool = False) -> tuple[str, tuple[Any, ...]]:
+def path(unit: Unit, node: Node, depth: int, is_type: bool = False) -> tuple[str, tuple[syntax.Argument, ...]]:
     """A possibly qualified name without template arguments, and the template arguments of its last part.
 
     For ``std::numeric_limits<T>::max``, ``InterProcessPollingSubscriber<T>::create_subscription`` and the functions that
@@ -108,8 +109,8 @@ def path(unit: Unit, node: Node, depth: int, is_type: bool = False) -> tuple[str
         if "template" not in name and "typename" not in name:
             return (name if name.isidentifier() else "".join(name.split()) if "operator" not in name else name), ()
     parts: list[str] = []
-    around: tuple[Any, ...] = ()
-    chosen: tuple[Any, ...] = ()
+    around: tuple[syntax.Argument, ...] = ()
+    chosen: tuple[syntax.Argument, ...] = ()
     while True:
         kind = node.kind_id
         if kind in _QUALIFIED:
@@ -136,16 +137,16 @@ def path(unit: Unit, node: Node, depth: int, is_type: bool = False) -> tuple[str
             return "::".join(parts), chosen if parts[-1] in _MAKERS else around
 
 
-def arguments(unit: Unit, node: Node, depth: int) -> tuple[Any, ...]:
+def arguments(unit: Unit, node: Node, depth: int) -> tuple[syntax.Argument, ...]:
     """The template arguments of a ``template_argument_list``: types, or expressions for value arguments."""
     if depth > DEEPEST:
         return ()
-    found = []
+    found: list[syntax.Argument] = []
     for child in node.children:
         if child.kind_id in _DESCRIPTOR:
             found.append(descriptor(unit, child, depth + 1))
         elif child.kind_id in _IDENTIFIER and _takes_types(unit, node):
-            found.append((unit.cut(child), (), ""))  # the first parameter of a constructor outside of its class
+            found.append(syntax.Type(unit.cut(child)))  # the first parameter of a constructor outside of its class
         elif child.is_named and child.kind_id != ERROR:
             found.append(expressions.expression(unit, child, depth + 1))
     return tuple(found)
@@ -156,29 +157,29 @@ def _takes_types(unit: Unit, node: Node) -> bool:
     return name is not None and unit.cut(name) in _OF_TYPES
 
 
-def descriptor(unit: Unit, node: Node, depth: int) -> Any:
+def descriptor(unit: Unit, node: Node, depth: int) -> syntax.Type:
     """The type of a ``type_descriptor``: specifiers and an abstract declarator."""
     if depth > DEEPEST:
-        return ("?", (), "")
+        return syntax.Type("?")
     found = specifiers(unit, node.children, depth + 1)
     if found.rest and found.rest[0].kind_id in DECLARATORS:
         return declarator(unit, found.rest[0], found.type, depth + 1).type
     return found.type
 
 
-def plain_type(unit: Unit, node: Node, depth: int) -> Any:
+def plain_type(unit: Unit, node: Node, depth: int) -> syntax.Type:
     """The type that a specifier names, without marks."""
     kind = node.kind_id
     if kind in _PLAIN:
-        return (unit.cut(node), (), "")
+        return syntax.Type(unit.cut(node))
     if kind in _AUTO:
-        return AUTO
+        return syntax.AUTO
     if kind in CLASS_KINDS or kind in ENUM:
         name = specified_name(node)
-        return (*path(unit, name, depth + 1), "") if name is not None else NOTHING
+        return syntax.Type(*path(unit, name, depth + 1)) if name is not None else syntax.NOTHING
     if kind in _QUALIFIED or kind in _TEMPLATE or kind in _DEPENDENT:
-        return (*path(unit, node, depth + 1, True), "")
-    return (" ".join(unit.cut(node).split()), (), "")
+        return syntax.Type(*path(unit, node, depth + 1, True))
+    return syntax.Type(" ".join(unit.cut(node).split()))
 
 
 def specified_name(node: Node) -> Node | None:
@@ -216,11 +217,11 @@ def specifiers(unit: Unit, children: list[Node], depth: int) -> Specifiers:
     else:
         index = len(children)
     if node is None:
-        found = NOTHING
+        found = syntax.NOTHING
     else:
         found = plain_type(unit, node, depth)
         if marks:
-            found = (found[0], found[1], marks + found[2])
+            found = syntax.Type(found.name, found.arguments, marks + found.marks)
     return Specifiers(found, node, is_static, is_virtual, children[index:])
 
 
@@ -230,27 +231,27 @@ def _is_conversion(node: Node) -> bool:
     return node.kind_id in _OPERATOR_CAST
 
 
-def declarator(unit: Unit, node: Node, base: Any, depth: int) -> Declared:
+def declarator(unit: Unit, node: Node, base: syntax.Type, depth: int) -> Declared:
     """Follow a declarator from the outside in, adding to *base* what it says."""
     function: Node | None = None
     is_parenthesized = DECLARATORS.get(node.kind_id) == _PARENTHESES and not _is_pointer(node)
-    name, arguments_, marks = base
+    made = base
     for _ in range(DEEPEST):
         kind = DECLARATORS.get(node.kind_id)
         if kind == _NAME:
             if node.kind_id in _PATTERN:
-                return Declared("", (name, arguments_, marks), node, function)
+                return Declared("", made, node, function)
             if node.kind_id in _QUALIFIED and _is_conversion(node):
                 node_, text = node, path(unit, node, depth)[0].partition("(")[0]
                 while node.kind_id in _QUALIFIED:
                     node = node.children[-1]
-                declared = declarator(unit, node, NOTHING, depth)
+                declared = declarator(unit, node, syntax.NOTHING, depth)
                 return Declared(text, declared.type, node_, declared.function)
             text = path(unit, node, depth)[0]
             if "::*" in text:  # a pointer to a member
-                kept = (name, arguments_, marks) if function is None else ("()", ((name, arguments_, marks),), "")
-                return Declared(text.rpartition("*")[2].strip(), (kept[0], kept[1], kept[2] + "*"), node, None)
-            return Declared(text, (name, arguments_, marks), node, function, is_parenthesized)
+                kept = made if function is None else syntax.Type("()", (made,))
+                return Declared(text.rpartition("*")[2].strip(), kept.marked("*"), node, None)
+            return Declared(text, made, node, function, is_parenthesized)
         children = node.children
         inner: Node | None = None
         for child in children:
@@ -258,38 +259,36 @@ def declarator(unit: Unit, node: Node, base: Any, depth: int) -> Declared:
                 inner = child
                 break
         if kind == _POINTER:
-            marks += "*"
-            for child in children:
-                if child.kind_id in _QUALIFIER and unit.cut(child) == "const":
-                    marks += "c"
+            constants = sum(child.kind_id in _QUALIFIER and unit.cut(child) == "const" for child in children)
+            made = made.marked("*" + "c" * constants)
         elif kind == _REFERENCE:
-            marks += unit.cut(children[0])
+            made = made.marked(unit.cut(children[0]))
         elif kind == _ARRAY:
-            marks += "*"
+            made = made.marked("*")
         elif kind == _FUNCTION:
             if inner is not None and DECLARATORS.get(inner.kind_id) == _PARENTHESES and _is_pointer(inner):
-                name, arguments_, marks = function_type(unit, children, (name, arguments_, marks), depth)
+                made = function_type(unit, children, made, depth)
             else:
                 function = node
                 for child in children:
                     if child.kind_id in _TRAILING:
-                        name, arguments_, marks = descriptor(unit, child.children[-1], depth + 1)
+                        made = descriptor(unit, child.children[-1], depth + 1)
         elif kind == _UNNAMED_FUNCTION:
-            name, arguments_, marks = function_type(unit, children, (name, arguments_, marks), depth)
+            made = function_type(unit, children, made, depth)
         elif kind == _VARIADIC:
             text = unit.cut(children[-1]) if len(children) > 1 else ""
-            return Declared(text, (name, arguments_, marks), node, function)
+            return Declared(text, made, node, function)
         elif kind == _CAST:
             found = specifiers(unit, children[1:], depth + 1)
-            text = "operator " + found.type[0]
+            text = "operator " + found.type.name
             for child in found.rest:
                 if child.kind_id in DECLARATORS:
                     function = child
             return Declared(text, found.type, node, function or node)
         if inner is None:
-            return Declared("", (name, arguments_, marks), node, function)
+            return Declared("", made, node, function)
         node = inner
-    return Declared("", (name, arguments_, marks), node, function)
+    return Declared("", made, node, function)
 
 
 def _is_pointer(node: Node) -> bool:
@@ -297,15 +296,15 @@ def _is_pointer(node: Node) -> bool:
     return any(DECLARATORS.get(child.kind_id) in (_POINTER, _REFERENCE) for child in node.children)
 
 
-def function_type(unit: Unit, children: list[Node], returned: Any, depth: int) -> Any:
+def function_type(unit: Unit, children: list[Node], returned: syntax.Type, depth: int) -> syntax.Type:
     """The type of a function whose declarator has *children*."""
-    found: tuple[Any, ...] = ()
+    found: tuple[syntax.Type, ...] = ()
     for child in children:
         if child.kind_id in PARAMETER_LIST:
             found = tuple(each.type for each in parameters(unit, child, depth + 1))
         elif child.kind_id in _TRAILING:
             returned = descriptor(unit, child.children[-1], depth + 1)
-    return ("()", (returned, *found), "")
+    return syntax.Type("()", (returned, *found))
 
 
 def parameters(unit: Unit, node: Node, depth: int) -> tuple[Parameter, ...]:
@@ -316,7 +315,7 @@ def parameters(unit: Unit, node: Node, depth: int) -> tuple[Parameter, ...]:
     for child in node.children:
         if child.kind_id in _PARAMETER:
             found.append(parameter(unit, child, depth + 1))
-    if len(found) == 1 and found[0].type == ("void", (), "") and not found[0].name:
+    if len(found) == 1 and found[0].type == syntax.Type("void") and not found[0].name:
         return ()
     return tuple(found)
 

@@ -7,18 +7,16 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from tree_sitter import Node
 
-from haros_ci.model.program import Alias, Class, Field, Function
+from haros_ci import syntax
+from haros_ci.syntax import Alias, Class, Field, Function
 
-#: Statements and expressions nested deeper than this become ("?", text): what reads them may recurse.
+#: Statements and expressions nested deeper than this are unknown: what reads them may recurse.
 DEEPEST = 100
 MOST_PROBLEMS = 5
 TOO_DEEP = "nested too deeply: what is inside is not read"
-AUTO = ("auto", (), "")
-NOTHING = ("", (), "")
 _LONGEST_TEXT = 200
 
 
@@ -86,9 +84,9 @@ class Unit:
             column -= bisect_left(self.continuations, offset) - bisect_left(self.continuations, start)
         return line, column
 
-    def opaque(self, node: Node) -> Any:
+    def opaque(self, node: Node) -> syntax.Expression:
         """The expression that stands for what has no other form."""
-        return ("?", self.collapsed(node.start_byte, node.end_byte))
+        return syntax.Unknown(self.collapsed(node.start_byte, node.end_byte))
 
     def problem(self, node: Node, message: str) -> None:
         """Record that something at *node* is lost; the first few per file are enough."""

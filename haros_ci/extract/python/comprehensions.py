@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python comprehensions and generator expressions in the little language of ``model.program``."""
+"""Python comprehensions and generator expressions in the little language of ``haros_ci.syntax``."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ import ast
 from dataclasses import replace
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.extract.python import expressions
 from haros_ci.extract.python.annotations import NO_TYPE
 from haros_ci.extract.python.scope import DEEPEST, Scope, too_deep
 from haros_ci.extract.python.source import condition, place, unknown
-from haros_ci.model.program import Block, Expression, Parameter
+from haros_ci.syntax import Block, Expression, Parameter
 
 
 def comprehension(
@@ -26,7 +27,7 @@ def comprehension(
         return unknown(scope.file.source, node)
     made = _level(node, 0, scope, depth)
     if isinstance(node, ast.DictComp):
-        return ("call", ("name", "[dict]"), (made,), (), *place(scope.file.source, node))
+        return syntax.Call(syntax.Name("[dict]"), (made,), (), *place(scope.file.source, node))
     return made
 
 
@@ -44,7 +45,7 @@ def _level(node: Any, number: int, scope: Scope, depth: int) -> Expression:
             return _level(node, number + 1, inner, depth + 1)
         if isinstance(node, ast.DictComp):
             pair = (node.key, node.value)
-            return ("list", tuple([expressions.expression(item, inner, depth) for item in pair]))
+            return syntax.ListLiteral(tuple([expressions.expression(item, inner, depth) for item in pair]))
         return expressions.expression(node.elt, inner, depth)
 
     parts = [expressions.expression(each.iter, scope, depth), _function(node, each.target, scope, depth, element)]
@@ -53,9 +54,9 @@ def _level(node: Any, number: int, scope: Scope, depth: int) -> Expression:
         guard = _function(
             each.ifs[0], each.target, scope, depth, lambda inner: expressions.expression(test, inner, depth)
         )
-        parts += [guard, ("str", condition(source, each.ifs[0], each.ifs[-1])[:200])]
+        parts += [guard, syntax.String(condition(source, each.ifs[0], each.ifs[-1])[:200])]
     name = "[for]" if is_last else "[for in]"
-    return ("call", ("name", name), tuple(parts), (), *place(source, node))
+    return syntax.Call(syntax.Name(name), tuple(parts), (), *place(source, node))
 
 
 def _function(node: ast.expr, target: ast.expr, scope: Scope, depth: int, value: Any) -> Expression:
@@ -66,9 +67,11 @@ def _function(node: ast.expr, target: ast.expr, scope: Scope, depth: int, value:
 
     def body(inner: Scope) -> Block:
         inner = replace(inner, this=expressions.this_within(scope, bound))
-        statements: list[Any] = [("nonlocal", tuple(outside))] if outside else []
+        statements: list[Any] = [syntax.Nonlocal(tuple(outside))] if outside else []
         if not name:
-            statements.append(("do", ("set", "=", expressions.expression(target, inner, depth), ("name", ""))))
-        return (*statements, ("return", value(inner)))
+            statements.append(
+                syntax.Do(syntax.Assignment("=", expressions.expression(target, inner, depth), syntax.Name("")))
+            )
+        return (*statements, syntax.Return(value(inner)))
 
     return expressions.anonymous(node, (Parameter(name, NO_TYPE),), scope, body)

@@ -11,7 +11,7 @@ from haros_ci.extract.python.annotations import NO_TYPE, dotted, type_of
 from haros_ci.extract.python.expressions import expression, parameters, this_within
 from haros_ci.extract.python.scope import Bindings, Scope, bound, qualified
 from haros_ci.extract.python.source import place
-from haros_ci.model.program import Block, Class, Expression, Function, Type
+from haros_ci.syntax import Block, Class, Expression, Function, Type
 
 #: Lowers statements in a scope; ``statements.block``.
 LowerBlock = Callable[[list[ast.stmt], Scope, int], Block]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python expressions in the little language of ``model.program``."""
+"""Python expressions in the little language of ``haros_ci.syntax``."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.extract.python import comprehensions
 from haros_ci.extract.python.annotations import NO_TYPE, type_of
 from haros_ci.extract.python.scope import DEEPEST, Scope, qualified, too_deep
 from haros_ci.extract.python.source import place, unknown
-from haros_ci.model.program import Block, Expression, Function, Parameter
+from haros_ci.syntax import Block, Expression, Function, Parameter
 
 _OPERATORS: dict[type[ast.AST], str] = {
     ast.Add: "+",
@@ -55,7 +56,7 @@ def operator_text(node: ast.AST) -> str:
 
 
 def expression(node: ast.expr, scope: Scope, depth: int) -> Expression:
-    """Lower one expression; what has no words, or lies too deep, is ``("?", text)``."""
+    """Lower one expression; what has no words, or lies too deep, is unknown."""
     if depth > DEEPEST:
         too_deep(scope, node)
         return unknown(scope.file.source, node)
@@ -105,12 +106,12 @@ def anonymous(node: ast.expr, found: tuple[Parameter, ...], scope: Scope, body: 
     file.functions[index] = Function(
         name, "", "lambda", found, NO_TYPE, line, column, body(inner), body_line=line, body_column=column
     )
-    return ("lambda", index)
+    return syntax.Lambda(index)
 
 
 def _plain_lambda(node: ast.Lambda, scope: Scope, depth: int) -> Expression:
     found = parameters(node.args, scope, depth)
-    return anonymous(node, found, scope, lambda inner: (("return", expression(node.body, inner, depth)),))
+    return anonymous(node, found, scope, lambda inner: (syntax.Return(expression(node.body, inner, depth)),))
 
 
 def _comprehension(node: Any, scope: Scope, depth: int) -> Expression:
@@ -120,36 +121,37 @@ def _comprehension(node: Any, scope: Scope, depth: int) -> Expression:
 def _constant(node: ast.Constant, scope: Scope, depth: int) -> Expression:
     value = node.value
     if value is None:
-        return ("none",)
+        return syntax.Null()
     if isinstance(value, bool):
-        return ("bool", value)
+        return syntax.Boolean(value)
     if isinstance(value, str) and (value.isascii() or not any("\ud800" <= c <= "\udfff" for c in value)):
-        return ("str", value)
+        return syntax.String(value)
     if isinstance(value, int) and value.bit_length() <= _WIDEST_INTEGER:
-        return ("num", value)
+        return syntax.Number(value)
     if isinstance(value, float) and math.isfinite(value):
-        return ("num", value)
+        return syntax.Number(value)
     return unknown(scope.file.source, node)
 
 
 def _name(node: ast.Name, scope: Scope, depth: int) -> Expression:
-    return ("this",) if node.id == scope.this else ("name", node.id)
+    return syntax.This() if node.id == scope.this else syntax.Name(node.id)
 
 
 def _attribute(node: ast.Attribute, scope: Scope, depth: int) -> Expression:
-    return ("field", expression(node.value, scope, depth), node.attr)
+    return syntax.Member(expression(node.value, scope, depth), node.attr)
 
 
 def _subscript(node: ast.Subscript, scope: Scope, depth: int) -> Expression:
-    return ("index", expression(node.value, scope, depth), expression(node.slice, scope, depth))
+    return syntax.Subscript(expression(node.value, scope, depth), expression(node.slice, scope, depth))
 
 
 def _slice(node: ast.Slice, scope: Scope, depth: int) -> Expression:
     """``a:b:c`` is ``[slice](a, b, c)``, None for what is not written."""
     parts = [
-        ("none",) if part is None else expression(part, scope, depth) for part in (node.lower, node.upper, node.step)
+        syntax.Null() if part is None else expression(part, scope, depth)
+        for part in (node.lower, node.upper, node.step)
     ]
-    return ("call", ("name", "[slice]"), tuple(parts), (), *place(scope.file.source, node))
+    return syntax.Call(syntax.Name("[slice]"), tuple(parts), (), *place(scope.file.source, node))
 
 
 def _call(node: ast.Call, scope: Scope, depth: int) -> Expression:
@@ -157,19 +159,18 @@ def _call(node: ast.Call, scope: Scope, depth: int) -> Expression:
     arguments = [expression(item, scope, depth) for item in node.args]
     for keyword in node.keywords:
         value = expression(keyword.value, scope, depth)
-        arguments.append(("kw", keyword.arg, value) if keyword.arg else ("starstar", value))
-    return ("call", callee, tuple(arguments), (), *place(scope.file.source, node))
+        arguments.append(syntax.Keyword(keyword.arg, value) if keyword.arg else syntax.DoubleStar(value))
+    return syntax.Call(callee, tuple(arguments), (), *place(scope.file.source, node))
 
 
 def _unary(node: ast.UnaryOp, scope: Scope, depth: int) -> Expression:
-    return ("op", _OPERATORS[type(node.op)], (expression(node.operand, scope, depth),))
+    return syntax.Operation(_OPERATORS[type(node.op)], (expression(node.operand, scope, depth),))
 
 
 def _binary(node: ast.BinOp, scope: Scope, depth: int) -> Expression:
     if isinstance(node.op, ast.Mod) and isinstance(node.right, (ast.List, ast.Set)):
         return unknown(scope.file.source, node)  # the whole list is formatted, where a tuple's elements are
-    return (
-        "op",
+    return syntax.Operation(
         _OPERATORS[type(node.op)],
         (expression(node.left, scope, depth), expression(node.right, scope, depth)),
     )
@@ -181,7 +182,7 @@ def _all_of(operator: str, parts: list[Expression], node: ast.expr, scope: Scope
         return unknown(scope.file.source, node)
     joined = parts[0]
     for part in parts[1:]:
-        joined = ("op", operator, (joined, part))
+        joined = syntax.Operation(operator, (joined, part))
     return joined
 
 
@@ -196,7 +197,7 @@ def _compare(node: ast.Compare, scope: Scope, depth: int) -> Expression:
     inner = depth + len(node.ops)
     sides = [expression(side, scope, inner) for side in (node.left, *node.comparators)]
     parts: list[Expression] = [
-        ("op", _OPERATORS[type(operator)], (left, right))
+        syntax.Operation(_OPERATORS[type(operator)], (left, right))
         for operator, left, right in zip(node.ops, sides, sides[1:], strict=False)
     ]
     return _all_of("&&", parts, node, scope, depth)
@@ -204,11 +205,11 @@ def _compare(node: ast.Compare, scope: Scope, depth: int) -> Expression:
 
 def _conditional(node: ast.IfExp, scope: Scope, depth: int) -> Expression:
     parts = [expression(part, scope, depth) for part in (node.test, node.body, node.orelse)]
-    return ("if", *parts)
+    return syntax.Conditional(*parts)
 
 
 def _list(node: ast.List | ast.Tuple | ast.Set, scope: Scope, depth: int) -> Expression:
-    return ("list", tuple([expression(item, scope, depth) for item in node.elts]))
+    return syntax.ListLiteral(tuple([expression(item, scope, depth) for item in node.elts]))
 
 
 def _dict(node: ast.Dict, scope: Scope, depth: int) -> Expression:
@@ -217,11 +218,11 @@ def _dict(node: ast.Dict, scope: Scope, depth: int) -> Expression:
     for key, value in zip(node.keys, node.values, strict=True):
         lowered = expression(value, scope, depth)
         pairs.append(
-            (("starstar", lowered), unknown(scope.file.source, value))
+            (syntax.DoubleStar(lowered), unknown(scope.file.source, value))
             if key is None
             else (expression(key, scope, depth), lowered)
         )
-    return ("dict", tuple(pairs))
+    return syntax.DictLiteral(tuple(pairs))
 
 
 def _format(node: ast.JoinedStr, scope: Scope, depth: int) -> Expression:
@@ -238,10 +239,10 @@ def _format(node: ast.JoinedStr, scope: Scope, depth: int) -> Expression:
         value = expression(part.value, scope, depth)
         mark = "" if part.conversion in (-1, _STR_CONVERSION) else f"!{chr(part.conversion)}"
         if mark or spec:
-            text = ("str", f"{{{mark}:{spec}}}")
-            value = ("call", ("field", text, "format"), (value,), (), *place(scope.file.source, node))
+            text = syntax.String(f"{{{mark}:{spec}}}")
+            value = syntax.Call(syntax.Member(text, "format"), (value,), (), *place(scope.file.source, node))
         parts.append(value)
-    return ("format", tuple(parts))
+    return syntax.Format(tuple(parts))
 
 
 def _format_text(node: ast.expr | None) -> str | None:
@@ -256,15 +257,15 @@ def _format_text(node: ast.expr | None) -> str | None:
 
 def _walrus(node: ast.NamedExpr, scope: Scope, depth: int) -> Expression:
     scope.file.rebound.add(node.target.id)
-    return ("set", "=", expression(node.target, scope, depth), expression(node.value, scope, depth))
+    return syntax.Assignment("=", expression(node.target, scope, depth), expression(node.value, scope, depth))
 
 
 def _starred(node: ast.Starred, scope: Scope, depth: int) -> Expression:
-    return ("star", expression(node.value, scope, depth))
+    return syntax.Star(expression(node.value, scope, depth))
 
 
 def _inner(node: ast.Await | ast.Yield | ast.YieldFrom, scope: Scope, depth: int) -> Expression:
-    return ("none",) if node.value is None else expression(node.value, scope, depth)
+    return syntax.Null() if node.value is None else expression(node.value, scope, depth)
 
 
 _LOWERED: dict[type[ast.AST], Callable[[Any, Scope, int], Expression]] = {

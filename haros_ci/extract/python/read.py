@@ -14,7 +14,7 @@ from haros_ci.extract.python.scope import Bindings, Collected, Scope, bound
 from haros_ci.extract.python.source import Edit, Source, source_of
 from haros_ci.extract.python.statements import block
 from haros_ci.extract.python.tokens import longest_chain
-from haros_ci.model.program import Function, Program
+from haros_ci.syntax import Function, Program
 
 LANGUAGE = "python"
 _UNREADABLE = (SyntaxError, ValueError, MemoryError, RecursionError)

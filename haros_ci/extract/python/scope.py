@@ -6,8 +6,11 @@ from __future__ import annotations
 import ast
 from dataclasses import dataclass, field, replace
 
+import msgspec
+
+from haros_ci import syntax
 from haros_ci.extract.python.source import Source, unknown
-from haros_ci.model.program import Alias, Class, Expression, Field, Function, Type
+from haros_ci.syntax import Alias, Class, Expression, Field, Function, Type
 
 #: Statements and expressions within each other; what lies deeper is unknown, and a problem says where.
 DEEPEST = 100
@@ -63,14 +66,16 @@ def bind(scope: Scope, name: str, type_: Type, value: Expression | None, node: a
         return
     if name in bindings.fields or scope.conditional:
         bindings.uncertain.add(name)
-    init = None if value is None else ("=", value)
+    init = None if value is None else syntax.Equals(value)
     bindings.fields.setdefault(name, (Field(name, type_, init, *place, is_static=scope.kind == "class"), node))
 
 
 def bound(bindings: Bindings, source: Source, elsewhere: set[str]) -> tuple[Field, ...]:
     """The fields in order; one that is bound twice, conditionally, or *elsewhere* has its statement as unknown text."""
     return tuple(
-        replace(found, init=("=", unknown(source, node))) if name in bindings.uncertain or name in elsewhere else found
+        msgspec.structs.replace(found, init=syntax.Equals(unknown(source, node)))
+        if name in bindings.uncertain or name in elsewhere
+        else found
         for name, (found, node) in bindings.fields.items()
     )
 

@@ -9,6 +9,8 @@ from bisect import bisect_left
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from haros_ci import syntax
+
 #: A changed piece of a line: (column in the parsed line, column in the file's, characters put in, characters taken
 #: out); columns from 0.
 Edit = tuple[int, int, int, int]
@@ -72,9 +74,9 @@ def condition(source: Source, first: ast.AST, last: ast.AST) -> str:
     return _SPACE.sub(" ", between(source, first, last)).strip()
 
 
-def unknown(source: Source, node: ast.AST) -> tuple[str, str]:
-    """``("?", text)`` for what the little language has no words for."""
-    return ("?", between(source, node, node, _LONGEST_UNKNOWN))
+def unknown(source: Source, node: ast.AST) -> syntax.Expression:
+    """Unknown text, for what the little language has no words for."""
+    return syntax.Unknown(between(source, node, node, _LONGEST_UNKNOWN))
 
 
 def _continuations(line: str) -> list[int]:

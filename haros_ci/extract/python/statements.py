@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python statements in the little language of ``model.program``."""
+"""Python statements in the little language of ``haros_ci.syntax``."""
 
 from __future__ import annotations
 
@@ -8,30 +8,31 @@ import re
 from collections.abc import Callable
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.extract.python.annotations import NO_TYPE
 from haros_ci.extract.python.definitions import annotation, define_class, define_function
 from haros_ci.extract.python.expressions import expression, operator_text
 from haros_ci.extract.python.imports import imported
 from haros_ci.extract.python.scope import DEEPEST, Scope, bind, conditionally, rebind, too_deep
 from haros_ci.extract.python.source import column, condition, place, unknown
-from haros_ci.model.program import Alias, Block, Expression, Statement
+from haros_ci.syntax import Alias, Block, Expression, Statement
 
 _ELSE = re.compile(r"[ \t\f]*(else)\b")
-_LEAVES = frozenset(("break", "continue", "return", "throw"))
+_LEAVES = (syntax.Break, syntax.Continue, syntax.Return, syntax.Throw)
 
 
 def block(nodes: list[ast.stmt], scope: Scope, depth: int) -> Block:
     """Lower statements one after the other; what lies too deep is unknown."""
     if depth > DEEPEST and nodes:
         too_deep(scope, nodes[0])
-        return tuple([("do", unknown(scope.file.source, node)) for node in nodes])
+        return tuple([syntax.Do(unknown(scope.file.source, node)) for node in nodes])
     lowered: list[Statement] = []
     for node in nodes:
         lower = _LOWERED.get(type(node))
         if lower:
             lowered.extend(lower(node, scope, depth + 1))
         else:
-            lowered.append(("do", unknown(scope.file.source, node)))
+            lowered.append(syntax.Do(unknown(scope.file.source, node)))
     return tuple(lowered)
 
 
@@ -41,16 +42,16 @@ def _nothing(node: ast.stmt, scope: Scope, depth: int) -> Block:
 
 def _globals(node: ast.Global, scope: Scope, depth: int) -> Block:
     scope.file.rebound.update(node.names)
-    return (("global", tuple(node.names)),)
+    return (syntax.Global(tuple(node.names)),)
 
 
 def _nonlocals(node: ast.Nonlocal, scope: Scope, depth: int) -> Block:
-    return (("nonlocal", tuple(node.names)),)
+    return (syntax.Nonlocal(tuple(node.names)),)
 
 
 def _plain(node: ast.Expr, scope: Scope, depth: int) -> Block:
     """Docstrings and other literals that stand alone say nothing."""
-    return () if isinstance(node.value, ast.Constant) else (("do", expression(node.value, scope, depth)),)
+    return () if isinstance(node.value, ast.Constant) else (syntax.Do(expression(node.value, scope, depth)),)
 
 
 def _bind(target: ast.expr, value: ast.expr | None, lowered: Expression | None, scope: Scope, node: ast.stmt) -> None:
@@ -66,7 +67,7 @@ def _bind(target: ast.expr, value: ast.expr | None, lowered: Expression | None, 
         items: list[Expression | None] = [None] * len(target.elts)
         if isinstance(value, (ast.Tuple, ast.List)) and lowered is not None and len(value.elts) == len(items):
             stars = any(isinstance(item, ast.Starred) for item in (*value.elts, *target.elts))
-            items = items if stars else list(lowered[1]) if lowered[0] == "list" else items
+            items = items if stars else list(lowered.items) if isinstance(lowered, syntax.ListLiteral) else items
         for inner, item in zip(target.elts, items, strict=True):
             _bind(inner, None, item, scope, node)
 
@@ -74,13 +75,13 @@ def _bind(target: ast.expr, value: ast.expr | None, lowered: Expression | None, 
 def _assign(node: ast.Assign, scope: Scope, depth: int) -> Block:
     if depth + len(node.targets) > DEEPEST:
         too_deep(scope, node)
-        return (("do", unknown(scope.file.source, node)),)
+        return (syntax.Do(unknown(scope.file.source, node)),)
     value = expression(node.value, scope, depth)
     for target in node.targets:
         _bind(target, node.value, value, scope, node)
     for target in reversed(node.targets):
-        value = ("set", "=", expression(target, scope, depth), value)
-    return (("do", value),)
+        value = syntax.Assignment("=", expression(target, scope, depth), value)
+    return (syntax.Do(value),)
 
 
 def _annotated(node: ast.AnnAssign, scope: Scope, depth: int) -> Block:
@@ -89,8 +90,8 @@ def _annotated(node: ast.AnnAssign, scope: Scope, depth: int) -> Block:
         where = place(scope.file.source, node.target)
         type_ = annotation(node.annotation, scope, depth)
         bind(scope, node.target.id, type_, value, node, where)
-        return (("var", node.target.id, type_, None if value is None else ("=", value), *where),)
-    return () if value is None else (("do", ("set", "=", expression(node.target, scope, depth), value)),)
+        return (syntax.Variable(node.target.id, type_, None if value is None else syntax.Equals(value), *where),)
+    return () if value is None else (syntax.Do(syntax.Assignment("=", expression(node.target, scope, depth), value)),)
 
 
 def _augmented(node: ast.AugAssign, scope: Scope, depth: int) -> Block:
@@ -98,16 +99,16 @@ def _augmented(node: ast.AugAssign, scope: Scope, depth: int) -> Block:
     if isinstance(node.target, ast.Name):
         rebind(scope, node.target.id)
     target, value = expression(node.target, scope, depth), expression(node.value, scope, depth)
-    return (("do", ("set", operator_text(node.op) + "=", target, value)),)
+    return (syntax.Do(syntax.Assignment(operator_text(node.op) + "=", target, value)),)
 
 
 def _delete(node: ast.Delete, scope: Scope, depth: int) -> Block:
     rebind(scope, *(target.id for target in node.targets if isinstance(target, ast.Name)))
-    return (("do", unknown(scope.file.source, node)),)
+    return (syntax.Do(unknown(scope.file.source, node)),)
 
 
 def _assert(node: ast.Assert, scope: Scope, depth: int) -> Block:
-    return (("do", expression(node.test, scope, depth)),)
+    return (syntax.Do(expression(node.test, scope, depth)),)
 
 
 def _if(node: ast.If, scope: Scope, depth: int) -> Block:
@@ -117,7 +118,7 @@ def _if(node: ast.If, scope: Scope, depth: int) -> Block:
     body, other = block(node.body, inner, depth), block(node.orelse, inner, depth)
     text = condition(source, node.test, node.test)
     where = _else(node.body, node.orelse, scope)
-    return (("if", *place(source, node), text, test, body, *where, other),)
+    return (syntax.If(*place(source, node), text, test, body, *where, other),)
 
 
 def _else(body: list[ast.stmt], orelse: list[ast.stmt], scope: Scope) -> tuple[int, int]:
@@ -136,7 +137,7 @@ def _while(node: ast.While, scope: Scope, depth: int) -> Block:
     test = expression(node.test, scope, depth)
     body = block(node.body, conditionally(scope), depth)
     text = condition(source, node.test, node.test)
-    return (("loop", "while", *place(source, node), text, (), test, body), *_after_loop(node, scope, depth))
+    return (syntax.Loop("while", *place(source, node), text, (), test, body), *_after_loop(node, scope, depth))
 
 
 def _for(node: ast.For | ast.AsyncFor, scope: Scope, depth: int) -> Block:
@@ -147,11 +148,11 @@ def _for(node: ast.For | ast.AsyncFor, scope: Scope, depth: int) -> Block:
     _bind(node.target, None, None, inner, node)
     target = expression(node.target, scope, depth)
     body = block(node.body, inner, depth)
-    name = target[1] if target[0] == "name" else ""
+    name = target.name if isinstance(target, syntax.Name) else ""
     if not name:
-        body = (("do", ("set", "=", target, ("name", ""))), *body)
+        body = (syntax.Do(syntax.Assignment("=", target, syntax.Name(""))), *body)
     text = condition(source, node.target, node.iter)
-    each = ("each", *place(source, node), text, name, NO_TYPE, items, body)
+    each = syntax.Each(*place(source, node), text, name, NO_TYPE, items, body)
     return (each, *_after_loop(node, scope, depth))
 
 
@@ -162,7 +163,7 @@ def _after_loop(node: ast.For | ast.AsyncFor | ast.While, scope: Scope, depth: i
     if not any(isinstance(part, ast.Break) for statement in node.body for part in ast.walk(statement)):
         return block(node.orelse, scope, depth)
     body = block(node.orelse, conditionally(scope), depth)
-    return (("if", *_else(node.body, node.orelse, scope), "else", ("?", "else"), body, 0, 0, ()),)
+    return (syntax.If(*_else(node.body, node.orelse, scope), "else", syntax.Unknown("else"), body, 0, 0, ()),)
 
 
 def _with(node: ast.With | ast.AsyncWith, scope: Scope, depth: int) -> Block:
@@ -171,10 +172,10 @@ def _with(node: ast.With | ast.AsyncWith, scope: Scope, depth: int) -> Block:
     for item in node.items:
         call = expression(item.context_expr, scope, depth)
         if item.optional_vars is None:
-            entered.append(("do", call))
+            entered.append(syntax.Do(call))
         else:
             _bind(item.optional_vars, None, None, scope, node)
-            entered.append(("do", ("set", "=", expression(item.optional_vars, scope, depth), call)))
+            entered.append(syntax.Do(syntax.Assignment("=", expression(item.optional_vars, scope, depth), call)))
     return (*entered, *block(node.body, scope, depth))
 
 
@@ -183,35 +184,35 @@ def _try(node: Any, scope: Scope, depth: int) -> Block:
     inner = conditionally(scope)
     tried = block(node.body, inner, depth) + block(node.orelse, inner, depth)
     handlers = tuple([_handler(handler, inner, depth) for handler in node.handlers])
-    return (("try", tried, handlers), *block(node.finalbody, scope, depth))
+    return (syntax.Try(tried, handlers), *block(node.finalbody, scope, depth))
 
 
-def _handler(node: ast.ExceptHandler, scope: Scope, depth: int) -> Statement:
+def _handler(node: ast.ExceptHandler, scope: Scope, depth: int) -> syntax.Handler:
     text = condition(scope.file.source, node.type, node.type) if node.type else ""
     if node.name:
         text = f"{text} as {node.name}"
         rebind(scope, node.name)
     type_ = annotation(node.type, scope, depth)
-    return (*place(scope.file.source, node), text, node.name or "", type_, block(node.body, scope, depth))
+    return syntax.Handler(*place(scope.file.source, node), text, node.name or "", type_, block(node.body, scope, depth))
 
 
 def _match(node: Any, scope: Scope, depth: int) -> Block:
     """Alternatives are cases that fall through; a pattern that is no value, or has a guard, is unknown text."""
     source = scope.file.source
     inner = conditionally(scope)
-    cases: list[tuple[Expression | None, Block]] = []
+    cases: list[syntax.Case] = []
     for case in node.cases:
         body = _captured(case.pattern, scope) + block(case.body, inner, depth)
-        if not body or body[-1][0] not in _LEAVES:
-            body = (*body, ("break",))
+        if not body or not isinstance(body[-1], _LEAVES):
+            body = (*body, syntax.Break())
         patterns = case.pattern.patterns if isinstance(case.pattern, ast.MatchOr) else [case.pattern]
         values = [_pattern(pattern, scope, depth) for pattern in patterns]
         if case.guard is not None:
-            values = [("?", condition(source, case.pattern, case.guard)[:200])]
-        cases += [(value, ()) for value in values[:-1]]
-        cases.append((values[-1], body))
+            values = [syntax.Unknown(condition(source, case.pattern, case.guard)[:200])]
+        cases += [syntax.Case(value, ()) for value in values[:-1]]
+        cases.append(syntax.Case(values[-1], body))
     text = condition(source, node.subject, node.subject)
-    return (("switch", *place(source, node), text, expression(node.subject, scope, depth), tuple(cases)),)
+    return (syntax.Switch(*place(source, node), text, expression(node.subject, scope, depth), tuple(cases)),)
 
 
 def _captured(pattern: Any, scope: Scope) -> Block:
@@ -220,46 +221,46 @@ def _captured(pattern: Any, scope: Scope) -> Block:
     found = sorted({name for name in names if name})
     rebind(scope, *found)
     value = unknown(scope.file.source, pattern)
-    return tuple([("do", ("set", "=", ("name", name), value)) for name in found])
+    return tuple([syntax.Do(syntax.Assignment("=", syntax.Name(name), value)) for name in found])
 
 
 def _pattern(pattern: Any, scope: Scope, depth: int) -> Expression | None:
     if isinstance(pattern, ast.MatchValue):
         return expression(pattern.value, scope, depth)
     if isinstance(pattern, ast.MatchSingleton):
-        return ("none",) if pattern.value is None else ("bool", pattern.value)
+        return syntax.Null() if pattern.value is None else syntax.Boolean(pattern.value)
     if isinstance(pattern, ast.MatchAs) and pattern.pattern is None and pattern.name is None:
         return None
     return unknown(scope.file.source, pattern)
 
 
 def _return(node: ast.Return, scope: Scope, depth: int) -> Block:
-    return (("return", None if node.value is None else expression(node.value, scope, depth)),)
+    return (syntax.Return(None if node.value is None else expression(node.value, scope, depth)),)
 
 
 def _raise(node: ast.Raise, scope: Scope, depth: int) -> Block:
-    return (("throw", None if node.exc is None else expression(node.exc, scope, depth)),)
+    return (syntax.Throw(None if node.exc is None else expression(node.exc, scope, depth)),)
 
 
 def _function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: Scope, depth: int) -> Block:
     rebind(scope, node.name)
     index = define_function(node, scope, depth, block)
-    return (("def", node.name, index),) if scope.kind == "function" else ()
+    return (syntax.NestedFunction(node.name, index),) if scope.kind == "function" else ()
 
 
 def _class(node: ast.ClassDef, scope: Scope, depth: int) -> Block:
     rebind(scope, node.name)
     name = define_class(node, scope, depth, block)
-    return (("class", name),) if scope.kind != "class" else ()
+    return (syntax.NestedClass(name),) if scope.kind != "class" else ()
 
 
 def _import(node: ast.Import | ast.ImportFrom, scope: Scope, depth: int) -> Block:
     found = imported(node)
     rebind(scope, *(name for name, _ in found))
     if scope.kind == "module":
-        scope.file.aliases.update({Alias(name, (target, (), "")): None for name, target in found})
+        scope.file.aliases.update({Alias(name, syntax.Type(target)): None for name, target in found})
         return ()
-    return tuple([("import", name, target) for name, target in found])
+    return tuple([syntax.Import(name, target) for name, target in found])
 
 
 def _type_alias(node: Any, scope: Scope, depth: int) -> Block:
@@ -285,8 +286,8 @@ _LOWERED: dict[type[ast.AST], Callable[[Any, Scope, int], Block]] = {
     ast.Match: _match,
     ast.Return: _return,
     ast.Raise: _raise,
-    ast.Break: lambda node, scope, depth: (("break",),),
-    ast.Continue: lambda node, scope, depth: (("continue",),),
+    ast.Break: lambda node, scope, depth: (syntax.Break(),),
+    ast.Continue: lambda node, scope, depth: (syntax.Continue(),),
     ast.Pass: _nothing,
     ast.Global: _globals,
     ast.Nonlocal: _nonlocals,

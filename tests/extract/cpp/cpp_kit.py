@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.extract.cpp.read import read_cpp
-from haros_ci.model.program import Function
+from syntax_kit import read_cpp
 
 
 def T(name: str, *arguments: Any, marks: str = "") -> tuple[Any, ...]:
@@ -14,7 +13,7 @@ def T(name: str, *arguments: Any, marks: str = "") -> tuple[Any, ...]:
     return (name, arguments, marks)
 
 
-def function(text: str, name: str) -> Function:
+def function(text: str, name: str) -> Any:
     """The first function called *name*."""
     return next(each for each in read_cpp(text).functions if each.name == name)
 

@@ -3,15 +3,13 @@
 
 from __future__ import annotations
 
-import json
-
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from haros_ci.extract.cpp.read import read_cpp
-from haros_ci.extract.program_json import from_json, to_json
-from haros_ci.model.program import Program
+from haros_ci.syntax import Program
+from haros_ci.syntax.codec import decoded, encoded
 
 DEEP = 3000
 OPEN = "void f() { "
@@ -20,14 +18,15 @@ OPEN = "void f() { "
 def check(text: str) -> Program:
     """The Program, which fits in JSON and comes back as itself."""
     program = read_cpp(text)
-    dumped = json.dumps(to_json(program))
+    dumped = encoded(program)
+    assert dumped is not None
     assert len(dumped) < 20_000 + 200 * len(text)
     assert len(program.problems) <= 5
     lines = text.count("\n") + 1
     assert all(1 <= line <= lines for line, _ in program.problems)
     assert all(1 <= each.line <= lines and each.column >= 1 for each in program.functions)
-    again = from_json(json.loads(dumped))
-    assert again is not None and json.dumps(to_json(again)) == dumped
+    again = decoded(dumped)
+    assert again == program and encoded(again) == dumped
     return program
 
 
@@ -176,7 +175,7 @@ def test_what_is_too_deep_is_said() -> None:
 def test_a_long_chain_within_the_limit_is_read_wholly() -> None:
     program = check(OPEN + "a" + " << b()" * 80 + "; }")
     assert program.problems == ()
-    assert json.dumps(to_json(program)).count('"call"') == 80
+    assert str(encoded(program)).count('"call"') == 80
 
 
 def test_an_error_loses_its_function_only() -> None:

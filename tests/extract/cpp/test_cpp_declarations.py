@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 from cpp_kit import T, function
+from syntax_kit import read_cpp
 
-from haros_ci.extract.cpp.read import read_cpp
-from haros_ci.model.program import Alias, Class, Field, Parameter, Program
+from haros_ci.syntax import Alias, Class, Field, Parameter, Program
 
 
 def names(program: Program) -> list[tuple[str, str, str]]:

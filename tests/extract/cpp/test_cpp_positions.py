@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 import pytest
-
-from haros_ci.extract.cpp.read import read_cpp
+from syntax_kit import read_cpp
 
 
 def calls(text: str) -> list[tuple[str, int, int]]:

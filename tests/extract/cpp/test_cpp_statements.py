@@ -7,8 +7,7 @@ from typing import Any
 
 import pytest
 from cpp_kit import T, body, function
-
-from haros_ci.extract.cpp.read import read_cpp
+from syntax_kit import read_cpp
 
 A, B, C = ("name", "a"), ("name", "b"), ("name", "c")
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.extract.cpp.read import read_cpp
+from syntax_kit import read_cpp
 
 
 def test_a_brace_opened_in_each_branch() -> None:

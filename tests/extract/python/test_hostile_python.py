@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import dataclasses
-import json
 from pathlib import Path
 
 import pytest
 
 from haros_ci.extract.python.read import read_python
 from haros_ci.extract.python.tokens import longest_chain
+from haros_ci.syntax.codec import decoded, encoded
 
 MANY = 3000
 
@@ -18,7 +17,7 @@ MANY = 3000
 def shape(text: str) -> list[tuple[int, str]]:
     """The problems; fails where the Program does not fit a JSON encoder."""
     program = read_python(text)
-    json.dumps(dataclasses.asdict(program), allow_nan=False).encode()
+    assert decoded(encoded(program)) == program
     return list(program.problems)
 
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from syntax_kit import read_python
 
 from haros_ci.extract.python.python2 import repair
-from haros_ci.extract.python.read import read_python
 
 
 @pytest.mark.parametrize(

@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from syntax_kit import read_python
 
-from haros_ci.extract.python.read import read_python
-from haros_ci.model.program import Class, Field, Function, Parameter
+from haros_ci.syntax import Class, Field, Function, Parameter
 
 NO_TYPE = ("", (), "")
 A, X = ("name", "a"), ("name", "x")

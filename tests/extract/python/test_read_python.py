@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from syntax_kit import read_python
 
-from haros_ci.extract.python.read import read_python
-from haros_ci.model.program import Alias, Function, Program
+from haros_ci.syntax import Alias, Function, Program
 
 NO_TYPE = ("", (), "")
 

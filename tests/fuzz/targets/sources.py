@@ -13,7 +13,6 @@ from haros_ci.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.parameter_library import read_parameter_library
-from haros_ci.extract.program_json import from_json, to_json
 from haros_ci.extract.python.read import read_python
 from haros_ci.linters import includes, inclusions, lizard_worker, radon_worker
 from haros_ci.linters.diffs import first_changes
@@ -22,7 +21,6 @@ from haros_ci.linters.python2 import why_unreadable
 from haros_ci.measuring import cpp as measuring_cpp
 from haros_ci.measuring import facts
 from haros_ci.measuring import python as measuring_python
-from haros_ci.model.program import Program
 from haros_ci.report.model_json import render as model_json
 from haros_ci.results.comments import syntax
 from haros_ci.results.directives import directives
@@ -30,14 +28,16 @@ from haros_ci.results.fingerprint import text_hashes
 from haros_ci.results.line_hash import github_line_hashes
 from haros_ci.results.line_map import line_mapper
 from haros_ci.results.scope import scopes
+from haros_ci.syntax import Program
+from haros_ci.syntax.codec import decoded, encoded
 from haros_ci.workspace.cache import MemoryCache
 
 
 def _program(program: Program) -> object:
     """A program comes back from the cache as it went in."""
-    stored = json.dumps(to_json(program))
-    again = from_json(json.loads(stored))
-    assert again is not None and json.dumps(to_json(again)) == stored
+    stored = encoded(program)
+    again = decoded(stored)
+    assert again == program and encoded(again) == stored
     for line, message in program.problems:
         assert message and (line is None or line >= 1)
     return stored
@@ -179,7 +179,7 @@ def confined_text(data: bytes) -> object:
 
 
 TARGETS = {
-    "cpp": Entry(cpp, "C++ sources and headers", ("extract.cpp", "extract.program_json")),
+    "cpp": Entry(cpp, "C++ sources and headers", ("extract.cpp", "syntax.codec")),
     "python": Entry(python, "Python sources", ("extract.python", "linters.python2")),
     "measured-cpp": Entry(measured_cpp, "C++ as metrics see it", ("measuring.cpp", "measuring.facts")),
     "measured-python": Entry(measured_python, "Python as metrics see it", ("measuring.python",)),

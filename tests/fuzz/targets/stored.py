@@ -10,7 +10,6 @@ from typing import Any
 
 from fuzz.targets.kit import Entry, parts, refused, ros_package, text_of, workspace
 
-from haros_ci.extract import program_json
 from haros_ci.extract.cpp import exact
 from haros_ci.extract.launch import xml as launch_xml
 from haros_ci.haros_json.documents import PROJECTS, added
@@ -31,6 +30,7 @@ from haros_ci.shards import costs
 from haros_ci.shards.joining import join
 from haros_ci.shards.shard import ShardError
 from haros_ci.shards.shard_file import parsed, value_of, written
+from haros_ci.syntax import codec
 from haros_ci.workspace.cache import DiskCache
 
 
@@ -115,7 +115,14 @@ def cached_values(data: bytes) -> object:
     measured = facts.from_json(value)
     if measured is not None:
         facts.to_json(measured)
-    return answer, program_json.from_json(value), launch_xml.from_json(value), measured, kept.read(value), _kept(value)
+    return (
+        answer,
+        codec.decoded(data.decode("utf-8", "replace")),
+        launch_xml.from_json(value),
+        measured,
+        kept.read(value),
+        _kept(value),
+    )
 
 
 def _kept(value: Any) -> object:
@@ -236,13 +243,13 @@ TARGETS = {
         _JSON,
     ),
     "baseline": Entry(baseline, "compact baselines", ("results.compact",), _JSON),
-    "shards": Entry(shards, "shard files", ("shards.shard_file", "shards.values", "shards.joining"), _JSON),
+    "shards": Entry(shards, "shard files", ("shards.shard_file", "results.values", "shards.joining"), _JSON),
     "shard-costs": Entry(shard_costs, "costs of shards", ("shards.costs",), _JSON),
     "caches": Entry(caches, "files of the cache", ("workspace.cache",), _JSON),
     "cached-values": Entry(
         cached_values,
         "values of the cache",
-        ("linters.rows", "extract.program_json", "link.kept", "link.kept_json"),
+        ("linters.rows", "syntax.codec", "link.kept", "link.kept_json"),
         _JSON,
     ),
     "history": Entry(history, "the summary of HAROS's web page", ("haros_json.summary", "haros_json.documents"), _JSON),
