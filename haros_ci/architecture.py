@@ -13,16 +13,16 @@ from haros_ci.extract.apis.tables import rows
 from haros_ci.extract.cpp.exact import ExactCall, Place, pick
 from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.forks import shared
-from haros_ci.link import hints
-from haros_ci.link.index import Source
-from haros_ci.link.keeping import Keeper
-from haros_ci.link.kept import digest_of
-from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.launching.dialect import description_reader
-from haros_ci.link.launching.places import Places
-from haros_ci.link.link import Linked, Ros2Launch, Wanted, linked
-from haros_ci.link.system import KnownNodes
-from haros_ci.link.trace import XML_FILES, YAML_FILES
+from haros_ci.declared import hints
+from haros_ci.index.index import Source
+from haros_ci.systems.keeping import Keeper
+from haros_ci.keeping.kept import digest_of
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.launch.ros2.dialect import description_reader
+from haros_ci.launch.ros2.places import Places
+from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
+from haros_ci.systems.system import KnownNodes
+from haros_ci.index.trace import XML_FILES, YAML_FILES
 from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
@@ -254,7 +254,7 @@ def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: M
         return (path, workspace.text(path)) if path is not None else None
 
     def read_python(path: str) -> Description | None:
-        from haros_ci.link.launch_python.interpret import interpret
+        from haros_ci.launch.python.interpret import interpret
 
         text = workspace.text(path)
         return interpret(path, text, read, environment, module) if text else None
@@ -293,7 +293,7 @@ def known_types(declared: object, where: str, problems: list[Problem], here: fro
 
     Of the packages that are *here*, in the workspace, the project file alone is asked.
     """
-    from haros_ci.link.known.load import load_known, load_user
+    from haros_ci.systems.known.load import load_known, load_user
 
     own: Mapping[str, Mapping[str, KnownNode]] = {}
     if isinstance(declared, Mapping):

@@ -12,8 +12,8 @@ from haros_ci.changes.endpoints import WORDS
 from haros_ci.changes.revision import Revision
 from haros_ci.changes.settings import Value
 from haros_ci.extract.apis.tables import rows
-from haros_ci.link.launching.parameter_files import SECTION, values_in
-from haros_ci.link.link import Linked
+from haros_ci.launch.ros2.parameter_files import SECTION, values_in
+from haros_ci.systems.link import Linked
 from haros_ci.model.workspace import Workspace
 
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
     from haros_ci.code.codebase import Codebase
-    from haros_ci.link.link import Linked
+    from haros_ci.systems.link import Linked
     from haros_ci.workspace.base import Base
 
 Progress = Callable[[str], None]

@@ -48,7 +48,7 @@ def refused(workspace: Workspace) -> Iterator[Problem]:
     said.
     """
     from haros_ci.architecture import launch_reader
-    from haros_ci.link.launching.dialect import is_ros2_file
+    from haros_ci.launch.ros2.dialect import is_ros2_file
 
     read = launch_reader(workspace)
     of_ros2 = is_ros2_file(workspace)

@@ -199,7 +199,7 @@ def expected(found: Architecture, path: str) -> int:
     """Compare with the architecture that the file declares, and say on stdout where they differ."""
     import yaml
 
-    from haros_ci.link.expectation import compare, problems
+    from haros_ci.declared.expectation import compare, problems
 
     try:
         declared = yaml.safe_load(read_input(Path(path), path))

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from haros_ci.errors import UserError
-from haros_ci.link.link import Wanted
+from haros_ci.systems.link import Wanted
 from haros_ci.model.workspace import Problem, Workspace
 
 

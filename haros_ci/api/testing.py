@@ -22,7 +22,7 @@ from haros_ci.checking.system import System, systems
 from haros_ci.config.load import load
 from haros_ci.config.settings import Settings
 from haros_ci.inspection import project_of
-from haros_ci.link.link import Linked
+from haros_ci.systems.link import Linked
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.fix import Edit, applied
 from haros_ci.results.result import Result

@@ -13,7 +13,7 @@ from follow_kit import ROS2_HEAD, ROS2_NODE, Nothing, cpp_files, main, names, ro
 
 from haros_ci.architecture import architecture, varied
 from haros_ci.config.settings import Settings
-from haros_ci.link.link import Linked
+from haros_ci.systems.link import Linked
 from haros_ci.model.architecture import Configuration, Node
 from haros_ci.model.presence import Choice, assignment, together
 from haros_ci.report.model_json import render

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from haros_ci.errors import UserError
-from haros_ci.link.expectation import Difference, compare, may_be, problems
+from haros_ci.declared.expectation import Difference, compare, may_be, problems
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package

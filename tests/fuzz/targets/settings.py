@@ -13,7 +13,7 @@ from haros_ci.config.project import read_project
 from haros_ci.config.settings import Settings
 from haros_ci.config.yaml_lines import parse, plain
 from haros_ci.errors import UserError
-from haros_ci.link.expectation import problems as expectation_problems
+from haros_ci.declared.expectation import problems as expectation_problems
 from haros_ci.linters import pylint_config, settings_files, yaml_settings
 from haros_ci.model.workspace import Problem
 from haros_ci.pipeline import selection_of
