@@ -19,13 +19,13 @@ from haros_ci.follow import (
     statements,
 )
 from haros_ci.follow.libraries import library
-from haros_ci.index.index import EITHER
 from haros_ci.follow.run import DEPTH, NEXT, Frame, Run
+from haros_ci.index.index import EITHER
 from haros_ci.index.types import STRINGS, is_smart_pointer
-from haros_ci.values.abstract import NONE, Callable, Cell, Known, Mapped, Object, Opaque, Sequence, Value, join
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Function
+from haros_ci.values.abstract import NONE, Callable, Cell, Known, Mapped, Object, Opaque, Sequence, Value, join
 
 #: Steps that may go into one function that makes nothing; after that its results are not known.
 SPENT = 300

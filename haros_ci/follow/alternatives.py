@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence as Sequence_
 
     from haros_ci.follow.run import Run
-    from haros_ci.values.state import Writes
     from haros_ci.syntax import Type
+    from haros_ci.values.state import Writes
 
 #: Objects inside objects that are looked into.
 NESTED = 3

@@ -25,6 +25,7 @@ from haros_ci.follow import (
 from haros_ci.follow.libraries import texts
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.types import MAPS, SEQUENCES
+from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import (
     LIST_LIMIT,
     NONE,
@@ -43,7 +44,6 @@ from haros_ci.values.abstract import (
     Value,
     join,
 )
-from haros_ci.syntax import Expression, Type
 
 TIES = frozenset(map(syntax.Name, ("std::tie", "boost::tie", "tie")))
 #: Methods of containers that give one of their elements.

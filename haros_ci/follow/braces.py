@@ -9,9 +9,9 @@ from haros_ci import syntax
 from haros_ci.follow import call_arguments, construct, conversions, copies
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.types import INTEGERS, MAPS, SEQUENCES, STRINGS, is_smart_pointer
-from haros_ci.values.abstract import Cell, Known, Mapped, Object, Sequence, Text, Value
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Sequence, Text, Value
 
 #: Elements that an array whose length is not known may have.
 GROWN = 64

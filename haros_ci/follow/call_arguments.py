@@ -9,8 +9,8 @@ from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, static_types
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.types import INTEGERS, REALS
-from haros_ci.values.abstract import Cell, Mapped, Value
 from haros_ci.syntax import Expression, Type
+from haros_ci.values.abstract import Cell, Mapped, Value
 
 
 @dataclass(frozen=True, slots=True, eq=False)

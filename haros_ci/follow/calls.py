@@ -21,11 +21,14 @@ from haros_ci.follow import (
     static_types,
     twins,
 )
+from haros_ci.follow.libraries import library
+from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, forwarding
-from haros_ci.values import iterators
-from haros_ci.follow.libraries import library, objects as library_objects
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression
+from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     NONE,
     Callable,
@@ -40,8 +43,6 @@ from haros_ci.values.abstract import (
     Text,
     Value,
 )
-from haros_ci.model.location import Location
-from haros_ci.syntax import Expression
 
 
 def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:

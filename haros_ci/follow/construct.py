@@ -17,13 +17,14 @@ from haros_ci.follow import (
     methods,
     uncertain,
 )
-from haros_ci.follow.libraries import objects as library_objects, texts
-from haros_ci.index.index import Source
+from haros_ci.follow.libraries import objects as library_objects
+from haros_ci.follow.libraries import texts
 from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import Source
 from haros_ci.index.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, parameter_type, pointee
-from haros_ci.values.abstract import FALSE, LIST_LIMIT, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Expression, Function, Type
+from haros_ci.values.abstract import FALSE, LIST_LIMIT, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 
 #: Classes of nodes that have functions to make them.
 NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))

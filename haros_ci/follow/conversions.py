@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci import syntax
 from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
+from haros_ci.syntax import Type
 from haros_ci.values.abstract import (
     Callable,
     Character,
@@ -19,7 +20,6 @@ from haros_ci.values.abstract import (
     Value,
     data_of,
 )
-from haros_ci.syntax import Type
 
 #: Types of one byte, which streams write as characters.
 CHARACTERS = frozenset(("char", "int8_t", "uint8_t", "byte"))

@@ -9,13 +9,13 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import assignments, call_arguments, construct, expressions, methods
 from haros_ci.follow.ros import qos_profiles
-from haros_ci.index.index import Source
 from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import Source
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
-from haros_ci.values.abstract import Cell, Choice, Mapped, Object, Opaque, Sequence, Value
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Expression, Function, Type
 from haros_ci.syntax.walk import everything
+from haros_ci.values.abstract import Cell, Choice, Mapped, Object, Opaque, Sequence, Value
 
 #: Values inside values that are copied, and all of them together.
 DEEP = 6

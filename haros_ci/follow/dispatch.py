@@ -8,8 +8,8 @@ from typing import Any
 from haros_ci.follow import callbacks, methods
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.run import Run
-from haros_ci.values.abstract import Callable, ClassValue, Mapped, Object, Value, join
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import Callable, ClassValue, Mapped, Object, Value, join
 
 #: What a table holds: functions, classes, and objects whose methods are called.
 HELD = (Callable, ClassValue, Object)

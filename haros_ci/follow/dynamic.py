@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, copies, lookup, methods
-from haros_ci.index.index import Source
 from haros_ci.follow.run import Frame, Run
-from haros_ci.values.abstract import Known, Opaque, Text, Value
+from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Statement
+from haros_ci.values.abstract import Known, Opaque, Text, Value
 
 FUNCTIONS = frozenset(("()", "std::function", "boost::function"))
 

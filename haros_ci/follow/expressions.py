@@ -21,10 +21,12 @@ from haros_ci.follow import (
     static_types,
     uncertain,
 )
-from haros_ci.values import iterators
 from haros_ci.follow.libraries import text_methods
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.types import is_smart_pointer, pointee
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression
+from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     LIST_LIMIT,
     NONE,
@@ -42,8 +44,6 @@ from haros_ci.values.abstract import (
     concatenate,
     printed,
 )
-from haros_ci.model.location import Location
-from haros_ci.syntax import Expression
 
 
 def evaluate(run: Run, frame: Frame, expression: Expression) -> Value:

@@ -12,9 +12,10 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import activation, alternatives, call_arguments, construct, inert, lookup
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.index.index import Source
 from haros_ci.follow.run import ROOTS, Frame, OutOfSteps, Root, Run
-from haros_ci.values.state import Writes, joined
+from haros_ci.index.index import Source
+from haros_ci.model.location import Location
+from haros_ci.syntax import Class, Function
 from haros_ci.values.abstract import (
     UNSET,
     UNSET_OR_INHERITED,
@@ -27,8 +28,7 @@ from haros_ci.values.abstract import (
     Text,
     Value,
 )
-from haros_ci.model.location import Location
-from haros_ci.syntax import Class, Function
+from haros_ci.values.state import Writes, joined
 
 #: Reasons of values that what others write takes the place of.
 UNSETS = frozenset((UNSET, UNSET_OR_INHERITED))

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.follow.ros import selectors
 from haros_ci.graph.names import pattern, resolve
 from haros_ci.index.types import STRINGS, pointee
-from haros_ci.values.abstract import NONE, Known, Object, Opaque, Pointer, Text, Value
 from haros_ci.model.api import Entry
+from haros_ci.values.abstract import NONE, Known, Object, Opaque, Pointer, Text, Value
 
 if TYPE_CHECKING:
     pass

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from haros_ci.follow import activation, call_arguments, conversions
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.run import Frame, Run
-from haros_ci.values.state import joined
-from haros_ci.values.abstract import Callable, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Text, Value
 from haros_ci.syntax import Class
+from haros_ci.values.abstract import Callable, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Text, Value
+from haros_ci.values.state import joined
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

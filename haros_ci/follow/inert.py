@@ -9,8 +9,10 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, lookup, methods, partials
-from haros_ci.index.index import Source
 from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import Source
+from haros_ci.syntax import Function, Type
+from haros_ci.syntax.walk import Part, everything
 from haros_ci.values.abstract import (
     NONE,
     Callable,
@@ -27,8 +29,6 @@ from haros_ci.values.abstract import (
     Text,
     Value,
 )
-from haros_ci.syntax import Function, Type
-from haros_ci.syntax.walk import Part, everything
 
 #: Objects inside objects that are looked into.
 NESTED = 3

@@ -9,15 +9,17 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, expressions, members, methods
-from haros_ci.follow.libraries import cpp as library_cpp, numbers as library_numbers, python_modules
+from haros_ci.follow.libraries import cpp as library_cpp
+from haros_ci.follow.libraries import numbers as library_numbers
+from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import qos
+from haros_ci.follow.run import NEXT, Frame, Run
 from haros_ci.index import macros as macros_
 from haros_ci.index.common_messages import COMMON, NAMES
 from haros_ci.index.index import EITHER, Source
-from haros_ci.follow.run import NEXT, Frame, Run
-from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Type
+from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join
 
 
 def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:

@@ -10,10 +10,10 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import alternatives, expressions, statements, static_types
 from haros_ci.follow.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
-from haros_ci.values.state import certain, joined
-from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
+from haros_ci.values.state import certain, joined
 
 #: Turns that are tried to find what a loop changes.
 REHEARSALS = 3

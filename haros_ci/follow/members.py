@@ -7,11 +7,13 @@ from dataclasses import replace
 
 from haros_ci import syntax
 from haros_ci.follow import expressions, lookup, methods
-from haros_ci.values import iterators
-from haros_ci.follow.libraries import python as library_python, python_modules
-from haros_ci.index.index import Source
+from haros_ci.follow.libraries import python as library_python
+from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
+from haros_ci.syntax import Class, Expression
+from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     NONE,
     Callable,
@@ -27,7 +29,6 @@ from haros_ci.values.abstract import (
     Value,
     join,
 )
-from haros_ci.syntax import Class, Expression
 
 
 def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:

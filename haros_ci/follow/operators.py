@@ -10,9 +10,10 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods, statements
 from haros_ci.follow.libraries import formats, python_kinds, texts
-from haros_ci.values import iterators
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.types import STRINGS
+from haros_ci.syntax import Expression
+from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     FALSE,
     LIST_LIMIT,
@@ -34,7 +35,6 @@ from haros_ci.values.abstract import (
     data_of,
     join,
 )
-from haros_ci.syntax import Expression
 
 BINARY = {
     "-": operator.sub,

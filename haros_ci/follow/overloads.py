@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.index.index import EITHER, Source
 from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
-from haros_ci.values.abstract import Known, Object
 from haros_ci.syntax import Block, Function, Type
+from haros_ci.values.abstract import Known, Object
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

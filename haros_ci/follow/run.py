@@ -10,20 +10,20 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from haros_ci import syntax
+from haros_ci.follow.twins import Standing, Twin
+from haros_ci.graph.ros2_process import Process, RosNode
 from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.index import Index, Source
 from haros_ci.index.relevance import Relevance
-from haros_ci.graph.ros2_process import Process, RosNode
-from haros_ci.values.state import State
-from haros_ci.follow.twins import Standing, Twin
 from haros_ci.index.types import NO_TYPE, resolve_type
-from haros_ci.values.abstract import NONE, Callable, Cell, Known, Object, Opaque, Value, join
 from haros_ci.index.xml_files import Reader
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Condition, Qos
 from haros_ci.model.build import ConfigFile
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Type
+from haros_ci.values.abstract import NONE, Callable, Cell, Known, Object, Opaque, Value, join
+from haros_ci.values.state import State
 
 #: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
 STEPS = 60_000

@@ -10,10 +10,10 @@ from haros_ci import syntax
 from haros_ci.follow import construct, expressions, lookup, loops, members
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop, Run
-from haros_ci.values.state import Writes, joined
-from haros_ci.values.abstract import Cell, Known, Library, Object, Sequence, Value
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Statement
+from haros_ci.values.abstract import Cell, Known, Library, Object, Sequence, Value
+from haros_ci.values.state import Writes, joined
 
 #: What holds in the script that is started, and in no other module: no condition at all.
 MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions
-from haros_ci.values import iterators
 from haros_ci.follow.run import Frame, Run
-from haros_ci.values.state import certain, possible
 from haros_ci.index.types import SEQUENCES
-from haros_ci.values.abstract import LIST_LIMIT, Cell, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
 from haros_ci.syntax import Expression, Type
+from haros_ci.values import iterators
+from haros_ci.values.abstract import LIST_LIMIT, Cell, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
+from haros_ci.values.state import certain, possible
 
 
 def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cell] | None:

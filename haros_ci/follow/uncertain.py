@@ -9,6 +9,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import conversions, copies, dispatch, expressions, havoc, members, statements
 from haros_ci.follow.run import Frame, Run
+from haros_ci.syntax import Expression
 from haros_ci.values.abstract import (
     NONE,
     Callable,
@@ -24,7 +25,6 @@ from haros_ci.values.abstract import (
     data_of,
     join,
 )
-from haros_ci.syntax import Expression
 
 UNCERTAIN = "it is assigned to in a way that is not followed"
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from haros_ci.values.abstract import Choice, Known, Opaque, Text, Value, opaque_of, written
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import Choice, Known, Opaque, Text, Value, opaque_of, written
 
 #: What stands for a part of a name that is not known.
 UNKNOWN = "?"

@@ -8,11 +8,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.substitutions.files import Files
 from haros_ci.substitutions.names import Text, literal
 from haros_ci.substitutions.yaml import YamlError, YamlValue, read_yaml
 from haros_ci.values.abstract import Known, Opaque, Value
-from haros_ci.model.architecture import Condition, Parameter
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,11 +14,11 @@ from functools import lru_cache
 
 from haros_ci.graph.names import UNKNOWN, clean
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.values.abstract import Known, Opaque, Value
 from haros_ci.graph.words import scalar
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import Known, Opaque, Value
 
 #: Sources of rules that name a node: ``__node:=name``, ``__name:=name``, ``__ns:=/namespace``.
 NAMES, SPACES = frozenset(("__node", "__name")), frozenset(("__ns",))

@@ -7,9 +7,9 @@ import posixpath
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.substitutions.files import Files
 from haros_ci.substitutions.names import literal
-from haros_ci.model.launch import LaunchElement, LaunchFile
 
 
 @dataclass(frozen=True, slots=True)

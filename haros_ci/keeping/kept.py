@@ -17,18 +17,18 @@ from typing import Any
 from zlib import crc32
 
 from haros_ci import syntax
-from haros_ci.index.index import Index, Source
-from haros_ci.keeping.kept_json import Unfit, from_json, to_json
-from haros_ci.index.relevance import Relevance
-from haros_ci.graph.ros2_process import RosNode
 from haros_ci.follow.run import Made
-from haros_ci.index.trace import XML_FILES, YAML_FILES, Trace
 from haros_ci.follow.twins import Twin
-from haros_ci.values.abstract import Value
+from haros_ci.graph.ros2_process import RosNode
+from haros_ci.index.index import Index, Source
+from haros_ci.index.relevance import Relevance
+from haros_ci.index.trace import XML_FILES, YAML_FILES, Trace
+from haros_ci.keeping.kept_json import Unfit, from_json, to_json
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.syntax import Alias, Class, Field, Function, Program
 from haros_ci.syntax.codec import plain
+from haros_ci.values.abstract import Value
 
 
 @dataclass(frozen=True, slots=True)

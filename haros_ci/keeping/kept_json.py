@@ -7,12 +7,12 @@ from collections.abc import Callable
 from dataclasses import fields
 from typing import Any
 
+from haros_ci.follow.run import Made
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import RosNode, Rule
-from haros_ci.follow.run import Made
-from haros_ci.values.abstract import Known, Opaque
 from haros_ci.model.architecture import KINDS, Condition, Qos
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import Known, Opaque
 
 #: Containers in containers that are kept.
 DEEPEST = 40

@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.substitutions.presence import OTHER
 from haros_ci.substitutions.names import Text, literal, quoted
+from haros_ci.substitutions.presence import OTHER
 from haros_ci.substitutions.types import convert
 
 MAX_SOURCE = 2_000

@@ -8,8 +8,8 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from haros_ci.substitutions.names import Text, quoted
 from haros_ci.model.workspace import Workspace
+from haros_ci.substitutions.names import Text, quoted
 
 #: What ``$(dirname)`` of a file outside any package begins with: the root of the workspace.
 ROOT = "$(workspace)"

@@ -14,8 +14,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 
-from haros_ci.substitutions.names import MARK, Origin, Text, derived, literal, unknown
 from haros_ci.model.presence import Choice, Presence, choice, together
+from haros_ci.substitutions.names import MARK, Origin, Text, derived, literal, unknown
 
 #: Arguments by name with the values that they are assumed to have.
 Assumed = Mapping[str, Text]

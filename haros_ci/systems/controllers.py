@@ -13,11 +13,11 @@ from dataclasses import dataclass, replace
 
 from haros_ci.graph.names import clean
 from haros_ci.graph.ros2_process import Parameters
-from haros_ci.values.abstract import Known, Opaque
 from haros_ci.graph.words import shell_words
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.launch import LaunchedNode, ParameterRule
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import Known, Opaque
 
 PACKAGE = "controller_manager"
 MANAGER, SPAWNERS = "ros2_control_node", ("spawner", "spawner.py")

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from haros_ci.keeping import kept
 from haros_ci.index.index import Source
-from haros_ci.keeping.kept import Followed
 from haros_ci.index.relevance import Relevance
-from haros_ci.systems.system import Types
+from haros_ci.keeping import kept
+from haros_ci.keeping.kept import Followed
 from haros_ci.model.api import Row
 from haros_ci.syntax import Program
+from haros_ci.systems.system import Types
 
 #: Parameter libraries, whose facts are not kept.
 YAML = (".yaml", ".yml")

@@ -9,7 +9,27 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
+from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import behavior_trees
+from haros_ci.follow.run import Exact
+from haros_ci.graph.names import clean
+from haros_ci.graph.parameters import ParameterServer
+from haros_ci.index.index import Source
+from haros_ci.keeping.kept import Followed
+from haros_ci.launch.ros1.entry import entry_files
+from haros_ci.launch.ros1.roslaunch import evaluate
+from haros_ci.launch.ros2.dialect import is_ros2_file
+from haros_ci.launch.ros2.entry import entry_files as ros2_entry_files
+from haros_ci.launch.ros2.evaluate import launch_system
+from haros_ci.launch.ros2.parameter_files import parameter_file
+from haros_ci.launch.ros2.places import Places
+from haros_ci.model.api import Row
+from haros_ci.model.architecture import LIBRARY, Architecture, Configuration, Node, Parameter
+from haros_ci.model.build import Build
+from haros_ci.model.launch import LaunchFile
+from haros_ci.model.launch_actions import Description
+from haros_ci.model.launch_facts import LaunchFact
+from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.systems import (
     controllers,
     keeping,
@@ -21,31 +41,11 @@ from haros_ci.systems import (
     ros2_system,
     system,
 )
-from haros_ci.follow.libraries import yaml as library_yaml
-from haros_ci.index.index import Source
 from haros_ci.systems.keeping import Keeper
-from haros_ci.keeping.kept import Followed
 from haros_ci.systems.launch_facts import Completion
-from haros_ci.launch.ros2.dialect import is_ros2_file
-from haros_ci.launch.ros2.entry import entry_files as ros2_entry_files
-from haros_ci.launch.ros2.evaluate import launch_system
-from haros_ci.launch.ros2.parameter_files import parameter_file
-from haros_ci.launch.ros2.places import Places
-from haros_ci.graph.names import clean
 from haros_ci.systems.node_types import path_name, types_of
-from haros_ci.graph.parameters import ParameterServer
 from haros_ci.systems.ros2_library import Library, Seen
-from haros_ci.launch.ros1.roslaunch import evaluate
-from haros_ci.launch.ros1.entry import entry_files
-from haros_ci.follow.run import Exact
 from haros_ci.systems.system import Job, KnownNodes, Types
-from haros_ci.model.api import Row
-from haros_ci.model.architecture import LIBRARY, Architecture, Configuration, Node, Parameter
-from haros_ci.model.build import Build
-from haros_ci.model.launch import LaunchFile
-from haros_ci.model.launch_actions import Description
-from haros_ci.model.launch_facts import LaunchFact
-from haros_ci.model.workspace import Problem, Workspace
 
 #: A node with its endpoints, and what went wrong.
 Result = tuple[tuple[Node, ...], tuple[Problem, ...]]

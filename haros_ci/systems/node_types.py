@@ -5,23 +5,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
-from haros_ci.follow.ros import api_rows
-from haros_ci.index import behavior_tree_files
-from haros_ci.systems import ros2_entries
-from haros_ci.index.behavior_tree_files import TreeFiles
-from haros_ci.systems.entries import Programs, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.follow.follow import Entry
-from haros_ci.index.index import BEHAVIOR_TREE_NODE, Source, build_index
-from haros_ci.graph.parameters import yaml_reader
-from haros_ci.index.relevance import Relevance
-from haros_ci.substitutions.files import files_of
+from haros_ci.follow.ros import api_rows
 from haros_ci.follow.run import Exact
-from haros_ci.systems.system import KnownNodes, Types
+from haros_ci.graph.parameters import yaml_reader
+from haros_ci.index import behavior_tree_files
+from haros_ci.index.behavior_tree_files import TreeFiles
+from haros_ci.index.index import BEHAVIOR_TREE_NODE, Source, build_index
+from haros_ci.index.relevance import Relevance
 from haros_ci.index.xml_files import Reader
 from haros_ci.model.api import Row
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.substitutions.files import files_of
+from haros_ci.systems import ros2_entries
+from haros_ci.systems.entries import Programs, executables, nodelets, plugin_files, plugins, plugins_of_base
+from haros_ci.systems.system import KnownNodes, Types
 
 
 def types_of(

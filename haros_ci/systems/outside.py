@@ -7,23 +7,23 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from haros_ci.systems.entries import Programs
-from haros_ci.systems.known.entry import KnownNode
-from haros_ci.systems.known.instantiate import instantiate
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.graph.ros2_process import reason as reason_of
-from haros_ci.values.abstract import Known, Value, data_of, opaque_of
 from haros_ci.graph.words import split as words_of
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.location import Location
+from haros_ci.systems.entries import Programs
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.ros2_implicit import implicit
+from haros_ci.values.abstract import Known, Value, data_of, opaque_of
 
 if TYPE_CHECKING:
     from haros_ci.graph.ros2_process import Parameters, Rule
-    from haros_ci.systems.system import Types
     from haros_ci.model.launch import LaunchedNode
+    from haros_ci.systems.system import Types
 
 #: Why the name of a ROS 2 node is not known.
 UNNAMED = "the program names itself, and its code is not in the workspace"

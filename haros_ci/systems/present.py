@@ -7,16 +7,16 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from haros_ci.systems import ros2_system, system
-from haros_ci.systems.controllers import with_controllers
-from haros_ci.keeping.kept import Followed
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
-from haros_ci.systems.system import Job, Types
+from haros_ci.keeping.kept import Followed
 from haros_ci.model.architecture import Parameter
 from haros_ci.model.launch import Launched, LaunchedNode, LaunchedSystem, ParameterRule
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence, together
+from haros_ci.systems import ros2_system, system
+from haros_ci.systems.controllers import with_controllers
+from haros_ci.systems.system import Job, Types
 
 
 def launched(types: Types, found: Launched) -> Iterator[Job]:

@@ -6,12 +6,12 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Mapping
 
-from haros_ci.systems.entries import Programs, described_classes, executables, files_of
 from haros_ci.follow.follow import Entry
 from haros_ci.index.index import Source, aliased
 from haros_ci.model.api import Row
 from haros_ci.model.build import Target
 from haros_ci.syntax import Class
+from haros_ci.systems.entries import Programs, described_classes, executables, files_of
 
 #: The base class of what rclcpp_components_register_node registers, and the macro that registers a class in its source.
 FACTORY = "rclcpp_components::NodeFactory"

@@ -14,21 +14,21 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import activation, callbacks, construct, methods
-from haros_ci.follow.ros import ros2_nodes
-from haros_ci.systems import ros2_system
 from haros_ci.follow.call_arguments import Argument
 from haros_ci.follow.follow import Entry
-from haros_ci.index.index import Source
-from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
-from haros_ci.systems.ros2_system import Started
+from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.run import Frame, Run
-from haros_ci.systems.system import PROGRAM, Job, Types
+from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
+from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
-from haros_ci.values.abstract import Callable, Object
 from haros_ci.model.architecture import LIBRARY, Node, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.syntax import Class, Function, Type
+from haros_ci.systems import ros2_system
+from haros_ci.systems.ros2_system import Started
+from haros_ci.systems.system import PROGRAM, Job, Types
+from haros_ci.values.abstract import Callable, Object
 
 #: Why the name of the node is not known.
 USER = "it is the node of whoever uses the class"

@@ -8,24 +8,20 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
-from haros_ci.systems import outside
-from haros_ci.index.behavior_tree_files import TreeFiles
-from haros_ci.follow.ros.ends import ANONYMOUS, UNNAMED, by, endpoints
-from haros_ci.systems.entries import Programs
 from haros_ci.follow.follow import Entry, follow
-from haros_ci.index.index import Source
-from haros_ci.keeping.kept import Followed, digest_of, small
-from haros_ci.systems.known.entry import KnownNode
+from haros_ci.follow.ros.ends import ANONYMOUS, UNNAMED, by, endpoints
+from haros_ci.follow.run import Context, Exact, Made, Renamed, Run
 from haros_ci.graph.names import clean, pattern, resolve, resolve_target
 from haros_ci.graph.parameters import ParameterServer
-from haros_ci.index.relevance import Relevance
 from haros_ci.graph.remap_rules import of_ros1_node, written_rule
 from haros_ci.graph.ros2_process import Parameters
-from haros_ci.follow.run import Context, Exact, Made, Renamed, Run
-from haros_ci.index.trace import Trace
-from haros_ci.values.abstract import Known, Value
 from haros_ci.graph.words import scalar, split
+from haros_ci.index.behavior_tree_files import TreeFiles
+from haros_ci.index.index import Source
+from haros_ci.index.relevance import Relevance
+from haros_ci.index.trace import Trace
 from haros_ci.index.xml_files import Reader
+from haros_ci.keeping.kept import Followed, digest_of, small
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
@@ -34,6 +30,10 @@ from haros_ci.model.launch_facts import ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.syntax import Class
+from haros_ci.systems import outside
+from haros_ci.systems.entries import Programs
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.values.abstract import Known, Value
 
 #: What the arguments of the nodelet program can begin with.
 LOAD, STANDALONE, MANAGER = "load", "standalone", "manager"

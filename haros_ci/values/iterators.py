@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.values.abstract import FALSE, NONE, TRUE, Cell, Choice, Known, Mapped, Object, Partial, Sequence, Value
 from haros_ci.syntax import Type
+from haros_ci.values.abstract import FALSE, NONE, TRUE, Cell, Choice, Known, Mapped, Object, Partial, Sequence, Value
 
 #: The classes of an iterator in front of an element, and of the one behind the last.
 ITERATOR, END = "[iterator]", "[end]"

@@ -10,12 +10,12 @@ from typing import Any
 
 import pytest
 
+from haros_ci.model.architecture import Endpoint, Unknown
+from haros_ci.model.location import Location
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
 from haros_ci.systems.known.load import load_known, load_user, parse
 from haros_ci.values.abstract import Cell, Known, Opaque, Sequence
-from haros_ci.model.architecture import Endpoint, Unknown
-from haros_ci.model.location import Location
 
 HERE = Location("robot/launch/robot.launch", 7)
 

@@ -9,8 +9,8 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from haros_ci.follow import activation, call_arguments
-from haros_ci.values import iterators
 from haros_ci.follow.run import Frame, Run
+from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     NONE,
     TEXT_LIMIT,

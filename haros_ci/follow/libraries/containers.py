@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import assignments, construct, conversions
-from haros_ci.values import iterators
 from haros_ci.follow.run import Frame, Run
-from haros_ci.values.state import certain, last, possible
+from haros_ci.model.location import Location
+from haros_ci.syntax import Type
+from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     LIST_LIMIT,
     NONE,
@@ -24,8 +25,7 @@ from haros_ci.values.abstract import (
     Text,
     Value,
 )
-from haros_ci.model.location import Location
-from haros_ci.syntax import Type
+from haros_ci.values.state import certain, last, possible
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

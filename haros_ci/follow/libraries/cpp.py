@@ -6,21 +6,33 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
+from haros_ci.follow import construct, conversions, methods
 from haros_ci.follow.libraries import (
     algorithms,
-    bind as library_bind,
-    containers as library_containers,
-    numbers as library_numbers,
-    xml as library_xml,
-    yaml as library_yaml,
     text_methods,
     texts,
 )
-from haros_ci.follow import construct, conversions, methods
+from haros_ci.follow.libraries import (
+    bind as library_bind,
+)
+from haros_ci.follow.libraries import (
+    containers as library_containers,
+)
+from haros_ci.follow.libraries import (
+    numbers as library_numbers,
+)
+from haros_ci.follow.libraries import (
+    xml as library_xml,
+)
+from haros_ci.follow.libraries import (
+    yaml as library_yaml,
+)
 from haros_ci.follow.ros import loaders, ros2_selectors
-from haros_ci.index.mentions import LOADERS
 from haros_ci.follow.run import Frame, Run
+from haros_ci.index.mentions import LOADERS
 from haros_ci.index.types import STRINGS, pointee
+from haros_ci.model.location import Location
+from haros_ci.syntax import Type
 from haros_ci.values.abstract import (
     FALSE,
     NONE,
@@ -39,8 +51,6 @@ from haros_ci.values.abstract import (
     concatenate,
     converted_to_text,
 )
-from haros_ci.model.location import Location
-from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow import members
 from haros_ci.follow.run import Frame, Run
-from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value, concatenate, printed
 from haros_ci.model.digits import whole_number
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value, concatenate, printed
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 
 from haros_ci.follow.conversions import CHARACTERS, WIDTHS
 from haros_ci.index.types import INTEGERS
-from haros_ci.values.abstract import Known
 from haros_ci.syntax import Type
+from haros_ci.values.abstract import Known
 
 _DOUBLE = {
     "max": 1.7976931348623157e308,

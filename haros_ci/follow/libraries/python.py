@@ -6,14 +6,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
+from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials
 from haros_ci.follow.libraries import (
     argparse as command_lines,
+)
+from haros_ci.follow.libraries import (
     formats,
-    yaml as library_yaml,
     python_kinds,
     python_texts,
 )
-from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials
+from haros_ci.follow.libraries import (
+    yaml as library_yaml,
+)
 from haros_ci.follow.run import Frame, Run
 from haros_ci.values.abstract import (
     LIST_LIMIT,

@@ -7,8 +7,8 @@ import sys
 from collections.abc import Iterable
 
 from haros_ci.follow import lookup
-from haros_ci.index.index import Source
 from haros_ci.follow.run import Run
+from haros_ci.index.index import Source
 from haros_ci.values.abstract import Library, Module, Value
 
 

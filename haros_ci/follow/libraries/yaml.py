@@ -9,8 +9,8 @@ from haros_ci import syntax
 from haros_ci.follow import alternatives, construct, dynamic
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.trace import YAML_FILES
-from haros_ci.values.abstract import Choice, Known, Object, Opaque, Value, opaque_of
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import Choice, Known, Object, Opaque, Value, opaque_of
 
 #: Why it is not known whether what a plug-in makes is made.
 ANY = "which plug-ins are loaded is a matter of parameters"

@@ -9,13 +9,16 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
-from haros_ci.follow.ros import behavior_tree_ports, behavior_trees, ros2_nodes, ros2_selectors, selectors
 from haros_ci.follow import callbacks, conversions, handles
 from haros_ci.follow.libraries import objects as library_objects
+from haros_ci.follow.ros import behavior_tree_ports, behavior_trees, ros2_nodes, ros2_selectors, selectors
 from haros_ci.follow.ros.emit import emit
-from haros_ci.graph.names import clean
 from haros_ci.follow.run import Frame, Run
+from haros_ci.graph.names import clean
 from haros_ci.index.types import SEQUENCES, STRINGS, parameter_type, pointee
+from haros_ci.model.api import Entry, Row
+from haros_ci.model.location import Location
+from haros_ci.syntax import Type
 from haros_ci.values.abstract import (
     FALSE,
     NONE,
@@ -32,9 +35,6 @@ from haros_ci.values.abstract import (
     Text,
     Value,
 )
-from haros_ci.model.api import Entry, Row
-from haros_ci.model.location import Location
-from haros_ci.syntax import Type
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

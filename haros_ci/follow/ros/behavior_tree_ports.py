@@ -14,10 +14,10 @@ from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, methods
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.types import INTEGERS, REALS, STRINGS
-from haros_ci.values.abstract import FALSE, NONE, TRUE, Cell, Known, Object, Opaque, Pointer, Value
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Function, Type
 from haros_ci.syntax.walk import Part, below
+from haros_ci.values.abstract import FALSE, NONE, TRUE, Cell, Known, Object, Opaque, Pointer, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow.ros import ros2_emit
-from haros_ci.index.common_messages import COMMON
 from haros_ci.follow.ros.ends import UNNAMED
-from haros_ci.graph.names import pattern, resolve
 from haros_ci.follow.run import Made, Renamed, Run
+from haros_ci.graph.names import pattern, resolve
+from haros_ci.index.common_messages import COMMON
 from haros_ci.index.types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, pointee, ros2_type
-from haros_ci.values.abstract import NONE, Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
+from haros_ci.values.abstract import NONE, Cell, Known, Library, Object, Opaque, Value, data_of, opaque_of
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied

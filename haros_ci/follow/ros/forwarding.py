@@ -11,13 +11,13 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import TYPE_CHECKING
 
-from haros_ci.values import iterators
-from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.follow.run import Run
+from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.index.types import STRINGS
-from haros_ci.values.abstract import Choice, Known, Library, Opaque, Text
 from haros_ci.model.location import Location
 from haros_ci.syntax import Function
+from haros_ci.values import iterators
+from haros_ci.values.abstract import Choice, Known, Library, Opaque, Text
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

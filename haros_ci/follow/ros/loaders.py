@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.follow.run import Frame, Made, Run
-from haros_ci.values.abstract import NONE, TRUE, Cell, Choice, Known, Mapped, Opaque, Value
+from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import NONE, TRUE, Cell, Choice, Known, Mapped, Opaque, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

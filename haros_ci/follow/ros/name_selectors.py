@@ -11,8 +11,8 @@ from haros_ci.follow.ros import ros2_nodes, ros2_parameters, selectors
 from haros_ci.graph import ros2_process
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.values.abstract import FALSE, TRUE, Choice, Known, Object, Opaque, Text, Value, join
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import FALSE, TRUE, Choice, Known, Object, Opaque, Text, Value, join
 
 #: A name as a pattern, with why and where it is not wholly known.
 Name = tuple[str, str | None, Location | None]

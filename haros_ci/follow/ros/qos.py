@@ -9,6 +9,9 @@ from dataclasses import fields, replace
 from typing import Any
 
 from haros_ci.follow.ros.qos_profiles import ALIASES, CLASSES, CONSTANTS, DEFAULT, NUMBERS, PROFILES, UNITS, WORDS
+from haros_ci.model.architecture import Qos
+from haros_ci.model.digits import whole_number
+from haros_ci.model.location import Location
 from haros_ci.values.abstract import (
     Cell,
     Choice,
@@ -22,9 +25,6 @@ from haros_ci.values.abstract import (
     Value,
     opaque_of,
 )
-from haros_ci.model.architecture import Qos
-from haros_ci.model.digits import whole_number
-from haros_ci.model.location import Location
 
 Why = tuple[str, Location | None]
 POLICIES = tuple(each.name for each in fields(Qos))

@@ -11,17 +11,17 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.graph.parameters import Perhaps
 from haros_ci.follow.ros.qos import DURATIONS, overridden, override_id, override_policies
 from haros_ci.follow.run import Made
-from haros_ci.values.state import Held
-from haros_ci.values.abstract import Known, Opaque, Value
+from haros_ci.graph.parameters import Perhaps
 from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import Known, Opaque, Value
+from haros_ci.values.state import Held
 
 if TYPE_CHECKING:
-    from haros_ci.graph.ros2_process import RosNode
     from haros_ci.follow.ros.selectors import Applied
+    from haros_ci.graph.ros2_process import RosNode
 
 ENDS = {"publishers": "publisher", "subscribers": "subscription"}
 #: The policies of each kind of end, in the order in which they are declared.

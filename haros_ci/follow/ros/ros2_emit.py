@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING, Any
 from haros_ci import syntax
 from haros_ci.follow import conversions
 from haros_ci.follow.ros import forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
+from haros_ci.follow.run import Made
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
-from haros_ci.follow.run import Made
 from haros_ci.index.types import ros2_data_type, ros2_parameter_type
+from haros_ci.model.api import Entry
+from haros_ci.model.architecture import KINDS, Qos
+from haros_ci.model.location import Location
 from haros_ci.values.abstract import (
     NONE,
     Cell,
@@ -26,9 +29,6 @@ from haros_ci.values.abstract import (
     data_of,
     opaque_of,
 )
-from haros_ci.model.api import Entry
-from haros_ci.model.architecture import KINDS, Qos
-from haros_ci.model.location import Location
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied

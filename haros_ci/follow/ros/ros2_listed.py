@@ -12,8 +12,8 @@ from haros_ci.graph.ros2_process import EVERY
 from haros_ci.values.abstract import NONE, Cell, Known, Opaque, Pointer, Sequence, Value
 
 if TYPE_CHECKING:
-    from haros_ci.graph.ros2_process import RosNode
     from haros_ci.follow.ros.selectors import Applied
+    from haros_ci.graph.ros2_process import RosNode
 
 _TEXTS = syntax.Type("std::vector", (syntax.Type("std::string"),))
 

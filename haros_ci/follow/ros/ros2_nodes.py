@@ -10,13 +10,13 @@ from haros_ci.follow import twins
 from haros_ci.graph.names import pattern
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import Arguments, Parameters, RosNode, Rule, from_arguments, named, ros_arguments
-from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
 from haros_ci.model.api import Entry
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
 
 if TYPE_CHECKING:
-    from haros_ci.follow.run import Run
     from haros_ci.follow.ros.selectors import Applied
+    from haros_ci.follow.run import Run
 
 #: The class of a node in the client libraries, by language's separator.
 NODE = {"::": "rclcpp::Node", ".": "rclpy.node.Node"}

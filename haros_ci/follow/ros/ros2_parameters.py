@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.graph.names import pattern
 from haros_ci.graph.ros2_process import NO_NAME, RosNode, fits
-from haros_ci.values.state import Held
 from haros_ci.values.abstract import NONE, Known, Opaque, Value
+from haros_ci.values.state import Held
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied

@@ -13,10 +13,10 @@ from haros_ci.follow import conversions, handles, members, methods
 from haros_ci.follow.ros import name_selectors, ros2_listed, ros2_nodes, ros2_selectors
 from haros_ci.follow.run import Frame, Run
 from haros_ci.index.types import parameter_type
-from haros_ci.values.abstract import Callable, ClassValue, Known, Library, Object, Opaque, Pointer, Value, concatenate
 from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
+from haros_ci.values.abstract import Callable, ClassValue, Known, Library, Object, Opaque, Pointer, Value, concatenate
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument

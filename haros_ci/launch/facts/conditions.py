@@ -6,9 +6,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.substitutions.names import MARK
 from haros_ci.model.launch_actions import Phrase, Substitution, Test
 from haros_ci.model.launch_facts import Comparison
+from haros_ci.substitutions.names import MARK
 
 #: Substitutions that give what their arguments say.
 _PURE = frozenset(("eval", "equals", "not-equals", "not", "and", "or", "any", "all", "if"))

@@ -10,11 +10,11 @@ from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from itertools import islice
 
-from haros_ci.substitutions.files import Files, files_of
 from haros_ci.model.build import Build, Installed
 from haros_ci.model.launch_facts import FileUse
 from haros_ci.model.submodules import absent, is_below
 from haros_ci.model.workspace import Workspace
+from haros_ci.substitutions.files import Files, files_of
 
 _START = re.compile(r"\$\((find-pkg-share|find-pkg-prefix|find|workspace)(?: ([^\s()]+))?\)(.*)\Z", re.DOTALL)
 #: What makes files while a package is built, or fetches them.

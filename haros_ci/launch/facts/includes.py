@@ -12,9 +12,9 @@ from haros_ci.launch.facts import ros2
 from haros_ci.launch.facts.static import Statics
 from haros_ci.launch.facts.texts import named_packages
 from haros_ci.launch.ros2.places import Places
-from haros_ci.substitutions.names import Text
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.launch_facts import ArgumentRead, IncludeUse, LaunchFact, PackageUse, PassedArgument
+from haros_ci.substitutions.names import Text
 
 #: How many names are likened to each other.
 MAX_KNOWN = 2_000

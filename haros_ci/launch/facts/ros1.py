@@ -8,10 +8,9 @@ from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
+from haros_ci.graph.words import split
 from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages
 from haros_ci.launch.ros1.dialect import foreign_constructs
-from haros_ci.substitutions.names import Text
-from haros_ci.graph.words import split
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -28,6 +27,7 @@ from haros_ci.model.launch_facts import (
     ProgramUse,
 )
 from haros_ci.model.location import Location
+from haros_ci.substitutions.names import Text
 
 if TYPE_CHECKING:
     from haros_ci.launch.ros1.state import Scope, State

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.launch.facts.conditions import comparisons, is_constant, written
 from haros_ci.launch.facts.record import MAX_FACTS
 from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages
-from haros_ci.substitutions.names import Text
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -26,6 +25,7 @@ from haros_ci.model.launch_facts import (
     ProgramUse,
 )
 from haros_ci.model.location import Location
+from haros_ci.substitutions.names import Text
 
 if TYPE_CHECKING:
     from haros_ci.launch.ros2.context import Context

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from haros_ci.launch.facts import ros1
-from haros_ci.substitutions.names import Text, quoted, unknown
 from haros_ci.launch.ros1.state import Scope, State, unknown_condition
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchElement
+from haros_ci.substitutions.names import Text, quoted, unknown
 
 ATTRIBUTES = ("name", "value", "default", "doc")
 

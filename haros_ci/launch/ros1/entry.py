@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator
 
 from haros_ci.launch.ros1.arg import arg
 from haros_ci.launch.ros1.dialect import is_ros1
-from haros_ci.substitutions.files import Files, files_of
-from haros_ci.substitutions.names import Text
 from haros_ci.launch.ros1.state import Scope, State
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.substitutions.files import Files, files_of
+from haros_ci.substitutions.names import Text
 
 
 def entry_files(workspace: Workspace, load: Callable[[str], LaunchFile | None]) -> tuple[str, ...]:

@@ -6,9 +6,9 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 
-from haros_ci.launch.facts import ros1
 from haros_ci.graph.remap_rules import written_rule
-from haros_ci.substitutions.names import MARK, Text, canonical, is_legal, is_private, literal, quoted, unknown
+from haros_ci.graph.words import scalar, split
+from haros_ci.launch.facts import ros1
 from haros_ci.launch.ros1.param import Named, params
 from haros_ci.launch.ros1.presence import assume, held
 from haros_ci.launch.ros1.rosparam import rosparam
@@ -22,10 +22,10 @@ from haros_ci.launch.ros1.state import (
     unknown_condition,
     unset,
 )
-from haros_ci.substitutions.types import type_of
-from haros_ci.graph.words import scalar, split
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.launch import LaunchElement, Started
+from haros_ci.substitutions.names import MARK, Text, canonical, is_legal, is_private, literal, quoted, unknown
+from haros_ci.substitutions.types import type_of
 
 _OPTIONS = ("machine", "args", "output", "respawn", "respawn_delay", "cwd", "launch-prefix", "required")
 NODE_ATTRIBUTES = ("pkg", "type", "name", "ns", "clear_params", *_OPTIONS)

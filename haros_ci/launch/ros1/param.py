@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from haros_ci.launch.facts import ros1
-from haros_ci.substitutions.names import MARK, Text, is_private, join_in, literal, quoted
 from haros_ci.launch.ros1.rosparam import key_shown, key_text, leaf_parameter
 from haros_ci.launch.ros1.state import Private, Scope, State, location, unset
-from haros_ci.substitutions.types import TYPES, convert, type_of
-from haros_ci.substitutions.yaml import YamlError, YamlValue, read_yaml
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import LaunchElement
+from haros_ci.substitutions.names import MARK, Text, is_private, join_in, literal, quoted
+from haros_ci.substitutions.types import TYPES, convert, type_of
+from haros_ci.substitutions.yaml import YamlError, YamlValue, read_yaml
 
 ATTRIBUTES = ("name", "value", "type", "textfile", "binfile", "command")
 _SOURCES = ("value", "textfile", "binfile", "command")

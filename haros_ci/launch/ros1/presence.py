@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
-from haros_ci.substitutions.presence import OTHER, Assumed, Question, elsewhere, is_elsewhere
-from haros_ci.substitutions.names import Text, derived, literal, unknown
 from haros_ci.launch.ros1.state import Exhausted, Scope, State
-from haros_ci.substitutions.types import boolean
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchElement
 from haros_ci.model.presence import Presence, together
+from haros_ci.substitutions.names import Text, derived, literal, unknown
+from haros_ci.substitutions.presence import OTHER, Assumed, Question, elsewhere, is_elsewhere
+from haros_ci.substitutions.types import boolean
 
 Handler = Callable[[State, Scope, LaunchElement, tuple[Condition, ...]], None]
 

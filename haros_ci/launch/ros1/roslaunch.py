@@ -7,10 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from haros_ci.launch.facts import ros1
-from haros_ci.substitutions.presence import Arguments
 from haros_ci.launch.ros1.arg import arg, passed_arg
-from haros_ci.substitutions.files import files_of
-from haros_ci.substitutions.names import Text, literal, quoted
 from haros_ci.launch.ros1.node import environment as environment_tag
 from haros_ci.launch.ros1.node import machine, node, remap
 from haros_ci.launch.ros1.param import scope_param
@@ -21,6 +18,9 @@ from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import Launched, LaunchElement, LaunchFile
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.substitutions.files import files_of
+from haros_ci.substitutions.names import Text, literal, quoted
+from haros_ci.substitutions.presence import Arguments
 
 #: How deep groups and includes may be nested, together.
 MAX_DEPTH = 60

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.substitutions.names import MARK, Text, join, join_in, literal, quoted, unknown
 from haros_ci.launch.ros1.state import Scope, State, location, unset
-from haros_ci.substitutions.types import type_of
-from haros_ci.substitutions.yaml import Opaque, YamlError, YamlValue, parts, plain, read_yaml
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import LaunchElement
 from haros_ci.model.location import Location
+from haros_ci.substitutions.names import MARK, Text, join, join_in, literal, quoted, unknown
+from haros_ci.substitutions.types import type_of
+from haros_ci.substitutions.yaml import Opaque, YamlError, YamlValue, parts, plain, read_yaml
 
 ATTRIBUTES = ("command", "ns", "file", "param", "subst_value")
 _INT32 = range(-(2**31), 2**31)

@@ -9,17 +9,17 @@ from functools import partial
 
 from haros_ci.launch.facts import ros1
 from haros_ci.launch.facts.record import Recorder
-from haros_ci.substitutions.presence import Arguments, Assumed
-from haros_ci.substitutions.files import Files
-from haros_ci.substitutions.names import Text, canonical, derived, join_in, quoted
-from haros_ci.substitutions.substitution import Sources, substitute
-from haros_ci.substitutions.types import boolean
-from haros_ci.substitutions.yaml import YamlValue
 from haros_ci.model.architecture import Condition, Parameter, RemapRule, Unknown
 from haros_ci.model.launch import LaunchElement, LaunchFile, Started
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence, in_words, together
 from haros_ci.model.workspace import Problem
+from haros_ci.substitutions.files import Files
+from haros_ci.substitutions.names import Text, canonical, derived, join_in, quoted
+from haros_ci.substitutions.presence import Arguments, Assumed
+from haros_ci.substitutions.substitution import Sources, substitute
+from haros_ci.substitutions.types import boolean
+from haros_ci.substitutions.yaml import YamlValue
 
 #: Tags, values, remaps and texts that one evaluation may handle, weighed by what they cost.
 BUDGET = 1_000_000

@@ -6,11 +6,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from haros_ci.substitutions.presence import Assumed
 from haros_ci.launch.ros2 import presences
 from haros_ci.launch.ros2.context import Exhausted
 from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Problem
+from haros_ci.substitutions.presence import Assumed
 
 if TYPE_CHECKING:
     from haros_ci.launch.ros2.evaluate import _Run

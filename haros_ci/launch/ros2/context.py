@@ -13,15 +13,15 @@ from functools import partial
 from typing import Any
 
 from haros_ci.launch.facts.record import Recorder
-from haros_ci.substitutions.presence import OTHER, Arguments, Assumed, is_elsewhere
 from haros_ci.launch.ros2.places import Places
 from haros_ci.launch.ros2.substitutions import perform
-from haros_ci.substitutions.names import MARK, Text, derived, literal, quoted, unknown
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Performed, Phrase, Test
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence, in_words
 from haros_ci.model.workspace import Problem
+from haros_ci.substitutions.names import MARK, Text, derived, literal, quoted, unknown
+from haros_ci.substitutions.presence import OTHER, Arguments, Assumed, is_elsewhere
 
 NAMESPACE = "ros_namespace"
 #: Steps that one evaluation may take; an action, a parameter and a part of a text are steps.

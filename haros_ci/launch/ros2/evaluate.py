@@ -9,7 +9,6 @@ from functools import partial
 
 from haros_ci.launch.facts import includes, ros2
 from haros_ci.launch.facts.includes import statics_of
-from haros_ci.substitutions.presence import Arguments, Assumed
 from haros_ci.launch.ros2 import presences
 from haros_ci.launch.ros2.assuming import assume, assumed_problems
 from haros_ci.launch.ros2.context import Context, Exhausted, Scope
@@ -18,13 +17,14 @@ from haros_ci.launch.ros2.node import command, component, full_name, node
 from haros_ci.launch.ros2.places import Places
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
 from haros_ci.launch.ros2.substitutions import truth_of
-from haros_ci.substitutions.names import Text, literal, quoted, unknown
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Workspace
+from haros_ci.substitutions.names import Text, literal, quoted, unknown
+from haros_ci.substitutions.presence import Arguments, Assumed
 
 #: How deep groups, includes and lists may be nested, together.
 MAX_DEPTH = 80

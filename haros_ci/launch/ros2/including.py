@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from haros_ci.launch.facts import includes, ros2
 from haros_ci.launch.ros2.context import Context
-from haros_ci.substitutions.names import MARK, quoted, unknown
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Description
+from haros_ci.substitutions.names import MARK, quoted, unknown
 
 if TYPE_CHECKING:
     from haros_ci.launch.ros2.evaluate import _Run

@@ -7,17 +7,17 @@ import re
 import shlex
 from dataclasses import replace
 
+from haros_ci.graph.remap_rules import written_rule
+from haros_ci.graph.ros2_process import from_arguments, ros_arguments
 from haros_ci.launch.ros2.context import NAMESPACE, Context
 from haros_ci.launch.ros2.parameter_files import Component, file_rules, missing
 from haros_ci.launch.ros2.parameters import node_rules
 from haros_ci.launch.ros2.substitutions import truth_of
-from haros_ci.graph.remap_rules import written_rule
-from haros_ci.graph.ros2_process import from_arguments, ros_arguments
-from haros_ci.substitutions.names import MARK, Text, literal, unknown
 from haros_ci.model.architecture import Condition, RemapRule, Unknown
 from haros_ci.model.launch import LaunchedNode, ParameterRule
 from haros_ci.model.launch_actions import Action, Substitution
 from haros_ci.model.location import Location
+from haros_ci.substitutions.names import MARK, Text, literal, unknown
 
 _KINDS = {"node": "node", "lifecycle-node": "lifecycle", "container": "container", "component": "component"}
 #: The executable of a package, as ExecutableInPackage gives it.

@@ -24,11 +24,11 @@ from haros_ci.launch.ros2.parameter_yaml import (
 from haros_ci.launch.ros2.places import Places
 from haros_ci.launch.ros2.rewritten import rewrite, rewritten_names
 from haros_ci.launch.ros2.substitutions import perform
-from haros_ci.substitutions.names import MARK, Text, literal, quoted
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.launch_phrases import read_phrase
 from haros_ci.model.location import Location
+from haros_ci.substitutions.names import MARK, Text, literal, quoted
 
 SECTION = "ros__parameters"
 

@@ -10,11 +10,11 @@ from typing import Any
 from haros_ci.launch.ros2.context import Context, GlobalParameter
 from haros_ci.launch.ros2.parameter_files import Component, file_rules, missing, tree_value
 from haros_ci.launch.ros2.parameter_yaml import Items, Map, YamlError, dumped, rcl_value, read_trees
-from haros_ci.substitutions.names import Text, literal, quoted
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.launch_actions import ParameterSource, Substitution
 from haros_ci.model.location import Location
+from haros_ci.substitutions.names import Text, literal, quoted
 
 _TYPES = {"bool": "bool", "int": "int", "float": "double", "str": "str", "bytes": "bytes"}
 _LISTS = {f"{name}_array": f"{kind}[]" for name, kind in _TYPES.items()}

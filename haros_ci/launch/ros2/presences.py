@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from haros_ci.substitutions.presence import OTHER, Assumed, Question, elsewhere
 from haros_ci.launch.ros2.context import NAMESPACE, Context, Exhausted
 from haros_ci.launch.ros2.node import joined_namespace
 from haros_ci.launch.ros2.settings import value_of
-from haros_ci.substitutions.names import Text, derived, literal, unknown
 from haros_ci.model.launch_actions import Action, Phrase, Test
 from haros_ci.model.presence import Presence, together
+from haros_ci.substitutions.names import Text, derived, literal, unknown
+from haros_ci.substitutions.presence import OTHER, Assumed, Question, elsewhere
 
 #: Actions that start something, at once or later.
 STARTING = frozenset(

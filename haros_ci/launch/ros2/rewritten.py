@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from haros_ci.launch.ros2.parameter_yaml import Items, Map, Scalar, Tree, dumped, python_value
-from haros_ci.substitutions.names import Text
 from haros_ci.model.digits import whole_number
+from haros_ci.substitutions.names import Text
 
 MAX_PATHS = 50_000
 

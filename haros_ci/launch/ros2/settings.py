@@ -10,9 +10,9 @@ from haros_ci.launch.ros2.context import NAMESPACE, Context, GlobalParameter, Gl
 from haros_ci.launch.ros2.node import joined_namespace
 from haros_ci.launch.ros2.parameters import performed_values
 from haros_ci.launch.ros2.substitutions import truth_of
-from haros_ci.substitutions.names import Text, literal, quoted, unknown
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action
+from haros_ci.substitutions.names import Text, literal, quoted, unknown
 
 
 def name_of(context: Context, action: Action) -> str | None:

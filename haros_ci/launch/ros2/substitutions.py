@@ -9,10 +9,10 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from haros_ci.launch.facts import ros2
-from haros_ci.substitutions.presence import OTHER, compared_with
 from haros_ci.launch.ros2.expression import expression_value
-from haros_ci.substitutions.names import MARK, Text, join_texts, literal, quoted, unknown
 from haros_ci.model.launch_actions import PREFIX, SHARE, WORKSPACE, Phrase, Substitution
+from haros_ci.substitutions.names import MARK, Text, join_texts, literal, quoted, unknown
+from haros_ci.substitutions.presence import OTHER, compared_with
 
 if TYPE_CHECKING:
     from haros_ci.launch.ros2.context import Context

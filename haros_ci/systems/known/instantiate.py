@@ -8,14 +8,14 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
+from haros_ci.graph.names import UNKNOWN, clean, resolve
+from haros_ci.model.architecture import Endpoint, Unknown
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode
 from haros_ci.systems.known.parameter import declared
 from haros_ci.systems.known.quality import quality
 from haros_ci.systems.known.shape import SUBFOLDERS
 from haros_ci.systems.known.start import Start, called, filled
 from haros_ci.systems.known.text import Each, Test, fields, literal
-from haros_ci.graph.names import UNKNOWN, clean, resolve
-from haros_ci.model.architecture import Endpoint, Unknown
 
 _NAME = re.compile(r"~|[~/]?[A-Za-z0-9_?][A-Za-z0-9_?/]*")
 _MOST = 1000

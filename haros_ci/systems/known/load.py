@@ -10,9 +10,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from haros_ci.model.workspace import Problem
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.shape import PACKAGE, read_package, shown
-from haros_ci.model.workspace import Problem
 
 _HERE = Path(__file__).parent
 

@@ -6,10 +6,10 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from haros_ci.systems.known.entry import KnownEndpoint
-from haros_ci.systems.known.start import Start, filled
 from haros_ci.graph.names import UNKNOWN
 from haros_ci.model.architecture import Endpoint, Unknown
+from haros_ci.systems.known.entry import KnownEndpoint
+from haros_ci.systems.known.start import Start, filled
 
 _NAME = re.compile(r"[\w?][\w?./-]*")
 

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from haros_ci.model.architecture import Qos, Unknown
 from haros_ci.systems.known import text
 from haros_ci.systems.known.entry import KnownEndpoint, Policies, Why
 from haros_ci.systems.known.start import Start
-from haros_ci.model.architecture import Qos, Unknown
 
 _RELIABLE = Qos(history="keep_last", depth=10, reliability="reliable", durability="volatile")
 #: The profiles of rmw/qos_profiles.h and rclcpp/qos.hpp; ``latched`` is what ROS 1 calls so.

@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import Any, TypeVar
 
+from haros_ci.model.architecture import KINDS
+from haros_ci.model.workspace import Problem
 from haros_ci.systems.known import text
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode, Policies
 from haros_ci.systems.known.quality import policies
-from haros_ci.model.architecture import KINDS
-from haros_ci.model.workspace import Problem
 
 PACKAGE = r"[A-Za-z][A-Za-z0-9_-]{0,99}"
 DISTRIBUTIONS = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")

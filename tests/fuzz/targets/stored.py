@@ -42,7 +42,7 @@ def sarif(data: bytes) -> object:
         return refused(err)
     known = known_from_sarif(runs)
     read_compact(write_compact(known).encode(), "b.json")
-    from haros_ci.output import FORMATS, View
+    from haros_ci.commands.output import FORMATS, View
 
     report = Report(runs=runs)
     view = View(source=lambda path: "", flags={"why": True, "sarif_for": "github"}, to_file=True)

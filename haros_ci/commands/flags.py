@@ -18,7 +18,7 @@ def completion_of(what: str) -> Callable[[click.Context, click.Parameter, str], 
     def complete(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
         from click.shell_completion import CompletionItem
 
-        from haros_ci.completion import words
+        from haros_ci.commands.completion import words
 
         if what == "formats" and "=" in incomplete:
             return [CompletionItem(incomplete, type="file")]

@@ -10,18 +10,18 @@ from typing import Any
 
 import click
 
-from haros_ci.architecture import architecture
+from haros_ci.analysis.architecture import architecture
+from haros_ci.analysis.wanted import chosen
 from haros_ci.baselines import read_input
-from haros_ci.commands import cores, settings_from, store_for
+from haros_ci.commands.common import cores, settings_from, store_for
+from haros_ci.commands.model import assignment, selected, tell
 from haros_ci.errors import UserError
-from haros_ci.model_command import assignment, selected, tell
 from haros_ci.query.engine import Query, entities_of
 from haros_ci.query.fault import QueryError, place
 from haros_ci.query.findings import names_of, places_of, provenance
 from haros_ci.query.queries import VARIABLES, Scenes
 from haros_ci.query.values import Entity, Listing, Pair, Record, Value, words
 from haros_ci.report.escape import terminal
-from haros_ci.wanted import chosen
 from haros_ci.workspace.discover import discover
 
 

@@ -8,21 +8,18 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from haros_ci.analysis.wanted import configurations
 from haros_ci.config.settings import Settings
+from haros_ci.declared import hints
 from haros_ci.extract.apis.tables import rows
 from haros_ci.extract.cpp.exact import ExactCall, Place, pick
 from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.forks import shared
-from haros_ci.declared import hints
 from haros_ci.index.index import Source
-from haros_ci.systems.keeping import Keeper
+from haros_ci.index.trace import XML_FILES, YAML_FILES
 from haros_ci.keeping.kept import digest_of
-from haros_ci.systems.known.entry import KnownNode
 from haros_ci.launch.ros2.dialect import description_reader
 from haros_ci.launch.ros2.places import Places
-from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
-from haros_ci.systems.system import KnownNodes
-from haros_ci.index.trace import XML_FILES, YAML_FILES
 from haros_ci.model.api import Row, RowError, load_row
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.build import Build
@@ -33,7 +30,10 @@ from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.own_sources import OF_FACTS, OF_FOLLOWED, digest
 from haros_ci.syntax import Program
 from haros_ci.syntax.codec import decoded, encoded
-from haros_ci.wanted import configurations
+from haros_ci.systems.keeping import Keeper
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
+from haros_ci.systems.system import KnownNodes
 from haros_ci.workspace.build import builds
 
 TOO_DEEP = "nested too deeply to be read; split the statements"
@@ -104,7 +104,7 @@ def varied(
     )
     made = link_all(keeper=keeper(workspace, store))
     if exact:
-        from haros_ci.exactness import ask, doubtful
+        from haros_ci.analysis.exactness import ask, doubtful
 
         told, said = ask(workspace, settings, doubtful(made.architecture))
         problems += said

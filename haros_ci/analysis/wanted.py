@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from haros_ci.errors import UserError
-from haros_ci.systems.link import Wanted
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.systems.link import Wanted
 
 
 def configurations(

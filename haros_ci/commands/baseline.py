@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING
 import click
 
 from haros_ci.baselines import COMPACT_NAME, known_findings, sides
-from haros_ci.cli import EXIT_TOOL_TROUBLE
-from haros_ci.commands import Flags, run, settings_from
+from haros_ci.commands.common import Flags, run, settings_from
 from haros_ci.config.settings import Settings
-from haros_ci.errors import UserError
+from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
 from haros_ci.results.result import Report
 from haros_ci.results.rule import Level
 from haros_ci.writing import write

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
-from haros_ci.architecture import programs
+from haros_ci.analysis.architecture import programs
 from haros_ci.code.codebase import codebase
 from haros_ci.config.settings import Settings
 from haros_ci.forks import shared

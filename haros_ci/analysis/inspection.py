@@ -43,7 +43,7 @@ class Architectures:
         self._made: dict[Path, Linked] = {}
 
     def of(self, workspace: Workspace) -> Linked:
-        from haros_ci.architecture import varied
+        from haros_ci.analysis.architecture import varied
 
         if workspace.root not in self._made:
             self._made[workspace.root] = varied(workspace, self.settings, self.store, processes=self.settings.jobs)
@@ -64,10 +64,10 @@ def inspected(
     if not is_inspected(workspace, selection, settings, known):
         return run
     chosen = chosen_checks(workspace, selection, known)
+    from haros_ci.analysis.launch_faults import refused
+    from haros_ci.analysis.unmodelled import unmodelled
     from haros_ci.checking.run import Assigned, run_checks, run_on_project
     from haros_ci.checking.system import System, systems
-    from haros_ci.launch_faults import refused
-    from haros_ci.unmodelled import unmodelled
 
     if progress is not None:
         progress("architecture")
@@ -120,7 +120,7 @@ def inspected_or_kept(
     settings, known = architectures.settings, architectures.registry
     if settings.plugins or not is_inspected(workspace, selection, settings, known):  # nobody knows what a plug-in reads
         return inspected(run, workspace, selection, architectures, progress, base)
-    from haros_ci.kept_runs import kept_run
+    from haros_ci.analysis.kept_runs import kept_run
 
     def make(workspace: Workspace, base: Base | None) -> Run:
         bare = replace(run, analysed=frozenset())
@@ -163,8 +163,8 @@ def project_of(
     renames: Mapping[str, str] | None = None,
 ) -> Project:
     """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision."""
+    from haros_ci.analysis.comparison import revision_of
     from haros_ci.checking.project import Project
-    from haros_ci.comparison import revision_of
     from haros_ci.robot.descriptions import Descriptions
     from haros_ci.workspace.xml import XmlError, parse_xml
 

@@ -15,11 +15,10 @@ from typing import Any, TypeVar
 import click
 
 from haros_ci.baselines import COMPACT_NAME
-from haros_ci.cli import EXIT_TOOL_TROUBLE
+from haros_ci.commands.output import FOLDERS, SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered
 from haros_ci.config.settings import Settings
-from haros_ci.errors import RunFailure, UserError
+from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.output import FOLDERS, SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered
 from haros_ci.results.result import Report
 from haros_ci.streams import say
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
@@ -33,11 +32,11 @@ Made = TypeVar("Made")
 def check(flags: Flags) -> int:
     """``haros-ci check``: analyse, write every output asked for, and give the exit code of design.md."""
     if flags.get("watch"):
-        from haros_ci.watch_command import watch
+        from haros_ci.commands.watch import watch
 
         return watch(flags)
     if flags["shard"] is not None:
-        from haros_ci.shard_command import shard
+        from haros_ci.commands.shard import shard
 
         return shard(flags)
     settings = settings_from(flags)
@@ -85,7 +84,7 @@ def written(
     is_whole = True
     folders = [path for format, path in outputs if format in FOLDERS and path is not None]
     if folders:
-        from haros_ci.folders import fill
+        from haros_ci.commands.folders import fill
 
         is_whole = fill(folders, report, workspace, settings, flags)
     packages = {file.path: file.package or "" for file in workspace.files}
@@ -149,7 +148,7 @@ def renderers_of(settings: Settings) -> Mapping[str, Callable[[Report], str]]:
 
 def show_patch(report: Report, workspace: Workspace, settings: Settings) -> int:
     """``--diff``: what ``--fix`` would change, as a patch; nothing is written."""
-    from haros_ci.fixing import patch, plan
+    from haros_ci.commands.fixing import patch, plan
     from haros_ci.report.escape import patch as shown
 
     warn_of_missing_base(settings)
@@ -166,7 +165,7 @@ def show_patch(report: Report, workspace: Workspace, settings: Settings) -> int:
 
 def mend(report: Report, workspace: Workspace, settings: Settings) -> bool:
     """``--fix``: mend what is open and can be mended; whether any file was changed."""
-    from haros_ci.fixing import plan, write
+    from haros_ci.commands.fixing import plan, write
     from haros_ci.report.escape import terminal
 
     made = plan(report.shown(), workspace.text)

@@ -129,7 +129,7 @@ FORMATS: dict[str, Callable[[Report, View], str]] = {
     "csv": _csv,
     "markdown": _markdown,
 }
-#: Formats of more than one file, each written into a directory (folders.py).
+#: Formats of more than one file, each written into a directory (commands/folders.py).
 FOLDERS = ("haros-json",)
 #: Bytes of a file of an earlier run that a new one adds to.
 LARGEST_READ = 50_000_000

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import click
 
-from haros_ci.cli import EXIT_TOOL_TROUBLE
-from haros_ci.commands import (
+from haros_ci.commands.common import (
     Flags,
     Progress,
     demand_base,
@@ -18,9 +17,9 @@ from haros_ci.commands import (
     settings_from,
     under_cache,
 )
-from haros_ci.errors import UserError
+from haros_ci.commands.output import parse_outputs
+from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
 from haros_ci.model.workspace import Workspace
-from haros_ci.output import parse_outputs
 from haros_ci.report.escape import terminal
 from haros_ci.results.result import Report
 from haros_ci.shards import costs, shard_file
@@ -42,7 +41,7 @@ def merge(flags: Flags) -> int:
         joined = join(shards_of(flags["files"]))
 
         def work(store: DiskCache | MemoryCache, progress: Progress) -> tuple[Report, Workspace]:
-            from haros_ci.sharding import merged
+            from haros_ci.shards.sharding import merged
 
             return merged(settings, store, joined)
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import click
 
-from haros_ci.architecture import varied
+from haros_ci.analysis.architecture import varied
+from haros_ci.analysis.comparison import revision_of
 from haros_ci.changes.revision import changes_of
-from haros_ci.commands import cores, settings_from, store_for
-from haros_ci.comparison import revision_of
+from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.changes import Changes

@@ -12,17 +12,17 @@ from typing import Any
 
 import click
 
-from haros_ci.architecture import varied
+from haros_ci.analysis.architecture import varied
+from haros_ci.analysis.kept_runs import Output, kept_output
+from haros_ci.analysis.unmodelled import unmodelled
+from haros_ci.analysis.wanted import chosen
 from haros_ci.baselines import read_input
-from haros_ci.commands import cores, settings_from, store_for
+from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
-from haros_ci.kept_runs import Output, kept_output
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.report.escape import terminal
-from haros_ci.unmodelled import unmodelled
-from haros_ci.wanted import chosen
 from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.workspace.discover import discover
 from haros_ci.writing import put as put_bytes
@@ -115,7 +115,7 @@ def end(store: DiskCache | MemoryCache, said: Iterable[str]) -> None:
 def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:
     """Write *found* to *path*, or to stdout; UserError if that is not possible."""
     if format in ("nodl", "readme"):
-        from haros_ci.interface_files import put as put_interfaces
+        from haros_ci.commands.interface_files import put as put_interfaces
 
         put_interfaces(found, format, path, root)
         return
@@ -226,7 +226,7 @@ def expected(found: Architecture, path: str) -> int:
 
 def documented(workspace: Workspace, found: Architecture) -> int:
     """Say on stdout where the interface tables of READMEs and the model disagree; 1 if by more than notes, else 0."""
-    from haros_ci.readme_check import differences
+    from haros_ci.commands.readme_check import differences
 
     count = 0
     for item in differences(workspace, found):

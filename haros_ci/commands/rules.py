@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from haros_ci.commands import Flags, plugins_of
+from haros_ci.commands.common import Flags, plugins_of
 from haros_ci.config.settings import PROFILES
 from haros_ci.errors import UserError
 from haros_ci.results.rule import Rule
@@ -78,7 +78,7 @@ def explain(name: str, flags: Flags) -> int:
     if not found:
         from difflib import get_close_matches
 
-        from haros_ci.limits import LIMITS
+        from haros_ci.commands.limits import LIMITS
 
         if limits := [limit.rule for limit in LIMITS if limit.metric == wanted.replace("_", "-")]:
             raise UserError(f"'{name}' is a metric, no rule", help=f"the rules on it: {', '.join(limits)}")

@@ -9,13 +9,13 @@ from typing import Any
 
 import click
 
-from haros_ci.architecture import architecture
-from haros_ci.commands import cores, settings_from, store_for
+from haros_ci.analysis.architecture import architecture
+from haros_ci.analysis.wanted import chosen
+from haros_ci.commands.common import cores, settings_from, store_for
+from haros_ci.commands.model import assignment, selected, tell
 from haros_ci.errors import UserError
-from haros_ci.model_command import assignment, selected, tell
 from haros_ci.report.escape import terminal
 from haros_ci.security.write import policy_of
-from haros_ci.wanted import chosen
 from haros_ci.workspace.discover import discover
 from haros_ci.writing import write
 

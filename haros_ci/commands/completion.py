@@ -63,7 +63,7 @@ def _all(what: str) -> Iterable[str]:
 
         return PROFILES
     if what == "formats":
-        from haros_ci.output import FOLDERS, FORMATS
+        from haros_ci.commands.output import FOLDERS, FORMATS
 
         return (*FORMATS, *FOLDERS)
     if what == "metrics":

@@ -10,11 +10,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from haros_ci import __version__
+from haros_ci.analysis.inspection import Architectures, inspected, is_inspected
 from haros_ci.baselines import at_base, settled
 from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
-from haros_ci.inspection import Architectures, inspected, is_inspected
 from haros_ci.linters import sandbox
 from haros_ci.linters.part import Noted, answers
 from haros_ci.linters.portions import portions

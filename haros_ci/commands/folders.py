@@ -9,14 +9,14 @@ from pathlib import Path
 
 import click
 
-from haros_ci.commands import Flags, Progress, under_cache
+from haros_ci.analysis.inspection import Architectures
+from haros_ci.commands.common import Flags, Progress, under_cache
+from haros_ci.commands.output import text_in
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.haros_json.documents import PROJECTS, added
 from haros_ci.haros_json.gather import gathered
-from haros_ci.inspection import Architectures
 from haros_ci.model.workspace import Store, Workspace
-from haros_ci.output import text_in
 from haros_ci.results.result import Report
 from haros_ci.writing import put_below
 

@@ -13,8 +13,8 @@ from haros_ci.changes.revision import Revision
 from haros_ci.changes.settings import Value
 from haros_ci.extract.apis.tables import rows
 from haros_ci.launch.ros2.parameter_files import SECTION, values_in
-from haros_ci.systems.link import Linked
 from haros_ci.model.workspace import Workspace
+from haros_ci.systems.link import Linked
 
 
 def revision_of(workspace: Workspace, made: Linked) -> Revision:

@@ -47,7 +47,7 @@ def refused(workspace: Workspace) -> Iterator[Problem]:
     Of XML that is not well-formed the first fault. What is under a condition in a file of ROS 1 may never be read, so of that nothing is
     said.
     """
-    from haros_ci.architecture import launch_reader
+    from haros_ci.analysis.architecture import launch_reader
     from haros_ci.launch.ros2.dialect import is_ros2_file
 
     read = launch_reader(workspace)

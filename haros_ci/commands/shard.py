@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from haros_ci.baselines import read_input
-from haros_ci.commands import Flags, Progress, demand_base, settings_from, under_cache, warn_of_missing_base
+from haros_ci.commands.common import Flags, Progress, demand_base, settings_from, under_cache, warn_of_missing_base
 from haros_ci.errors import UserError
 from haros_ci.report.escape import terminal
 from haros_ci.shards import costs, shard_file
@@ -33,7 +33,7 @@ def shard(flags: Flags) -> int:
     remembered = costs_of(flags["shard_costs"])
 
     def work(store: DiskCache | MemoryCache, progress: Progress) -> tuple[Shard, tuple[str, ...]]:
-        from haros_ci.sharding import part
+        from haros_ci.shards.sharding import part
 
         return part(settings, store, number, of, remembered, progress)
 

@@ -9,12 +9,11 @@ from typing import Any
 
 import click
 
-from haros_ci.cli import EXIT_TOOL_TROUBLE
-from haros_ci.commands import Progress, settings_from, under_cache
+from haros_ci.commands.common import Progress, settings_from, under_cache
+from haros_ci.commands.limits import LIMITS
 from haros_ci.config.suggestion import suggestion
-from haros_ci.errors import UserError
-from haros_ci.limits import LIMITS
-from haros_ci.measures import Measures, measure
+from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
+from haros_ci.measuring.measures import Measures, measure
 from haros_ci.measuring.totals import METRICS
 from haros_ci.model.measurement import Measurement
 from haros_ci.model.workspace import Store

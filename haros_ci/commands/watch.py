@@ -12,12 +12,11 @@ from time import monotonic, sleep
 
 import click
 
-from haros_ci.cli import EXIT_INTERRUPTED
-from haros_ci.commands import Flags, demand_base, renderers_of, run, settings_from, written
+from haros_ci.commands.common import Flags, demand_base, renderers_of, run, settings_from, written
+from haros_ci.commands.output import Outputs, Renderers, parse_outputs, text_style
 from haros_ci.config.settings import Settings
-from haros_ci.errors import UserError
+from haros_ci.errors import EXIT_INTERRUPTED, UserError
 from haros_ci.interruption import Interrupted
-from haros_ci.output import Outputs, Renderers, parse_outputs, text_style
 from haros_ci.report.escape import terminal
 from haros_ci.report.summary import notifications, plural
 from haros_ci.results.result import Notification, Report, Result

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from haros_ci.linters.metrics import CLASS_THRESHOLDS, STRUCTURE_THRESHOLDS, crossed
-from haros_ci.measures import Structure, class_values, function_values, problems, structure
+from haros_ci.measuring.measures import Structure, class_values, function_values, problems, structure
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Result, Run, Tool
