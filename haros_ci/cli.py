@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The command line: flags and exit codes. The work is in commands.py, imported only when a command runs."""
+"""The command line: flags and exit codes. The work is in commands/common.py, imported only when a command runs."""
 
 from __future__ import annotations
 
@@ -11,8 +11,7 @@ from typing import Any
 import click
 
 from haros_ci import __version__
-from haros_ci.errors import RunFailure, UserError
-from haros_ci.flags import (
+from haros_ci.commands.flags import (
     analysis_options,
     completion_of,
     costs_option,
@@ -21,11 +20,10 @@ from haros_ci.flags import (
     what_options,
     workspace_options,
 )
+from haros_ci.commands.manual import EXIT_CODES, Group
+from haros_ci.errors import EXIT_INTERRUPTED, EXIT_TOOL_TROUBLE, EXIT_USAGE, RunFailure, UserError
 from haros_ci.interruption import Interrupted, listening
-from haros_ci.manual import EXIT_CODES, Group
 from haros_ci.streams import flushed, prepare_streams, say
-
-EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -102,7 +100,7 @@ def haros_ci() -> None:
 @costs_option
 def check(**flags: Any) -> int:
     """Analyse PATHS (default: the current directory) and report what is new."""
-    from haros_ci import commands
+    from haros_ci.commands import common as commands
 
     return commands.check(flags)
 
@@ -120,7 +118,7 @@ def merge(**flags: Any) -> int:
 
     Run it in a checkout of the same commit, with the options that the shards were given. No linter is needed.
     """
-    from haros_ci import merge_command
+    from haros_ci.commands import merge as merge_command
 
     return merge_command.merge(flags)
 
@@ -141,7 +139,7 @@ file_option = click.option(
 @click.option("--force", is_flag=True, help="Write an existing FILE anew.")
 def create(**flags: Any) -> int:
     """Record today's findings as known, in a new file."""
-    from haros_ci import baseline_command
+    from haros_ci.commands import baseline as baseline_command
 
     return baseline_command.create(flags)
 
@@ -152,7 +150,7 @@ def create(**flags: Any) -> int:
 @click.option("--accept-new", is_flag=True, help="Record new findings, too.")
 def update(**flags: Any) -> int:
     """Refresh known findings that have moved or changed, and drop those that are gone."""
-    from haros_ci import baseline_command
+    from haros_ci.commands import baseline as baseline_command
 
     return baseline_command.update(flags)
 
@@ -162,7 +160,7 @@ def update(**flags: Any) -> int:
 @file_option
 def prune(**flags: Any) -> int:
     """Drop known findings that are gone; change nothing else."""
-    from haros_ci import baseline_command
+    from haros_ci.commands import baseline as baseline_command
 
     return baseline_command.prune(flags)
 
@@ -171,7 +169,7 @@ def prune(**flags: Any) -> int:
 @file_option
 def show(**flags: Any) -> int:
     """List what a baseline file holds."""
-    from haros_ci import baseline_command
+    from haros_ci.commands import baseline as baseline_command
 
     return baseline_command.show(flags)
 
@@ -202,7 +200,7 @@ def show(**flags: Any) -> int:
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
 def model(**flags: Any) -> int:
     """Reconstruct the running system from source: nodes, topics, services, actions, parameters."""
-    from haros_ci import model_command
+    from haros_ci.commands import model as model_command
 
     return model_command.model(flags)
 
@@ -225,7 +223,7 @@ def model(**flags: Any) -> int:
 @workspace_options
 def query(**flags: Any) -> int:
     """Ask a QUERY of the running systems, as HAROS does: topics[len(self.publishers) > 1] (docs/queries.md)."""
-    from haros_ci import query_command
+    from haros_ci.commands import query as query_command
 
     return query_command.query(flags)
 
@@ -249,7 +247,7 @@ def query(**flags: Any) -> int:
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
 def metrics(**flags: Any) -> int:
     """Measure functions, classes, files and packages, with HAROS's limits beside the values."""
-    from haros_ci import metrics_command
+    from haros_ci.commands import metrics as metrics_command
 
     return metrics_command.metrics(flags)
 
@@ -262,7 +260,7 @@ def metrics(**flags: Any) -> int:
 @workspace_options
 def policy(**flags: Any) -> int:
     """Write a security policy (SROS2) that allows what the nodes of LAUNCH files, or of all configurations, do."""
-    from haros_ci import policy_command
+    from haros_ci.commands import policy as policy_command
 
     return policy_command.policy(flags)
 
@@ -284,7 +282,7 @@ def policy(**flags: Any) -> int:
 @click.option("--timings", is_flag=True, help="Say on stderr where the time went.")
 def diff(**flags: Any) -> int:
     """Say what the change from BASE to HEAD (default: the work tree) does to interfaces, graph, parameters and QoS."""
-    from haros_ci import diff_command
+    from haros_ci.commands import diff as diff_command
 
     return diff_command.diff(flags)
 
@@ -299,7 +297,7 @@ def diff(**flags: Any) -> int:
 @plugin_option
 def rules(**flags: Any) -> int:
     """List every documented rule: id, level, and whether the profile enables it."""
-    from haros_ci import rules_command
+    from haros_ci.commands import rules as rules_command
 
     if flags["standards"]:
         return rules_command.standards_table()
@@ -311,7 +309,7 @@ def rules(**flags: Any) -> int:
 @plugin_option
 def explain(rule: str, **flags: Any) -> int:
     """Say what a RULE means, why it matters and how to silence it."""
-    from haros_ci import rules_command
+    from haros_ci.commands import rules as rules_command
 
     return rules_command.explain(rule, flags)
 
@@ -321,7 +319,7 @@ def explain(rule: str, **flags: Any) -> int:
 @click.option("--dry-run", is_flag=True, help="Only show what would be written.")
 def init(**flags: Any) -> int:
     """Write a GitHub workflow, a pre-commit configuration and a project file for the workspace; overwrite nothing."""
-    from haros_ci import init_command
+    from haros_ci.commands import init as init_command
 
     return init_command.init(flags)
 
@@ -332,7 +330,7 @@ def new_check_(name: str) -> int:
     """Begin a new check called NAME in a clone of haros-ci: its module and its page."""
     from pathlib import Path
 
-    from haros_ci.new_check import new_check
+    from haros_ci.commands.new_check import new_check
 
     for path in new_check(name, Path.cwd()):
         click.echo(f"checks/{path.name}")
@@ -344,7 +342,7 @@ def new_check_(name: str) -> int:
 @click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies.")
 def cache(action: str, cache_dir: str | None) -> int:
     """Show or clear the cache; deleting it is always safe."""
-    from haros_ci import commands
+    from haros_ci.commands import common as commands
 
     return commands.cache(action, cache_dir)
 
@@ -353,7 +351,7 @@ def cache(action: str, cache_dir: str | None) -> int:
 @click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
 def completion(shell: str) -> int:
     """Print what makes a SHELL complete haros-ci's commands, options, formats, profiles and rules."""
-    from haros_ci.completion import script
+    from haros_ci.commands.completion import script
 
     click.echo(script(haros_ci, shell))
     return 0

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+#: Exit codes beside 0 and 1, as README lists them.
+EXIT_USAGE, EXIT_TOOL_TROUBLE, EXIT_INTERRUPTED = 2, 3, 130
+
 
 class UserError(Exception):
     """Wrong usage or configuration: *message* names file, line and fault, *help* what to do."""

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import PROJECT_URL
+from haros_ci.analysis.inspection import Architectures
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
-from haros_ci.inspection import Architectures
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Notification, Related, Result, Run, Tool
@@ -192,7 +192,7 @@ def _metrics(
         hook in ("*", "process_file_metric", "process_package_metric") for each in plugins for hook in each.hooks
     ):
         return {}
-    from haros_ci.measures import measured
+    from haros_ci.measuring.measures import measured
 
     found: dict[str, list[dict[str, Any]]] = {}
     for value in measured(workspace, architectures.settings, architectures.store):

@@ -8,10 +8,10 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from itertools import islice
 
+from haros_ci.analysis.inspection import asks
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import is_glob
 from haros_ci.config.settings import Settings
-from haros_ci.inspection import asks
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files

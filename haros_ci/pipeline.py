@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from haros_ci import PROJECT_URL, __version__
+from haros_ci.analysis.inspection import Architectures, inspected_or_kept, is_inspected
 from haros_ci.baselines import at_base, compare, read_input, sarif_runs, settled, unused_code
 from haros_ci.brought import before, notices, silenced
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors, slip_finder
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.hosting import hosted
-from haros_ci.inspection import Architectures, inspected_or_kept, is_inspected
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.metrics import STRUCTURE_RULES, keep_worst_band
@@ -214,7 +214,7 @@ def weighed(runs: tuple[Run, ...], baseline: Baseline | None, selection: Selecti
 
 def structured(workspace: Workspace, architectures: Architectures, progress: Progress | None) -> Run:
     """What syntax trees and the index of the workspace tell of functions and classes."""
-    from haros_ci.crossings import crossings
+    from haros_ci.measuring.crossings import crossings
 
     return crossings(workspace, architectures.store, architectures.settings.jobs, progress)
 

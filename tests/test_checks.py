@@ -10,8 +10,8 @@ import pytest
 from haros_ci.api.testing import faults, faults_of_page
 from haros_ci.checking.check import Check
 from haros_ci.checking.page import SECTIONS, Example, Page, read_page
+from haros_ci.commands.new_check import new_check
 from haros_ci.errors import UserError
-from haros_ci.new_check import new_check
 from haros_ci.registry import check_rules, checks, page_of
 from haros_ci.report.check_table import render
 

@@ -16,7 +16,7 @@ from haros_ci.code.transforms import is_caught
 from haros_ci.code.uses import uses
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.python.read import read_python
-from haros_ci.link.index import Source
+from haros_ci.index.index import Source
 
 
 def cpp(text: str) -> tuple[Codebase, Routine]:

@@ -15,7 +15,7 @@ from haros_ci.code.message_names import ros_type
 from haros_ci.code.ways import in_callbacks
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.python.read import read_python
-from haros_ci.link.index import Source
+from haros_ci.index.index import Source
 
 
 def made(**texts: str) -> Codebase:

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from commandline import haros, write
 
-from haros_ci.exactness import ask, doubtful
+from haros_ci.analysis.exactness import ask, doubtful
 from haros_ci.model.architecture import Architecture
 
 HEADERS = {
@@ -66,8 +66,8 @@ def test_blanks_are_filled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     before = setters(model(tmp_path / "ws"))
     assert before == {"/known": ("bool", "source"), "/real": (None, "source"), "/flag": (None, "source")}
 
-    from haros_ci import exactness
-    from haros_ci.architecture import architecture
+    from haros_ci.analysis import exactness
+    from haros_ci.analysis.architecture import architecture
     from haros_ci.config.settings import Settings
     from haros_ci.workspace.cache import MemoryCache
     from haros_ci.workspace.discover import discover
@@ -80,7 +80,7 @@ def test_blanks_are_filled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_without_libclang_it_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from haros_ci import exactness
+    from haros_ci.analysis import exactness
     from haros_ci.config.settings import Settings
     from haros_ci.workspace.discover import discover
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from haros_ci.cli import main
-from haros_ci.fixing import Mended, Plan, patch, plan, write
+from haros_ci.commands.fixing import Mended, Plan, patch, plan, write
 from haros_ci.model.location import Location
 from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.result import Result

@@ -14,7 +14,8 @@ from xml.etree import ElementTree
 import pytest
 from commandline import write
 
-from haros_ci import cli, output
+from haros_ci import cli
+from haros_ci.commands import output
 
 MANIFEST = """<package format="3">
   <name>lift</name><version>1.0.0</version><description>A lift.</description>
@@ -103,6 +104,6 @@ def test_two_formats_never_share_stdout(lift: Path, format: str) -> None:
 def test_a_format_is_imported_when_it_is_asked_for() -> None:
     import subprocess
 
-    code = "import sys, haros_ci.output, haros_ci.commands; print(sorted(m for m in sys.modules if 'haros_ci.report' in m))"
+    code = "import sys, haros_ci.commands.output, haros_ci.commands.common; print(sorted(m for m in sys.modules if 'haros_ci.report' in m))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
     assert done.stdout.strip() == "[]"

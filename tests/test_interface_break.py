@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from haros_ci.analysis.inspection import project_of
 from haros_ci.api.testing import read
 from haros_ci.checking.page import filled
 from haros_ci.checking.run import run_on_project
-from haros_ci.inspection import project_of
 from haros_ci.registry import checks
 from haros_ci.results.result import Result
 

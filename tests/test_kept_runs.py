@@ -13,7 +13,8 @@ import pytest
 from commandline import commit, git, haros, write
 from mutations import LAUNCH_XML, LISTENER_CPP, ROS2
 
-from haros_ci import inspection, kept_runs, pipeline
+from haros_ci import pipeline
+from haros_ci.analysis import inspection, kept_runs
 from haros_ci.config.settings import Settings
 from haros_ci.results.result import Report, Run
 from haros_ci.workspace.cache import MemoryCache

@@ -14,9 +14,9 @@ import pytest
 from commandline import haros
 
 from haros_ci.cli import haros_ci
-from haros_ci.completion import words
-from haros_ci.manual import ABOUT, EXAMPLES, SECTIONS, SHORT
-from haros_ci.output import FOLDERS, FORMATS
+from haros_ci.commands.completion import words
+from haros_ci.commands.manual import ABOUT, EXAMPLES, SECTIONS, SHORT
+from haros_ci.commands.output import FOLDERS, FORMATS
 
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from bench.one_truth import differences, ways
 
-from haros_ci.architecture import programs
+from haros_ci.analysis.architecture import programs
 from haros_ci.workspace.build import builds
 from haros_ci.workspace.cache import DiskCache
 from haros_ci.workspace.discover import discover

@@ -12,7 +12,7 @@ from haros_ci.own_sources import LIBRARIES, OF_FACTS, OF_FOLLOWED, OF_MEASURES, 
 
 ROOT = Path(__file__).resolve().parent.parent
 #: What has no say: texts of exceptions, and what a package's folder alone brings along.
-HARMLESS = {"haros_ci", "haros_ci.errors", "haros_ci.extract", "haros_ci.link.known"}
+HARMLESS = {"haros_ci", "haros_ci.errors", "haros_ci.extract", "haros_ci.systems.known"}
 
 
 def module_path(name: str) -> Path | None:
@@ -49,7 +49,7 @@ def reached(*start: str) -> set[str]:
     [
         (OF_FACTS, ("haros_ci.extract.cpp.read", "haros_ci.extract.python.read", "haros_ci.syntax.codec")),
         (OF_MEASURES, ("haros_ci.measuring.cpp", "haros_ci.measuring.python")),
-        (OF_FOLLOWED, ("haros_ci.link.follow",)),
+        (OF_FOLLOWED, ("haros_ci.follow.follow",)),
     ],
 )
 def test_all_modules_that_have_a_hand_in_it_are_in_the_key(packages: tuple[str, ...], start: tuple[str, ...]) -> None:

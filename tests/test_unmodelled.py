@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import pytest
 
+from haros_ci.analysis.unmodelled import unmodelled
 from haros_ci.model.architecture import Architecture, Configuration, Node
 from haros_ci.model.build import Build, PluginClass
 from haros_ci.model.location import Location
-from haros_ci.unmodelled import unmodelled
 
 HERE = Location("plugins.xml", 1)
 

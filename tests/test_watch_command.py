@@ -17,12 +17,13 @@ from typing import Any
 import pytest
 from commandline import write
 
-from haros_ci import cli, watch_command
+from haros_ci import cli
+from haros_ci.commands import watch as watch_command
+from haros_ci.commands.watch import INTERVAL, QUIET, SHARE, Watch, follow, headline
 from haros_ci.errors import UserError
 from haros_ci.model.location import Location
 from haros_ci.results.result import BaselineState, Report, Result, Run, Tool
 from haros_ci.results.rule import Level
-from haros_ci.watch_command import INTERVAL, QUIET, SHARE, Watch, follow, headline
 
 MANIFEST = """<package format="3">
   <name>lift</name><version>1.0.0</version><description>A lift.</description>

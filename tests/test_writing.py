@@ -179,7 +179,7 @@ SCRATCH = "its own temporary directory"
 ALLOWED = {
     "writing.py": "the writer",
     "scratch.py": "makes temporary directories and removes them",
-    "exactness.py": SCRATCH,
+    "analysis/exactness.py": SCRATCH,
     "streams.py": "opens /dev/null in place of streams that are closed",
     "forks.py": "pipes to its children",
     "workspace/cache.py": "its own directory: drafts by mkstemp, which replace links",

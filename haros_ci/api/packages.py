@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.appearing import is_told_of, is_ignored, may_appear
+from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.editing import (

@@ -14,18 +14,18 @@ from collections.abc import Container, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from haros_ci.analysis.architecture import varied
+from haros_ci.analysis.inspection import project_of
 from haros_ci.api import Check
-from haros_ci.architecture import varied
 from haros_ci.checking.page import SECTIONS, Example, filled, read_page
 from haros_ci.checking.run import run_checks, run_on_project
 from haros_ci.checking.system import System, systems
 from haros_ci.config.load import load
 from haros_ci.config.settings import Settings
-from haros_ci.inspection import project_of
-from haros_ci.link.link import Linked
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.fix import Edit, applied
 from haros_ci.results.result import Result
+from haros_ci.systems.link import Linked
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 from haros_ci import syntax
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.link.index import Source
-from haros_ci.link.types import pointee, resolve_type
+from haros_ci.index.index import Source
+from haros_ci.index.types import pointee, resolve_type
 from haros_ci.syntax import Class, Expression, Field, Function, Type
 from haros_ci.syntax.codec import plain
 

@@ -7,8 +7,8 @@ from haros_ci import syntax
 from haros_ci.code import classes
 from haros_ci.code.body import Iterated, Variable, names_in
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.link.index import Source
-from haros_ci.link.types import MAPS, SEQUENCES, SMART_POINTERS, pointee
+from haros_ci.index.index import Source
+from haros_ci.index.types import MAPS, SEQUENCES, SMART_POINTERS, pointee
 from haros_ci.syntax import Expression, Type
 from haros_ci.syntax.codec import plain
 from haros_ci.syntax.walk import placeless

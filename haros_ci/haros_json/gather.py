@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from datetime import datetime, timezone
 
+from haros_ci.analysis.inspection import Architectures, asks
 from haros_ci.config.selection import Selection
 from haros_ci.haros_json.documents import Input, documents
-from haros_ci.inspection import Architectures, asks
 from haros_ci.linters import catalogue
 from haros_ci.linting import with_queries
-from haros_ci.measures import measure
+from haros_ci.measuring.measures import measure
 from haros_ci.model.workspace import Workspace
 from haros_ci.results import own
 from haros_ci.results.result import Report

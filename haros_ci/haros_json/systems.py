@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from hashlib import sha256
 from typing import Any
 
+from haros_ci.declared.variables import variables
 from haros_ci.haros_json.places import Places
 from haros_ci.haros_json.texts import name, words
-from haros_ci.link.variables import variables
 from haros_ci.model.architecture import Condition, Node
 from haros_ci.model.location import Location
 from haros_ci.query.links import Link

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from haros_ci import syntax
 from haros_ci.code.classes import Owner, class_named, dotted_name, resolved
 from haros_ci.code.codebase import Codebase
-from haros_ci.link.index import Source
+from haros_ci.index.index import Source
 from haros_ci.measuring.facts import ClassFacts, FileFacts, FunctionFacts
 from haros_ci.syntax import Type
 

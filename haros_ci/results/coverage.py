@@ -9,7 +9,6 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.results.confined import sentence
 from haros_ci.results.result import Coverage
 
-
 #: Files that a sentence names.
 _NAMED = 3
 

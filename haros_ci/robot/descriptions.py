@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from haros_ci.link.launch_facts.files import Finder
+from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package

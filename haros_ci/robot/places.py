@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.link.launch_facts.files import Finder
+from haros_ci.launch.facts.files import Finder
 from haros_ci.model.launch_facts import FileUse
 from haros_ci.model.location import Location
 from haros_ci.robot.sources import FIND, Located, Look

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from haros_ci.results.confined import SENTENCES
-from haros_ci.shards.shard import SIDES, Failed, Had, Header, Said, Shard, ShardError, Whole
 from haros_ci.results.values import LARGEST, NotThat, is_inside, plain, read
+from haros_ci.shards.shard import SIDES, Failed, Had, Header, Said, Shard, ShardError, Whole
 
 FORMAT = 1
 #: Bytes of a file, and of one line of it.

@@ -20,7 +20,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from haros_ci.architecture import architecture
+from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.report.model_json import render
 from haros_ci.workspace.cache import MemoryCache

@@ -17,9 +17,9 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from haros_ci.architecture import ros2_launch
-from haros_ci.link.launching.dialect import is_ros2_file
-from haros_ci.link.launching.evaluate import launch_system
+from haros_ci.analysis.architecture import ros2_launch
+from haros_ci.launch.ros2.dialect import is_ros2_file
+from haros_ci.launch.ros2.evaluate import launch_system
 from haros_ci.model.launch import LaunchedSystem
 from haros_ci.model.workspace import Workspace
 from haros_ci.workspace.build import builds

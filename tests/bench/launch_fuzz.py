@@ -27,13 +27,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from haros_ci.architecture import ros2_launch
-from haros_ci.link.launch_python.heap import SIZE, STEPS, Budget
-from haros_ci.link.launch_python.interpret import interpret
-from haros_ci.link.launching.evaluate import launch_system
-from haros_ci.link.link import Ros2Launch
+from haros_ci.analysis.architecture import ros2_launch
+from haros_ci.launch.python.heap import SIZE, STEPS, Budget
+from haros_ci.launch.python.interpret import interpret
+from haros_ci.launch.ros2.evaluate import launch_system
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.workspace import Workspace
+from haros_ci.systems.link import Ros2Launch
 from haros_ci.workspace.build import builds
 from haros_ci.workspace.discover import discover
 

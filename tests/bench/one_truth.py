@@ -16,7 +16,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from haros_ci.architecture import architecture
+from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.model.workspace import Store
 from haros_ci.report.model_json import render

@@ -9,8 +9,8 @@ from __future__ import annotations
 import sys
 import time
 
-from haros_ci.architecture import architecture
-from haros_ci.commands import cores, settings_from, store_for
+from haros_ci.analysis.architecture import architecture
+from haros_ci.commands.common import cores, settings_from, store_for
 from haros_ci.query.engine import Query
 from haros_ci.query.queries import VARIABLES, Scenes
 from haros_ci.workspace.discover import discover

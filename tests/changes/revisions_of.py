@@ -6,10 +6,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from haros_ci.architecture import varied
+from haros_ci.analysis.architecture import varied
+from haros_ci.analysis.comparison import revision_of
 from haros_ci.changes.revision import Revision, changes_of
 from haros_ci.checking.page import filled
-from haros_ci.comparison import revision_of
 from haros_ci.config.settings import Settings
 from haros_ci.model.changes import Change, Changes
 from haros_ci.workspace.cache import MemoryCache

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import pytest
 
+from haros_ci.analysis.comparison import call_rows
 from haros_ci.changes.calls import Call, calls_in
 from haros_ci.changes.change import Difference
 from haros_ci.changes.evidence import Evidence, Source, functions_of
 from haros_ci.changes.wrappers import Wrappers
-from haros_ci.comparison import call_rows
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.python.read import read_python
 from haros_ci.model.location import Location

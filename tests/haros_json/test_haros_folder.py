@@ -10,9 +10,9 @@ from typing import Any
 import haros_kit as kit
 import pytest
 
+from haros_ci.commands.output import parse_outputs, text_in
 from haros_ci.errors import UserError
 from haros_ci.haros_json.documents import added, documents
-from haros_ci.output import parse_outputs, text_in
 from haros_ci.writing import put_below
 
 

@@ -11,7 +11,7 @@ import pytest
 from commandline import commit, write
 
 from haros_ci.cli import main
-from haros_ci.output import FORMATS
+from haros_ci.commands.output import FORMATS
 
 TALKER = """import rclpy
 from rclpy.node import Node

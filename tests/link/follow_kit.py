@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from haros_ci.architecture import architecture
+from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture, Configuration, Endpoint, Node
 from haros_ci.model.package import Package, SourceFile

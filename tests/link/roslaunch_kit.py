@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from haros_ci.extract.launch.xml import read_launch
-from haros_ci.link.roslaunch import evaluate
+from haros_ci.launch.ros1.roslaunch import evaluate
 from haros_ci.model.launch import Launched, LaunchFile
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Workspace

@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 from follow_kit import ROS2_HEAD, ROS2_NODE, Nothing, cpp_files, main, names, ros2_files, workspace
 
-from haros_ci.architecture import architecture, varied
+from haros_ci.analysis.architecture import architecture, varied
 from haros_ci.config.settings import Settings
-from haros_ci.link.link import Linked
 from haros_ci.model.architecture import Configuration, Node
 from haros_ci.model.presence import Choice, assignment, together
 from haros_ci.report.model_json import render
+from haros_ci.systems.link import Linked
 
 BODY = 'auto t = declare_parameter<std::string>("topic", "plain");\npub_ = create_publisher<String>(t, 1);'
 TEXT = ROS2_HEAD + ROS2_NODE % (BODY, "rclcpp::Publisher<String>::SharedPtr pub_;")

@@ -9,12 +9,12 @@ from typing import Any
 
 import pytest
 
+from haros_ci.commands.model import expected
+from haros_ci.declared.expectation import Difference, compare, may_be, problems
 from haros_ci.errors import UserError
-from haros_ci.link.expectation import Difference, compare, may_be, problems
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
-from haros_ci.model_command import expected
 
 CPP = "src/base/src/odometry.cpp"
 PACKAGES = (Package("base", "src/base"),)

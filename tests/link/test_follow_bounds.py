@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from follow_kit import cpp_files, follow, main, names, python_files, script
 
-from haros_ci.link import values
+from haros_ci.values import abstract as values
 
 LARGE = "the node is too large to be followed to its end; some of what it makes may be missing"
 #: Names that are longer than this were put together without a bound.

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from haros_ci.link.hints import apply, apply_specifications
-from haros_ci.link.variables import resolved, variables
+from haros_ci.declared.hints import apply, apply_specifications
+from haros_ci.declared.variables import resolved, variables
 from haros_ci.model.architecture import Condition, Configuration, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package

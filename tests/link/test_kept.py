@@ -18,17 +18,17 @@ from typing import Any
 import pytest
 from follow_kit import CMAKE, ROS2_CMAKE, ROS2_HEAD, ROS2_NODE, main, script, workspace
 
-import haros_ci.link.ros2_system as ros2_system
-import haros_ci.link.system as system
-from haros_ci.architecture import architecture
+import haros_ci.systems.ros2_system as ros2_system
+import haros_ci.systems.system as system
+from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
-from haros_ci.link import kept, kept_json
-from haros_ci.link.ros2_process import RosNode, Rule
-from haros_ci.link.run import Made
-from haros_ci.link.values import Known
+from haros_ci.follow.run import Made
+from haros_ci.graph.ros2_process import RosNode, Rule
+from haros_ci.keeping import kept, kept_json
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.model_json import render
+from haros_ci.values.abstract import Known
 
 Files = dict[str, str]
 

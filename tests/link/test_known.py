@@ -10,12 +10,12 @@ from typing import Any
 
 import pytest
 
-from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.known.instantiate import instantiate
-from haros_ci.link.known.load import load_known, load_user, parse
-from haros_ci.link.values import Cell, Known, Opaque, Sequence
 from haros_ci.model.architecture import Endpoint, Unknown
 from haros_ci.model.location import Location
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.known.load import load_known, load_user, parse
+from haros_ci.values.abstract import Cell, Known, Opaque, Sequence
 
 HERE = Location("robot/launch/robot.launch", 7)
 
@@ -437,7 +437,7 @@ def test_packages_that_are_not_known() -> None:
 
 def test_the_file_of_one_package_is_read_when_it_is_asked_for() -> None:
     code = (
-        "import sys, haros_ci.link.known.load as load; before = 'yaml' in sys.modules; load.load_known('acme');"
+        "import sys, haros_ci.systems.known.load as load; before = 'yaml' in sys.modules; load.load_known('acme');"
         " print(before, 'yaml' in sys.modules); load.load_known('tf'); print('yaml' in sys.modules)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)

@@ -6,10 +6,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from haros_ci.link.known.instantiate import instantiate
-from haros_ci.link.known.load import known_packages, load_known, load_user, parse
-from haros_ci.link.known.shape import COMMON_KEYS, DISTRIBUTIONS, NODE_KEYS
-from haros_ci.link.known.text import HOLES
+from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.known.load import known_packages, load_known, load_user, parse
+from haros_ci.systems.known.shape import COMMON_KEYS, DISTRIBUTIONS, NODE_KEYS
+from haros_ci.systems.known.text import HOLES
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "known-nodes.md"
 HEADING = "## What there is\n\n"

@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.known.instantiate import instantiate
-from haros_ci.link.known.load import load_known, load_user, parse
-from haros_ci.link.known.quality import PRESETS
 from haros_ci.model.architecture import Endpoint, Qos, Unknown
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.known.load import load_known, load_user, parse
+from haros_ci.systems.known.quality import PRESETS
 
 RELIABLE = PRESETS["default"]
 SENSOR = PRESETS["sensor_data"]

@@ -8,13 +8,13 @@ from functools import partial
 
 import pytest
 
-from haros_ci.link.known import load
-from haros_ci.link.known.entry import KnownNode
-from haros_ci.link.known.instantiate import instantiate
-from haros_ci.link.known.load import known_packages, load_known, parse
-from haros_ci.link.known.quality import PRESETS
-from haros_ci.link.known.shape import ROS2_DISTRIBUTIONS, ROS2_PARAMETER_TYPES, SUBFOLDERS, read_package
 from haros_ci.model.architecture import KINDS, Endpoint
+from haros_ci.systems.known import load
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.known.load import known_packages, load_known, parse
+from haros_ci.systems.known.quality import PRESETS
+from haros_ci.systems.known.shape import ROS2_DISTRIBUTIONS, ROS2_PARAMETER_TYPES, SUBFOLDERS, read_package
 
 FILES = {
     package: (load._HERE / "ros2" / f"{package}.yaml").read_text(encoding="utf-8") for package in known_packages(2)

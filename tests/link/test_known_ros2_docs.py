@@ -6,10 +6,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from haros_ci.link.known.instantiate import instantiate
-from haros_ci.link.known.load import known_packages, load_known, load_user, parse
-from haros_ci.link.known.quality import POLICIES, PRESETS
-from haros_ci.link.known.shape import ROS2_DISTRIBUTIONS, ROS2_KEYS, ROS2_PARAMETER_TYPES
+from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.known.load import known_packages, load_known, load_user, parse
+from haros_ci.systems.known.quality import POLICIES, PRESETS
+from haros_ci.systems.known.shape import ROS2_DISTRIBUTIONS, ROS2_KEYS, ROS2_PARAMETER_TYPES
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "known-nodes.md"
 HEADING = "### Known ROS 2 nodes\n\n"

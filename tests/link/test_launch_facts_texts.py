@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from haros_ci.link.launch_facts.texts import absolute_paths, is_file_name, named_files, named_packages
+from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages
 
 
 @pytest.mark.parametrize("path", ["a.yaml", "/x/a.launch.py", "$(find p)/a.b.c", "a-b.rviz"])

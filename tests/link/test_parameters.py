@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from follow_kit import CMAKE, CPP_HEAD, cpp_files, ends, follow, main, names, node, python
 
-from haros_ci.link.parameters import ParameterServer, Perhaps
+from haros_ci.graph.parameters import ParameterServer, Perhaps
 from haros_ci.model.architecture import Parameter, Unknown
 from haros_ci.model.location import Location
 

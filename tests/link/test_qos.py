@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from haros_ci.link.qos import SEVERAL, UNKNOWN, overridden, override_id, override_policies, preset, qos_of
-from haros_ci.link.qos_profiles import DEFAULT, PROFILES
-from haros_ci.link.values import Cell, Choice, Known, Library, Object, Opaque, Pointer, Sequence, Text, Value
+from haros_ci.follow.ros.qos import SEVERAL, UNKNOWN, overridden, override_id, override_policies, preset, qos_of
+from haros_ci.follow.ros.qos_profiles import DEFAULT, PROFILES
 from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location
+from haros_ci.values.abstract import Cell, Choice, Known, Library, Object, Opaque, Pointer, Sequence, Text, Value
 
 HERE = Location("p/src/n.cpp", 7)
 UNTOLD = Opaque("it is read from a file", HERE)

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from follow_kit import ROS2_CMAKE, Nothing, explicit, only, workspace
 
-from haros_ci.architecture import architecture
+from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
-from haros_ci.link.words import shell_words
+from haros_ci.graph.words import shell_words
 from haros_ci.model.architecture import Node
 
 MANAGER = '<node pkg="controller_manager" exec="ros2_control_node"{}>{}</node>'

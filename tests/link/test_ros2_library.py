@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 from follow_kit import ROS2_CMAKE, ROS2_HEAD, explicit, follow, names, types, well_formed
 
-from haros_ci.link.ros2_library import METHODS, USER
 from haros_ci.model.architecture import Architecture, Node
+from haros_ci.systems.ros2_library import METHODS, USER
 
 CMAKE = ROS2_CMAKE.format("p") + "ament_auto_add_library(tools SHARED src/tools.cpp)\n"
 END = "ament_auto_package()\n"

@@ -23,7 +23,7 @@ from follow_kit import (
     workspace,
 )
 
-from haros_ci.architecture import architecture
+from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Configuration, Node
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.link.names import resolve_target
-from haros_ci.link.ros2_process import RosNode, Rule
+from haros_ci.graph.names import resolve_target
+from haros_ci.graph.ros2_process import RosNode, Rule
 from haros_ci.model.location import Location
 
 CASES = (

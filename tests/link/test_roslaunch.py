@@ -515,7 +515,7 @@ def test_a_file_outside_any_package() -> None:
     files = {"tools/a.launch": '<launch><include file="$(dirname)/b.launch"/></launch>', "tools/b.launch": "<launch/>"}
     from roslaunch_kit import loader, workspace
 
-    from haros_ci.link.roslaunch import evaluate
+    from haros_ci.launch.ros1.roslaunch import evaluate
 
     launched = evaluate(["tools/a.launch"], workspace(files, {}), loader(files), {}, {})
     assert (told(launched), launched.includes) == ([], ("tools/b.launch",))

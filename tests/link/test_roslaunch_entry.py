@@ -7,8 +7,8 @@ import pytest
 from roslaunch_kit import loader, workspace
 
 from haros_ci.extract.launch.xml import read_launch
-from haros_ci.link.roslaunch_dialect import is_ros1
-from haros_ci.link.roslaunch_entry import entry_files
+from haros_ci.launch.ros1.dialect import is_ros1
+from haros_ci.launch.ros1.entry import entry_files
 
 
 def entries(files: dict[str, str], packages: dict[str, str] | None = None, ros: int | None = None) -> tuple[str, ...]:

@@ -10,9 +10,9 @@ import pytest
 from roslaunch_kit import MAIN, loader, run, workspace
 
 from haros_ci.extract.launch.xml import from_json, read_launch, to_json
-from haros_ci.link.launch_presence import OTHER
-from haros_ci.link.roslaunch import evaluate
-from haros_ci.link.roslaunch_entry import entry_files
+from haros_ci.launch.ros1.entry import entry_files
+from haros_ci.launch.ros1.roslaunch import evaluate
+from haros_ci.substitutions.presence import OTHER
 
 hypothesis = pytest.importorskip("hypothesis")
 st = pytest.importorskip("hypothesis.strategies")

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import pytest
 from roslaunch_kit import MAIN, loader, workspace
 
-from haros_ci.link.roslaunch import evaluate
+from haros_ci.launch.ros1.roslaunch import evaluate
 from haros_ci.model.launch import Launched
 from haros_ci.model.presence import Presence, assignment, in_words
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from roslaunch_kit import launch, told
 
-from haros_ci.link.roslaunch_names import literal, unknown
-from haros_ci.link.roslaunch_substitution import Sources, substitute
+from haros_ci.substitutions.names import literal, unknown
+from haros_ci.substitutions.substitution import Sources, substitute
 
 SOURCES = Sources(
     args={"one": literal("1"), "word": literal("x"), "yes": literal("true"), "f": literal("1.5"), "u": unknown("why")}

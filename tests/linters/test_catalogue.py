@@ -9,7 +9,7 @@ import pytest
 
 from haros_ci.config.settings import PROFILES
 from haros_ci.linters import metrics
-from haros_ci.linters.catalogue import WEIGHING, SAME_DEFECT, TOOLS, rule, rules_of
+from haros_ci.linters.catalogue import SAME_DEFECT, TOOLS, WEIGHING, rule, rules_of
 from haros_ci.linters.catalogue.standards import STANDARDS
 from haros_ci.linters.installed import HOW
 from haros_ci.linters.linter import When

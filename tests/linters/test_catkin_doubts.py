@@ -7,13 +7,12 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from linter_samples import workspace
 
 from haros_ci.linters.catkin_doubts import is_refuted
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.submodules import absent
-
-from linter_samples import workspace
 
 MISSING = "add_rostest() needs missing file '{}'."
 NAMED = "get_filename_component(NAME ${CMAKE_CURRENT_SOURCE_DIR} NAME)\nadd_rostest(${NAME}.test)\n"

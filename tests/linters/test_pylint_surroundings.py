@@ -7,14 +7,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from linter_samples import workspace
 
 from haros_ci.linters.pylint_doubts import is_refuted
 from haros_ci.linters.pylint_surroundings import is_refuted_around
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
-
-from linter_samples import workspace
 
 KINDS = "class Kind:\n    def by_name(name):\n        return list(Kind)[name]\n"
 CALLED = "import kinds\nkinds.Kind.by_name('a')\n"

@@ -6,14 +6,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from linter_samples import workspace
 
 from haros_ci.linters.loaded_files import loaded_files
 from haros_ci.linters.undefined_names import weighed_names
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
-
-from linter_samples import workspace
 
 
 def level(name: str, text: str, *, ros1: bool = True, rule: str = "pylint:undefined-variable") -> Level | None:

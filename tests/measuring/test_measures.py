@@ -11,13 +11,14 @@ from pathlib import Path
 import pytest
 from commandline import write
 
-from haros_ci import cli, crossings
+from haros_ci import cli
+from haros_ci.commands.limits import LIMITS
 from haros_ci.config.settings import Policy, Settings
-from haros_ci.limits import LIMITS
 from haros_ci.linters.catalogue import UNSERVED, rules_of
 from haros_ci.linters.metrics import STRUCTURE_RULES
-from haros_ci.measures import FACTS, measure, structure
+from haros_ci.measuring import crossings
 from haros_ci.measuring.facts import from_json, to_json
+from haros_ci.measuring.measures import FACTS, measure, structure
 from haros_ci.measuring.python import read_python
 from haros_ci.measuring.totals import METRICS
 from haros_ci.model.measurement import Measurement

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from commandline import write
 
-from haros_ci.measures import class_values, structure
+from haros_ci.measuring.measures import class_values, structure
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 

@@ -10,8 +10,8 @@ import pytest
 from interface_samples import BASE, LANE, PACKAGES, PATH, RATE, SYSTEM, end
 from test_model_json import HOSTILE
 
+from haros_ci.commands.interface_files import put
 from haros_ci.errors import UserError
-from haros_ci.interface_files import put
 from haros_ci.model.architecture import Architecture, Configuration, Qos, Unknown
 from haros_ci.report import model_interface_table
 from haros_ci.report.node_interface import Entry, qos_text

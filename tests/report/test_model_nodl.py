@@ -11,7 +11,7 @@ import pytest
 from interface_samples import BASE, CPP, LANE, ODOM, PACKAGES, PATH, RESET, STATUS, SYSTEM, VAGUE, end
 from test_model_json import HOSTILE
 
-from haros_ci.interface_files import put
+from haros_ci.commands.interface_files import put
 from haros_ci.model.architecture import Architecture, Configuration, Node, Unknown
 from haros_ci.model.location import Location
 from haros_ci.report import model_interface_table, model_nodl

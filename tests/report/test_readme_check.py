@@ -10,11 +10,11 @@ import pytest
 from interface_samples import BARE, BASE, CPP, LANE, RATE, SYSTEM, VAGUE, end
 
 from haros_ci.cli import main
+from haros_ci.commands.readme_check import differences
 from haros_ci.model.architecture import Architecture, Endpoint, Node, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
-from haros_ci.readme_check import differences
 from haros_ci.report.readme_names import fits, may_be, same_tail, spelt
 from haros_ci.report.readme_values import default_differs, type_differs
 

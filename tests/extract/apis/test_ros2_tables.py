@@ -9,9 +9,9 @@ from importlib import import_module
 import pytest
 
 from haros_ci.extract.apis.tables import TABLES, UNSURE, rows
-from haros_ci.link.qos import qos_of
-from haros_ci.link.values import Known
+from haros_ci.follow.ros.qos import qos_of
 from haros_ci.model.api import Row, Template, load_row
+from haros_ci.values.abstract import Known
 
 CPP = next(modules for language, ros, modules in TABLES if (language, ros) == ("cpp", 2))
 FORMS = [(module, row) for module in CPP for row in import_module(f"haros_ci.extract.apis.{module}").ROWS]

@@ -7,22 +7,22 @@ import json
 
 from fuzz.targets.kit import ROOT, Entry, parts, ros_package, sound, text_of, workspace
 
-from haros_ci.architecture import architecture
+from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.extract.launch.ros2_entity import YamlError as EntityError
 from haros_ci.extract.launch.ros2_entity import compose, loaded
 from haros_ci.extract.launch.xml import from_json, read_launch, to_json
-from haros_ci.link import launch_presence
-from haros_ci.link.behavior_tree_files import trees_of
-from haros_ci.link.launching.parameter_files import values_in
-from haros_ci.link.launching.parameter_yaml import YamlError as ParameterError
-from haros_ci.link.launching.parameter_yaml import python_value, rcl_value, read_trees
-from haros_ci.link.roslaunch_names import literal
-from haros_ci.link.roslaunch_yaml import YamlError, read_yaml
+from haros_ci.index.behavior_tree_files import trees_of
+from haros_ci.launch.ros2.parameter_files import values_in
+from haros_ci.launch.ros2.parameter_yaml import YamlError as ParameterError
+from haros_ci.launch.ros2.parameter_yaml import python_value, rcl_value, read_trees
 from haros_ci.report.model_json import render as model_json
 from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.descriptions import Descriptions
 from haros_ci.security.policy import expanded, read_policy
+from haros_ci.substitutions import presence as launch_presence
+from haros_ci.substitutions.names import literal
+from haros_ci.substitutions.yaml import YamlError, read_yaml
 from haros_ci.workspace.build import builds
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.xml import XmlError, parse_xml

@@ -7,13 +7,14 @@ import os
 
 from fuzz.targets.kit import ROOT, Entry, parts, refused, ros_package, text_of, workspace
 
-from haros_ci.architecture import api_rows, known_types
+from haros_ci.analysis.architecture import api_rows, known_types
+from haros_ci.analysis.wanted import configurations
 from haros_ci.config.describe import describe
 from haros_ci.config.project import read_project
 from haros_ci.config.settings import Settings
 from haros_ci.config.yaml_lines import parse, plain
+from haros_ci.declared.expectation import problems as expectation_problems
 from haros_ci.errors import UserError
-from haros_ci.link.expectation import problems as expectation_problems
 from haros_ci.linters import pylint_config, settings_files, yaml_settings
 from haros_ci.model.workspace import Problem
 from haros_ci.pipeline import selection_of
@@ -25,7 +26,6 @@ from haros_ci.registry import built_in
 from haros_ci.report.readme_tables import rows
 from haros_ci.report.readme_values import default_differs, is_value
 from haros_ci.results.linear_regex import PatternError, compiled
-from haros_ci.wanted import configurations
 
 
 def _refusal(err: UserError) -> str:

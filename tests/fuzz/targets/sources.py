@@ -9,7 +9,7 @@ from typing import Any
 
 from fuzz.targets.kit import ROOT, Entry, parts, ros_package, sound, text_of, workspace
 
-from haros_ci.architecture import architecture
+from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.extract.cpp.read import read_cpp
 from haros_ci.extract.parameter_library import read_parameter_library

@@ -13,7 +13,7 @@ from fuzz.targets.kit import Entry, parts, refused, ros_package, text_of, worksp
 from haros_ci.extract.cpp import exact
 from haros_ci.extract.launch import xml as launch_xml
 from haros_ci.haros_json.documents import PROJECTS, added
-from haros_ci.link import kept, kept_json
+from haros_ci.keeping import kept, kept_json
 from haros_ci.linters import declared, rows
 from haros_ci.linters.compile_db import flags_by_file
 from haros_ci.linters.linter import Batch, Finding, LintOptions, Output
@@ -42,7 +42,7 @@ def sarif(data: bytes) -> object:
         return refused(err)
     known = known_from_sarif(runs)
     read_compact(write_compact(known).encode(), "b.json")
-    from haros_ci.output import FORMATS, View
+    from haros_ci.commands.output import FORMATS, View
 
     report = Report(runs=runs)
     view = View(source=lambda path: "", flags={"why": True, "sarif_for": "github"}, to_file=True)

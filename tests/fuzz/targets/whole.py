@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from fuzz.targets.kit import ROOT, Entry, parts, ros_package, workspace
 
+from haros_ci.analysis.inspection import Architectures, inspected
+from haros_ci.commands.output import FORMATS, View
 from haros_ci.config.settings import Settings
-from haros_ci.inspection import Architectures, inspected
-from haros_ci.output import FORMATS, View
 from haros_ci.pipeline import distribute, finished, own_run, results_of, selected, selection_of
 from haros_ci.registry import built_in
 from haros_ci.report import model_dot, model_json, model_mermaid, model_text

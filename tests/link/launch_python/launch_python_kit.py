@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from haros_ci.link.launch_python import Budget, interpret
+from haros_ci.launch.python import Budget, interpret
 from haros_ci.model.launch_actions import Action, Description, Performed, Phrase, Substitution, Test
 
 HEAD = """

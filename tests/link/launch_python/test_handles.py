@@ -7,9 +7,9 @@ from pathlib import Path
 
 from launch_python_kit import HEAD
 
-from haros_ci.link.launch_python import interpret
-from haros_ci.link.launching.evaluate import launch_system
-from haros_ci.link.launching.places import Places
+from haros_ci.launch.python import interpret
+from haros_ci.launch.ros2.evaluate import launch_system
+from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch import LaunchedSystem
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Workspace

@@ -11,8 +11,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from launch_python_kit import HEAD, PATH, Context
 
-from haros_ci.link.launch_python import Budget, interpret
-from haros_ci.link.launch_python.heap import SIZE, STEPS
+from haros_ci.launch.python import Budget, interpret
+from haros_ci.launch.python.heap import SIZE, STEPS
 from haros_ci.model.launch_actions import Action, Description
 
 MARKERS = ("$(find-pkg-share ", "$(workspace ")

@@ -11,9 +11,9 @@ from typing import Any
 from haros_ci.extract.launch.ros2_xml import read_ros2_xml
 from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
 from haros_ci.extract.launch.xml import read_launch
-from haros_ci.link.launching.dialect import description_reader
-from haros_ci.link.launching.evaluate import launch_system
-from haros_ci.link.launching.places import Places
+from haros_ci.launch.ros2.dialect import description_reader
+from haros_ci.launch.ros2.evaluate import launch_system
+from haros_ci.launch.ros2.places import Places
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_actions import Action, Description

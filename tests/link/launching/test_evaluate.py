@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from launching_kit import HERE, MAIN, launch, loader, names, node, only, perform, remaps, told, workspace
 
-from haros_ci.link.launching.evaluate import launch_system
-from haros_ci.link.launching.places import Places
+from haros_ci.launch.ros2.evaluate import launch_system
+from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_actions import Action, Description, LaunchContext, Performed, Substitution
 from haros_ci.model.launch_actions import Test as Asked
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.link.launching.expression import expression_value
-from haros_ci.link.roslaunch_names import MARK, Text, literal
+from haros_ci.launch.ros2.expression import expression_value
+from haros_ci.substitutions.names import MARK, Text, literal
 
 
 @pytest.mark.parametrize(

@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from launching_kit import HERE, launch, perform
 
-from haros_ci.link.ros2_system import started_by
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.launch_actions import Action, ParameterSource
+from haros_ci.systems.ros2_system import started_by
 
 FILE = "bot/p.yaml"
 PATH = "$(find-pkg-share bot)/p.yaml"

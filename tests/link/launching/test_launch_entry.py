@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from launching_kit import loader, node, workspace
 
-from haros_ci.link.launching.entry import entry_files
-from haros_ci.link.launching.evaluate import Memo
-from haros_ci.link.launching.places import Places
+from haros_ci.launch.ros2.entry import entry_files
+from haros_ci.launch.ros2.evaluate import Memo
+from haros_ci.launch.ros2.places import Places
 
 FULL = f"<launch>{node()}</launch>"
 

@@ -11,14 +11,14 @@ import pytest
 from launching_kit import MAIN, loader, workspace
 
 from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
-from haros_ci.link.launch_presence import OTHER
-from haros_ci.link.launching.entry import entry_files
-from haros_ci.link.launching.evaluate import launch_system
-from haros_ci.link.launching.expression import expression_value
-from haros_ci.link.launching.places import Places
-from haros_ci.link.roslaunch_names import Text, literal
+from haros_ci.launch.ros2.entry import entry_files
+from haros_ci.launch.ros2.evaluate import launch_system
+from haros_ci.launch.ros2.expression import expression_value
+from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_phrases import read_phrase
+from haros_ci.substitutions.names import Text, literal
+from haros_ci.substitutions.presence import OTHER
 
 hypothesis = pytest.importorskip("hypothesis")
 st = pytest.importorskip("hypothesis.strategies")

@@ -14,8 +14,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "launch_python")
 
 from launch_python_kit import describe
 
-from haros_ci.link.launching.evaluate import launch_system
-from haros_ci.link.launching.places import Places
+from haros_ci.launch.ros2.evaluate import launch_system
+from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch import LaunchedSystem
 from haros_ci.model.presence import Choice, Presence, assignment, in_words, together
 

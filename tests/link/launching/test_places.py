@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from launching_kit import workspace
 
-from haros_ci.link.launching.places import Places
+from haros_ci.launch.ros2.places import Places
 from haros_ci.model.build import Build, Installed
 from haros_ci.model.location import Location
 

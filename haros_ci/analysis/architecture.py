@@ -1,0 +1,333 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From a workspace to its architecture: facts of each file through the cache, then everything linked afresh."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+from haros_ci.analysis.wanted import configurations
+from haros_ci.config.settings import Settings
+from haros_ci.declared import hints
+from haros_ci.extract.apis.tables import rows
+from haros_ci.extract.cpp.exact import ExactCall, Place, pick
+from haros_ci.extract.parameter_library import read_parameter_library
+from haros_ci.forks import shared
+from haros_ci.index.index import Source
+from haros_ci.index.trace import XML_FILES, YAML_FILES
+from haros_ci.keeping.kept import digest_of
+from haros_ci.launch.ros2.dialect import description_reader
+from haros_ci.launch.ros2.places import Places
+from haros_ci.model.api import Row, RowError, load_row
+from haros_ci.model.architecture import Architecture, Configuration
+from haros_ci.model.build import Build
+from haros_ci.model.launch import LaunchFile
+from haros_ci.model.launch_actions import Description
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Problem, Store, Workspace
+from haros_ci.own_sources import OF_FACTS, OF_FOLLOWED, digest
+from haros_ci.syntax import Program
+from haros_ci.syntax.codec import decoded, encoded
+from haros_ci.systems.keeping import Keeper
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
+from haros_ci.systems.system import KnownNodes
+from haros_ci.workspace.build import builds
+
+TOO_DEEP = "nested too deeply to be read; split the statements"
+
+
+def architecture(
+    workspace: Workspace,
+    settings: Settings,
+    store: Store,
+    *,
+    wanted: tuple[Wanted, ...] | None = None,
+    environment: Mapping[str, str] | None = None,
+    known_nodes: bool = True,
+    exact: bool = False,
+    processes: int = 1,
+) -> Architecture:
+    """The architecture of *workspace* as *settings* (hints, API rows, configurations of the project file) want it.
+
+    *wanted* replaces the configurations of the project file; *environment* is what ``$(env)`` of launch files sees. With *exact*
+    libclang fills what is not known, where headers are installed. Up to so many *processes* do the work.
+    """
+    options: dict[str, Any] = {
+        "environment": environment,
+        "known_nodes": known_nodes,
+        "exact": exact,
+        "processes": processes,
+    }
+    return varied(workspace, settings, store, wanted=wanted, alternatives=False, **options).architecture
+
+
+def varied(
+    workspace: Workspace,
+    settings: Settings,
+    store: Store,
+    *,
+    wanted: tuple[Wanted, ...] | None = None,
+    environment: Mapping[str, str] | None = None,
+    known_nodes: bool = True,
+    exact: bool = False,
+    processes: int = 1,
+    alternatives: bool = True,
+) -> Linked:
+    """The same with the presence of all that launch files start, and *alternatives*: nodes of other launch arguments.
+
+    ``under(name, arguments)`` of it is the configuration *name* with these launch arguments, as the command line would set
+    them; it is linked when it is asked for, with what has been followed before.
+    """
+    built = builds(workspace)
+    problems: list[Problem] = []
+    where = settings.project_file or "the project file"
+    project = settings.project
+    chosen_ones = configurations(workspace, project, problems, where) if wanted is None else wanted
+    own = frozenset(package.name for package in workspace.packages)
+    known = known_types(project.get("known_nodes"), where, problems, own) if known_nodes else None
+    link_all = partial(
+        linked,
+        workspace,
+        programs(workspace, built, store, problems, processes),
+        launch_reader(workspace),
+        built,
+        api_rows(project.get("apis"), where, problems, plugin_rows(settings)),
+        wanted=chosen_ones,
+        environment=environment,
+        known=known,
+        ros2=ros2_launch(workspace, built, environment or {}),
+        share=partial(shared, processes=processes),
+        alternatives=alternatives,
+    )
+    made = link_all(keeper=keeper(workspace, store))
+    if exact:
+        from haros_ci.analysis.exactness import ask, doubtful
+
+        told, said = ask(workspace, settings, doubtful(made.architecture))
+        problems += said
+        if told:
+            made = link_all(exact=partial(filled, told))
+    found = made.architecture
+    hinted: list[Configuration] = []
+    for configuration in found.configurations:
+        configuration, wrong = hints.applied(configuration, workspace.packages, project, where)
+        problems += wrong
+        hinted.append(configuration)
+    said_before = dict.fromkeys((*found.problems, *problems))
+
+    def under(name: str, arguments: Mapping[str, str]) -> Configuration | None:
+        other = made.under(name, arguments)
+        return hints.applied(other, workspace.packages, project, where)[0] if other is not None else None
+
+    whole = replace(
+        found,
+        configurations=tuple(hinted),
+        problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
+    )
+    return replace(made, architecture=whole, under=under)
+
+
+def keeper(workspace: Workspace, store: Store) -> Keeper:
+    """Where what nodes make is kept between runs: in *store*, beside the facts of the files.
+
+    Each state of the files has a record of its own, so that a branch and its base do not drive out each other's; a new state begins
+    with the record that was written last.
+    """
+    files = {file.path: file.digest for file in workspace.files if file.language in ("cpp", "python")}
+    files[YAML_FILES] = digest_of([(file.path, file.digest) for file in workspace.files if file.language == "yaml"])
+    known = [(file.path, file.digest if file.path.endswith(".xml") else "") for file in workspace.files]
+    files[XML_FILES] = digest_of(known)  # directories are listed, too
+    languages = {file.path: file.language for file in workspace.files}
+
+    def program(path: str, bytes_: str) -> Program | None:
+        return decoded(store.get_text(f"facts-{languages[path]}", path, f"{digest(OF_FACTS)} {bytes_}"))
+
+    state = digest_of(sorted(files.items()))
+    code = digest(OF_FOLLOWED)
+
+    def get(key: str) -> Any:
+        own = store.get("linked", f"nodes {state}", f"{code} {key}")
+        last = store.get("linked", "last", f"{code} {key}") if own is None else None
+        return store.get("linked", f"nodes {last}", f"{code} {key}") if isinstance(last, str) else own
+
+    def put(key: str, data: Any) -> None:
+        store.put("linked", f"nodes {state}", f"{code} {key}", data)
+        store.put("linked", "last", f"{code} {key}", state)
+
+    return Keeper(files, get, put, program)
+
+
+def filled(
+    told: Mapping[Place, tuple[ExactCall, ...]], path: str, line: int, column: int, name: str, count: int
+) -> tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None:
+    """What the exact tier has *told* of a call's arguments (type, value) and template arguments; None if nothing."""
+    call = pick(told.get((path, line, column), ()), name, count)
+    if call is None:
+        return None
+    return tuple((argument.written or argument.type, argument.value) for argument in call.arguments), call.templates
+
+
+def programs(
+    workspace: Workspace, built: Mapping[str, Build], store: Store, problems: list[Problem], processes: int = 1
+) -> tuple[Source, ...]:
+    """Every C++ and Python file as a program, from *store* where its bytes are known there."""
+    roots = [(directory, name) for build in built.values() for name, directory in build.python_roots]
+    sources = []
+    files = [file for file in workspace.files if file.language in ("cpp", "python")]
+    kept = {file.path: decoded(store.get_text(*_place(file))) for file in files}
+    new = [file for file in files if kept[file.path] is None]
+    jobs = [partial(_read, workspace, file.path, file.language) for file in new]
+    for file, text in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
+        if text:
+            store.put_text(*_place(file), text)
+        kept[file.path] = decoded(text)
+    for file in files:
+        program = kept[file.path] or Program(file.language or "", problems=((1, TOO_DEEP),))
+        problems += [Problem(file.path, message, line) for line, message in program.problems]
+        module = module_name(file.path, roots) if file.language == "python" else ""
+        sources.append(Source(file.path, file.package, program, module))
+    return (*sources, *parameter_libraries(workspace, built, problems))
+
+
+def parameter_libraries(workspace: Workspace, built: Mapping[str, Build], problems: list[Problem]) -> Iterator[Source]:
+    """The code that generate_parameter_library makes of YAML, as programs."""
+    seen = set()
+    for build in built.values():
+        for library in build.parameter_libraries:
+            if library.path in seen:
+                continue
+            seen.add(library.path)
+            program = read_parameter_library(library.path, workspace.text(library.path), library.language)
+            problems += [Problem(library.path, message, line) for line, message in program.problems]
+            module = f"{library.package}.{library.name}" if library.language == "python" else ""
+            yield Source(library.path, library.package, program, module)
+
+
+def _place(file: SourceFile) -> tuple[str, str, str]:
+    """Where the facts of a file are kept: their kind, the path, and all that they depend on."""
+    return f"facts-{file.language}", file.path, f"{digest(OF_FACTS)} {file.digest}"
+
+
+def _read(workspace: Workspace, path: str, language: str) -> str:
+    """A file's facts as JSON has them; whoever asks for them decodes it, whether they are just read or come from the cache."""
+    read: Callable[[str], Program]
+    if language == "cpp":
+        from haros_ci.extract.cpp.read import read_cpp as read
+    else:
+        from haros_ci.extract.python.read import read_python as read
+    return encoded(read(workspace.text(path))) or ""
+
+
+def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
+    """The dotted name under which a Python file is imported, "" if it lies below no import root.
+
+    *roots* are pairs of a directory and the top-level package that it is, "" for all that is in it (setup.py, package_dir).
+    """
+    best = ""
+    for directory, name in roots:
+        if directory == "." or path.startswith(f"{directory}/"):
+            inner = path if directory == "." else path[len(directory) + 1 :]
+            found = f"{name}/{inner}" if name else inner
+            if not best or len(found) < len(best):
+                best = found
+    return best.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+
+
+def ros2_launch(workspace: Workspace, built: Mapping[str, Build], environment: Mapping[str, str]) -> Ros2Launch:
+    """Launch files of ROS 2 in all dialects."""
+    places = Places(workspace, built)
+    modules = {
+        module_name(file.path, [(d, n) for build in built.values() for n, d in build.python_roots]): file.path
+        for file in workspace.files
+        if file.language == "python"
+    }
+
+    def read(text: str) -> str | None:
+        path, content, _ = places.read(text)
+        return content if path is not None else None
+
+    def module(dotted: str) -> tuple[str, str] | None:
+        path = modules.get(dotted)
+        return (path, workspace.text(path)) if path is not None else None
+
+    def read_python(path: str) -> Description | None:
+        from haros_ci.launch.python.interpret import interpret
+
+        text = workspace.text(path)
+        return interpret(path, text, read, environment, module) if text else None
+
+    def read_xml(launch: LaunchFile, path: str) -> Description:
+        from haros_ci.extract.launch.ros2_xml import read_ros2_xml
+
+        return read_ros2_xml(launch, path)
+
+    def read_yaml(text: str, path: str) -> Description:
+        from haros_ci.extract.launch.ros2_yaml import read_ros2_yaml
+
+        return read_ros2_yaml(text, path)
+
+    load = description_reader(workspace, read_python, launch_reader(workspace), read_xml, read_yaml)
+    return Ros2Launch(load, places)
+
+
+def launch_reader(workspace: Workspace) -> Callable[[str], LaunchFile | None]:
+    """A function from a root-relative path, or a line feed and the text itself, to the tags; None if there is no such file."""
+    from haros_ci.extract.launch.xml import read_launch
+
+    read: dict[str, LaunchFile | None] = {}
+
+    def load(path: str) -> LaunchFile | None:
+        if path not in read:
+            text = path[1:] if path.startswith("\n") else workspace.text(path)
+            read[path] = read_launch(text) if text else None
+        return read[path]
+
+    return load
+
+
+def known_types(declared: object, where: str, problems: list[Problem], here: frozenset[str]) -> KnownNodes:
+    """What is known of node types outside the workspace; a project file's ``known_nodes`` come first.
+
+    Of the packages that are *here*, in the workspace, the project file alone is asked.
+    """
+    from haros_ci.systems.known.load import load_known, load_user
+
+    own: Mapping[str, Mapping[str, KnownNode]] = {}
+    if isinstance(declared, Mapping):
+        own, said = load_user(declared, where)
+        problems += said
+
+    def known(package: str, name: str, ros: int) -> KnownNode | None:
+        for nodes in (own.get(package), None if package in here else load_known(package, ros)):
+            if nodes is not None and name in nodes and nodes[name].ros in (None, ros):
+                return nodes[name]
+        return None
+
+    return known
+
+
+def plugin_rows(settings: Settings) -> tuple[Row, ...]:
+    """The API rows of plug-ins, in their order."""
+    if not settings.plugins:
+        return ()
+    from haros_ci.plugins.load import load
+
+    return tuple(row for plugin in load(settings.plugins, settings.root) for row in plugin.rows)
+
+
+def api_rows(
+    declared: object, where: str, problems: list[Problem], more: tuple[Row, ...] = ()
+) -> dict[tuple[str, int], tuple[Row, ...]]:
+    """The API rows by language and ROS version; those of the project file come first, then *more*, those of plug-ins."""
+    own: list[Row] = []
+    for number, item in enumerate(declared if isinstance(declared, (list, tuple)) else (), start=1):
+        try:
+            if not isinstance(item, Mapping):
+                raise RowError("a row is a mapping with a 'call'")
+            own.append(load_row(item))
+        except RowError as err:
+            problems.append(Problem(where, f"row {number} of 'apis': {err}"))
+    return {(language, ros): (*own, *more, *rows(language, ros)) for language in ("cpp", "python") for ros in (1, 2)}

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the checks and the project file's queries say of the architecture, added to the run of our own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from haros_ci.config.digests import settings_digests
+from haros_ci.config.selection import Selection
+from haros_ci.config.settings import Settings
+from haros_ci.model.architecture import Architecture
+from haros_ci.model.element import Element
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.registry import Registry, registry
+from haros_ci.results import own
+from haros_ci.results.result import Notification, Run
+from haros_ci.results.rule import Level, Rule
+
+if TYPE_CHECKING:  # they are loaded where there is something to check
+    from haros_ci.checking.check import Check
+    from haros_ci.checking.project import Project
+    from haros_ci.checking.system import System
+    from haros_ci.code.codebase import Codebase
+    from haros_ci.systems.link import Linked
+    from haros_ci.workspace.base import Base
+
+Progress = Callable[[str], None]
+
+#: Whose notes it is that something of the architecture is not known.
+ARCHITECTURE = "architecture"
+
+
+class Architectures:
+    """The architecture of each workspace of a run, made once: that of the base revision is asked for by both sides."""
+
+    def __init__(self, settings: Settings, store: Store, known: Registry | None = None) -> None:
+        self.settings = settings
+        self.store = store
+        self.registry = known or registry(settings)
+        self._made: dict[Path, Linked] = {}
+
+    def of(self, workspace: Workspace) -> Linked:
+        from haros_ci.analysis.architecture import varied
+
+        if workspace.root not in self._made:
+            self._made[workspace.root] = varied(workspace, self.settings, self.store, processes=self.settings.jobs)
+        return self._made[workspace.root]
+
+
+def inspected(
+    run: Run,
+    workspace: Workspace,
+    selection: Selection,
+    architectures: Architectures,
+    progress: Progress | None,
+    base: Base | None = None,
+) -> Run:
+    """*run* with what the checks and queries say of the architecture, where any of them is on; what changed since *base*."""
+    settings = architectures.settings
+    known = architectures.registry
+    if not is_inspected(workspace, selection, settings, known):
+        return run
+    chosen = chosen_checks(workspace, selection, known)
+    from haros_ci.analysis.launch_faults import refused
+    from haros_ci.analysis.unmodelled import unmodelled
+    from haros_ci.checking.run import Assigned, run_checks, run_on_project
+    from haros_ci.checking.system import System, systems
+
+    if progress is not None:
+        progress("architecture")
+    made = architectures.of(workspace)
+    found = made.architecture
+
+    def under(system: System, arguments: Assigned) -> System | None:
+        configuration = made.under(system.name, dict(arguments))
+        return None if configuration is None else System(configuration, found, workspace)
+
+    if progress is not None:
+        progress(f"{len(chosen)} checks")
+    all_systems = tuple(systems(found, workspace))
+    said = run_checks(chosen, all_systems, own.TOOL, under)
+    project = project_of(made, workspace, all_systems, _past(base, architectures), base.renames if base else None)
+    said_once = run_on_project(chosen, project, own.TOOL)
+    failures = (*said.notifications, *said_once.notifications)
+    faults = tuple(refused(workspace))
+    as_findings = {(fault.path, fault.line) for fault in faults}
+    run = replace(
+        run,
+        results=(*run.results, *own.launch_results(faults), *said.results, *said_once.results),
+        notifications=(
+            *run.notifications,
+            *failures,
+            *(
+                Notification(Level.NOTE, p.message, ARCHITECTURE, p.path, p.line)
+                for p in (*found.problems, *project.problems)
+                if (p.path, p.line) not in as_findings
+            ),
+            *(Notification(Level.NOTE, sentence, ARCHITECTURE) for sentence in unmodelled(found, made.builds)),
+        ),
+        graphs=said.graphs,
+        architecture=not failures,
+        successful=run.successful and not failures,
+        changes=project.changes if base is not None else None,
+    )
+    return queried(run, found, workspace, settings, selection) if asks(settings) else run
+
+
+def inspected_or_kept(
+    run: Run,
+    workspace: Workspace,
+    selection: Selection,
+    architectures: Architectures,
+    progress: Progress | None,
+    base: Base | None,
+) -> Run:
+    """*run* with what ``inspected`` finds, from the cache if all that this depends on is as it was."""
+    settings, known = architectures.settings, architectures.registry
+    if settings.plugins or not is_inspected(workspace, selection, settings, known):  # nobody knows what a plug-in reads
+        return inspected(run, workspace, selection, architectures, progress, base)
+    from haros_ci.analysis.kept_runs import kept_run
+
+    def make(workspace: Workspace, base: Base | None) -> Run:
+        bare = replace(run, analysed=frozenset())
+        return inspected(bare, workspace, selection, architectures, progress, base)
+
+    options = repr((settings.project_file, settings_digests(settings, known.components)))
+    found = kept_run(ARCHITECTURE, make, workspace, base, options, architectures.store)
+    return replace(found, tool=run.tool, analysed=run.analysed)
+
+
+def is_inspected(workspace: Workspace, selection: Selection, settings: Settings, known: Registry) -> bool:
+    """Whether the architecture is needed: a check is on or a query may be asked, and not only of single files."""
+    return not only_files(workspace, settings) and (asks(settings) or bool(chosen_checks(workspace, selection, known)))
+
+
+def chosen_checks(workspace: Workspace, selection: Selection, known: Registry) -> tuple[Check, ...]:
+    """The checks that are on in any file."""
+    return tuple(check for check in known.checks if is_on(known.check_rules[check.id], workspace, selection))
+
+
+def _past(base: Base | None, architectures: Architectures) -> Callable[[], Project | None]:
+    """How the base revision is had, where there is one."""
+
+    def make() -> Project | None:
+        from haros_ci.checking.system import systems
+
+        if base is None:
+            return None
+        made = architectures.of(base.workspace)
+        return project_of(made, base.workspace, tuple(systems(made.architecture, base.workspace)))
+
+    return make
+
+
+def project_of(
+    made: Linked,
+    workspace: Workspace,
+    systems: tuple[System, ...],
+    base: Project | Callable[[], Project | None] | None = None,
+    renames: Mapping[str, str] | None = None,
+) -> Project:
+    """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision."""
+    from haros_ci.analysis.comparison import revision_of
+    from haros_ci.checking.project import Project
+    from haros_ci.robot.descriptions import Descriptions
+    from haros_ci.workspace.xml import XmlError, parse_xml
+
+    def element(path: str) -> Element | None:
+        try:
+            return parse_xml(workspace.text(path).encode())
+        except (XmlError, UnicodeEncodeError):
+            return None
+
+    def code() -> Codebase:
+        from haros_ci.code.codebase import codebase
+
+        ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
+        return codebase(made.sources, workspace.text, ros)
+
+    programs = {source.path: source.program for source in made.sources}
+    return Project(
+        workspace,
+        made.builds,
+        programs,
+        systems,
+        read_xml=element,
+        base=base,
+        renames=renames,
+        revision=revision_of(workspace, made),
+        robots=Descriptions(workspace, made.builds),
+        code=code,
+    )
+
+
+def queried(run: Run, found: Architecture, workspace: Workspace, settings: Settings, selection: Selection) -> Run:
+    """*run* with the matches of the project file's queries."""
+    from haros_ci.query import queries
+
+    where = settings.project_file or "the project file"
+    asked = queries.run(
+        found, settings.project, where, workspace.files, wanted=lambda rule: is_on(rule, workspace, selection)
+    )
+    return replace(
+        run,
+        results=(*run.results, *asked.results),
+        notifications=(*run.notifications, *asked.notifications),
+        architecture=run.architecture and not asked.failed,
+    )
+
+
+def is_on(rule: Rule, workspace: Workspace, selection: Selection) -> bool:
+    """Whether *rule* is on in any file."""
+    return selection.wants_any(own.TOOL, (rule,), (file.path for file in workspace.files))
+
+
+def only_files(workspace: Workspace, settings: Settings) -> bool:
+    """Whether nothing but single files was asked for: of them alone no architecture is made, unless its profile asks."""
+    paths = {file.path for file in workspace.files}
+    return settings.profile != "architecture" and all(path in paths for path in settings.paths)
+
+
+def asks(settings: Settings) -> bool:
+    """Whether the project file may have queries."""
+    return "rules" in settings.project or "configurations" in settings.project

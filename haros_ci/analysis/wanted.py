@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which configurations are wanted: those of a project file in HAROS's words, or one from the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from haros_ci.errors import UserError
+from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.systems.link import Wanted
+
+
+def configurations(
+    workspace: Workspace, project: Mapping[str, Any], problems: list[Problem], where: str
+) -> tuple[Wanted, ...] | None:
+    """The configurations of a project file in HAROS's words; None if it has none."""
+    declared = project.get("configurations")
+    if not isinstance(declared, Mapping) or not declared:
+        return None
+    wanted = []
+    for name, entry in declared.items():
+        if entry is None:
+            continue
+        launch = entry.get("launch") if isinstance(entry, Mapping) else entry
+        paths = [launch_path(workspace, str(item)) for item in launch or ()]
+        for item, path in zip(launch or (), paths, strict=True):
+            if path is None:
+                said = f"configuration {name}: no launch file {item} in the workspace; correct 'launch'"
+                problems.append(Problem(where, said))
+        wanted.append(
+            Wanted(
+                name=str(name),
+                launch=tuple(path for path in paths if path is not None),
+                arguments=_scalars(entry, "args"),
+                environment=_scalars(entry, "environment"),
+                user_data=entry.get("user_data") if isinstance(entry, Mapping) else None,
+                closed=isinstance(entry, Mapping) and entry.get("closed") is True,
+            )
+        )
+    return tuple(wanted)
+
+
+def _scalars(entry: object, key: str) -> dict[str, str]:
+    given = entry.get(key) if isinstance(entry, Mapping) else None
+    return {str(name): written(value) for name, value in given.items()} if isinstance(given, Mapping) else {}
+
+
+def written(value: object) -> str:
+    """A value of YAML as one writes it on roslaunch's command line."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def launch_path(workspace: Workspace, name: str) -> str | None:
+    """The root-relative path that ``package/path`` (as HAROS writes it) or a path of the workspace means."""
+    paths = {file.path for file in workspace.files}
+    package, _, rest = name.partition("/")
+    for each in workspace.packages:
+        if each.name == package:
+            path = rest if each.path == "." else f"{each.path}/{rest}"
+            if path in paths:
+                return path
+    return name if name in paths else None
+
+
+def chosen(workspace: Workspace, launch: Iterable[str], arguments: Mapping[str, str], name: str) -> tuple[Wanted, ...]:
+    """One configuration from the command line; UserError names a launch file that is not there."""
+    paths = []
+    for item in launch:
+        path = launch_path(workspace, item)
+        if path is None:
+            raise UserError(f"no launch file {item} in the workspace", help="name it as package/launch/file.launch")
+        paths.append(path)
+    return (Wanted(name=name, launch=tuple(paths), arguments=arguments),)

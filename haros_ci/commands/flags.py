@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Flags that several commands share, and what completes them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+
+def completion_of(what: str) -> Callable[[click.Context, click.Parameter, str], list[CompletionItem]]:
+    """Completes with the words of that kind, behind FORMAT= with files; they are looked up only when a shell asks."""
+
+    def complete(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        from click.shell_completion import CompletionItem
+
+        from haros_ci.commands.completion import words
+
+        if what == "formats" and "=" in incomplete:
+            return [CompletionItem(incomplete, type="file")]
+        return [CompletionItem(word) for word in words(what, incomplete)]
+
+    return complete
+
+
+class Words(click.ParamType):  # type: ignore[type-arg, unused-ignore]
+    """A comma-separated list, given once or several times."""
+
+    name = "sel,..."
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        return value if isinstance(value, tuple) else tuple(w for w in (p.strip() for p in value.split(",")) if w)
+
+
+def options(*decorators: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    def apply(function: Any) -> Any:
+        for decorator in reversed(decorators):
+            function = decorator(function)
+        return function
+
+    return apply
+
+
+LEVELS = click.Choice(["error", "warning", "note", "never"])
+
+plugin_option = click.option(
+    "--plugin", type=Words(), metavar="MODULE", multiple=True, help="Take in this plug-in (docs/plugins.md)."
+)
+
+path_arguments = click.argument("paths", nargs=-1, type=click.Path())
+analysis_options = options(
+    click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found."),
+    click.option("--isolated", is_flag=True, help="Read no project file."),
+    click.option(
+        "--profile",
+        metavar="NAME",
+        shell_complete=completion_of("profiles"),
+        help="ros (default), strict, google, bugs-only, architecture or all.",
+    ),
+    click.option(
+        "--select",
+        type=Words(),
+        multiple=True,
+        shell_complete=completion_of("rules"),
+        help="Turn rules on: ids, tool:id, tools, globs or tags.",
+    ),
+    click.option(
+        "--ignore", type=Words(), multiple=True, shell_complete=completion_of("rules"), help="Turn rules off."
+    ),
+    click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
+    click.option("--compile-database", type=click.Path(), help="compile_commands.json, or its directory."),
+    plugin_option,
+    click.option("--plugin-whitelist", type=Words(), multiple=True, help="Of the HAROS plug-ins installed, run these."),
+    click.option("--plugin-blacklist", type=Words(), multiple=True, help="HAROS plug-ins that do not run."),
+    click.option(
+        "--plugin-export", type=click.Path(file_okay=False), help="Where the files go that HAROS plug-ins export."
+    ),
+    click.option("--trust-config", is_flag=True, help="Let the workspace's tool configuration run code."),
+    click.option("--jobs", "-j", type=click.IntRange(min=1), help="Processes at once; default: all cores."),
+    click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),
+    click.option("--no-cache", is_flag=True, help="Neither read nor write the cache."),
+    click.option("--timings", is_flag=True, help="Say on stderr where the time went."),
+)
+
+
+report_options = options(
+    click.option(
+        "--output",
+        metavar="FORMAT[=PATH]",
+        multiple=True,
+        shell_complete=completion_of("formats"),
+        help="text, sarif, github, json, junit, gitlab, rdjson, checkstyle, csv, markdown or haros-json; repeatable.",
+    ),
+    click.option(
+        "--sarif-for",
+        type=click.Choice(["archive", "github"]),
+        default="archive",
+        show_default=True,
+        help="Who reads the SARIF.",
+    ),
+    click.option("--baseline", type=click.Path(), help="Known findings: a SARIF log or a .haros-ci-baseline.jsonl."),
+    click.option(
+        "--baseline-rev", metavar="REV", help="Known findings: those of the merge-base with this git revision."
+    ),
+    click.option("--no-baseline", is_flag=True, help="Ignore the workspace's own baseline file."),
+    click.option(
+        "--require-baseline/--no-require-baseline",
+        default=None,
+        help="Exit with 3 if there is no baseline to compare with, or report every finding where the base revision cannot be had; "
+        "default: report nothing then, and exit with 2.",
+    ),  # fmt: skip
+    click.option("--import", "imports", metavar="FILE.sarif", multiple=True, help="Take in another tool's log."),
+    click.option("--fail-on", type=LEVELS, help="Lowest level of a new result that fails the run; default: warning."),
+    click.option(
+        "--allow-tool-failure",
+        metavar="TOOL",
+        multiple=True,
+        shell_complete=completion_of("tools"),
+        help="This tool's trouble does not fail the run.",
+    ),
+    click.option("--why", is_flag=True, help="Say for each result why it is new or which old one it matched."),
+    click.option("--statistics", is_flag=True, help="Counts per rule and tool at the end."),
+)
+
+
+costs_option = click.option(
+    "--shard-costs",
+    type=click.Path(dir_okay=False),
+    help="Divide by what --write-costs of an earlier merge has written.",
+)
+
+
+def what_options(function: Any) -> Any:
+    return path_arguments(analysis_options(function))
+
+
+#: What commands have that read a workspace and report no findings.
+workspace_options = options(
+    click.option("--project", type=click.Path(dir_okay=False), help="Project file instead of the one found."),
+    click.option("--isolated", is_flag=True, help="Read no project file."),
+    plugin_option,
+    click.option("--exclude", metavar="GLOB", multiple=True, help="Leave these files out."),
+    click.option("--cache-dir", type=click.Path(file_okay=False), help="Where the cache lies."),
+    click.option("--no-cache", is_flag=True, help="Neither read nor write the cache."),
+)

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``haros-ci model``: the architecture, in the format asked for, and how a declared or documented one differs."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import click
+
+from haros_ci.analysis.architecture import varied
+from haros_ci.analysis.kept_runs import Output, kept_output
+from haros_ci.analysis.unmodelled import unmodelled
+from haros_ci.analysis.wanted import chosen
+from haros_ci.baselines import read_input
+from haros_ci.commands.common import cores, settings_from, store_for
+from haros_ci.config.settings import Settings
+from haros_ci.errors import UserError
+from haros_ci.model.architecture import Architecture
+from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.report.escape import terminal
+from haros_ci.workspace.cache import DiskCache, MemoryCache
+from haros_ci.workspace.discover import discover
+from haros_ci.writing import put as put_bytes
+
+#: Problems that are told one by one.
+SHOWN = 20
+#: Options that say what of the architecture is made, and how it is written.
+OPTIONS = ("launch", "arg", "env", "no_known_nodes", "configuration", "format")
+FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
+
+
+def model(flags: Mapping[str, Any]) -> int:
+    """Extract, link, print; exit code 1 if what is expected or documented differs, 2 for wrong usage, else 0."""
+    import gc
+
+    gc.disable()
+    started = time.perf_counter()
+    clock: list[tuple[float, str]] = []
+    settings = settings_from({**flags, "no_baseline": True})
+    workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
+    clock.append((time.perf_counter() - started, "discovered"))
+    store = store_for(settings)
+    arguments = dict(assignment(text, "--arg", ":=") for text in flags["arg"])
+    environment = dict(assignment(text, "--env", "=") for text in flags["env"])
+    wanted = chosen(workspace, flags["launch"], arguments, "command line") if flags["launch"] else None
+    if arguments and wanted is None:
+        raise UserError("--arg is for the launch files of --launch", help="name them: --launch package/launch/x.launch")
+
+    def make() -> tuple[Architecture, tuple[str, ...]]:
+        made = varied(
+            workspace,
+            settings,
+            store,
+            wanted=wanted,
+            alternatives=False,
+            environment=environment,
+            known_nodes=not flags["no_known_nodes"],
+            exact=flags["exact"],
+            processes=cores(),
+        )
+        clock.append((time.perf_counter() - started, "linked"))
+        found = selected(made.architecture, flags["configuration"])
+        problems = (*workspace.problems, *workspace.faults, *found.problems)
+        found = replace(found, problems=tuple(dict.fromkeys(problems)))
+        unknown = notes(unmodelled(made.architecture, made.builds))
+        return found, (*notes(settings.notes), *warnings(found.problems), *unknown)
+
+    def output() -> Output:
+        found, said = make()
+        return Output(encoded(rendered(found, flags["format"])), said)
+
+    path = Path(flags["output"]) if flags["output"] else None
+    code = 0
+    if is_kept(flags, settings):
+        from haros_ci.config.digests import settings_digests
+
+        options = repr((settings.project_file, settings.notes, settings_digests(settings, ()), *(flags[name] for name in OPTIONS)))
+        kept = kept_output("model", output, workspace, options, store)
+        end(store, kept.said)
+        put_content(kept.content, flags["format"], path)
+    else:
+        found, said = make()
+        end(store, said)
+        if path is not None or not flags["check_readme"]:
+            put(found, flags["format"], path, workspace.root)
+        code = expected(found, flags["expect"]) if flags["expect"] else 0
+        code = max(code, documented(workspace, found)) if flags["check_readme"] else code
+    if flags["timings"]:
+        for seconds, what in clock:
+            click.echo(f"{seconds:8.3f} s  {what}", err=True)
+        click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
+    return code
+
+
+def is_kept(flags: Mapping[str, Any], settings: Settings) -> bool:
+    """Whether the same options give the same output for the same files: no plug-in, compiler or further file has a say."""
+    further = flags["exact"] or flags["expect"] or flags["check_readme"] or flags["format"] in ("nodl", "readme")
+    return not (settings.plugins or further)
+
+
+def end(store: DiskCache | MemoryCache, said: Iterable[str]) -> None:
+    """Write the cache, and *said* to the standard error."""
+    trouble = store.flush()
+    if trouble:
+        click.echo(f"warning: {trouble}", err=True)
+    for line in said:
+        click.echo(line, err=True)
+
+
+def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:
+    """Write *found* to *path*, or to stdout; UserError if that is not possible."""
+    if format in ("nodl", "readme"):
+        from haros_ci.commands.interface_files import put as put_interfaces
+
+        put_interfaces(found, format, path, root)
+        return
+    put_content(encoded(rendered(found, format)), format, path)
+
+
+def put_content(content: bytes, format: str, path: Path | None) -> None:
+    """Write *content* to *path*, or to stdout; UserError if that is not possible."""
+    if path is not None:
+        if path.is_dir():
+            raise UserError(f"{path} is a directory", help="name a file; nodl and readme write one for each package")
+        put_bytes(content, path)
+    elif format == "sqlite":
+        raise UserError("SQLite is a binary file", help="name it: --output model.db")
+    else:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(content)
+
+
+def encoded(content: str | bytes) -> bytes:
+    """*content* as it is written: text in UTF-8."""
+    return content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
+
+
+def tell(problems: tuple[Problem, ...]) -> None:
+    """The first problems on stderr, and how many there are beside them."""
+    for line in warnings(problems):
+        click.echo(line, err=True)
+
+
+def notes(sentences: Iterable[str]) -> Iterator[str]:
+    """A line for each of *sentences*."""
+    return (f"note: {terminal(sentence)}" for sentence in sentences)
+
+
+def warnings(problems: tuple[Problem, ...]) -> Iterator[str]:
+    """A line for each of the first problems, and how many there are beside them."""
+    for problem in problems[:SHOWN]:
+        at = f"{problem.path}:{problem.line}" if problem.line else problem.path
+        yield f"warning: {terminal(at)}: {terminal(problem.message)}"
+    if len(problems) > SHOWN:
+        yield f"warning: and {len(problems) - SHOWN} more; --format json has them all"
+
+
+def rendered(found: Architecture, format: str) -> str | bytes:
+    """*found* in one of ``FORMATS``."""
+    if format == "json":
+        from haros_ci.report.model_json import render
+    elif format == "dot":
+        from haros_ci.report.model_dot import render
+    elif format == "mermaid":
+        from haros_ci.report.model_mermaid import render
+    elif format == "sqlite":
+        from haros_ci.report.model_sqlite import render as render_bytes
+
+        return render_bytes(found)
+    else:
+        from haros_ci.report.model_text import render
+    return render(found)
+
+
+def selected(found: Architecture, names: tuple[str, ...]) -> Architecture:
+    """Only the configurations called *names*, all without any; UserError for one that is not there."""
+    if not names:
+        return found
+    known = [c.name for c in found.configurations]
+    for name in names:
+        if name not in known:
+            raise UserError(f"no configuration {name}", help=f"there are {', '.join(known) or 'none'}")
+    return replace(found, configurations=tuple(c for c in found.configurations if c.name in names))
+
+
+def assignment(text: str, option: str, sign: str) -> tuple[str, str]:
+    name, found, value = text.partition(sign)
+    if not found or not name:
+        raise UserError(f"{option} {text} sets nothing", help=f"write {option} name{sign}value")
+    return name, value
+
+
+def expected(found: Architecture, path: str) -> int:
+    """Compare with the architecture that the file declares, and say on stdout where they differ."""
+    import yaml
+
+    from haros_ci.declared.expectation import compare, problems
+
+    try:
+        declared = yaml.safe_load(read_input(Path(path), path))
+    except (yaml.YAMLError, RecursionError, ValueError, OverflowError) as err:
+        said = (str(err).splitlines() or ["not YAML"])[0]
+        raise UserError(f"{path} cannot be read: {said}", help="it is YAML, as in docs/model.md") from err
+    except (
+        KeyError,
+        IndexError,
+        AttributeError,
+    ) as err:  # PyYAML's constructors, of what is not of the type of its tag
+        said = "a value is not of the type that its tag (!!bool, !!int, !!timestamp) names"
+        raise UserError(f"{path} cannot be read: {said}", help="write the value without the tag") from err
+    for problem in problems(declared, path, [c.name for c in found.configurations]):
+        click.echo(f"warning: {terminal(problem.path)}: {terminal(problem.message)}", err=True)
+    count = 0
+    for configuration in found.configurations:
+        for difference in compare(configuration, declared, found.packages):
+            at = f"{difference.location}: " if difference.location is not None else ""
+            click.echo(terminal(f"{at}{difference.level}: {difference.message} [{difference.rule}]"))
+            count += difference.level != "note"
+    return 1 if count else 0
+
+
+def documented(workspace: Workspace, found: Architecture) -> int:
+    """Say on stdout where the interface tables of READMEs and the model disagree; 1 if by more than notes, else 0."""
+    from haros_ci.commands.readme_check import differences
+
+    count = 0
+    for item in differences(workspace, found):
+        click.echo(terminal(f"{item.path}:{item.line}: {item.level}: {item.message} [{item.rule}]"))
+        count += item.level != "note"
+    return 1 if count else 0

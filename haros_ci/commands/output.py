@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where results go: ``--output`` read, and a renderer chosen for each format; writing.py writes what they make."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import click
+
+from haros_ci.errors import RunFailure, UserError
+from haros_ci.results.result import Report
+from haros_ci.writing import append
+
+#: What plug-ins make of a report, by the name of the format.
+Renderers = Mapping[str, Callable[[Report], str]]
+Outputs = tuple[tuple[str, Path | None], ...]
+
+
+class RendererError(Exception):
+    """A format of a plug-in could not be written."""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What a renderer may ask for beside the report.
+
+    *source* gives the text of a file and *package* the name of its package, both "" where there is none. *flags* are those of
+    ``haros-ci check``; *to_file* tells that nobody watches the text appear.
+    """
+
+    source: Callable[[str], str]
+    flags: Mapping[str, Any]
+    to_file: bool
+    package: Callable[[str], str] = lambda path: ""
+
+
+def text_style(*, to_file: bool) -> tuple[bool, int]:
+    """Whether text is coloured, and how many columns it has."""
+    color = not to_file and sys.stdout.isatty() and "NO_COLOR" not in os.environ
+    said = os.environ.get("COLUMNS", "")
+    is_number = said.isascii() and said.isdecimal() and len(said) <= 5
+    return color, min(int(said), WIDEST) if is_number and int(said) else USUAL_WIDTH
+
+
+def _text(report: Report, view: View) -> str:
+    from haros_ci.report.text import render
+
+    color, width = text_style(to_file=view.to_file)
+    return render(report, color=color, width=width, why=view.flags["why"], source=view.source)
+
+
+def _sarif(report: Report, view: View) -> str:
+    from haros_ci.report.sarif import render
+
+    return render(report, audience=view.flags["sarif_for"], source=view.source)
+
+
+def _github(report: Report, view: View) -> str:
+    from haros_ci.report.github import annotations, summary
+
+    page = os.environ.get("GITHUB_STEP_SUMMARY")
+    if page:
+        try:
+            append(Path(page), summary(report))
+        except (RunFailure, UserError) as err:
+            from haros_ci.report.escape import terminal
+
+            click.echo(f"warning: the job summary cannot be written: {terminal(err.message)}", err=True)
+    return annotations(report)
+
+
+def _json(report: Report, view: View) -> str:
+    from haros_ci.report.json_report import render
+
+    return render(report)
+
+
+def _junit(report: Report, view: View) -> str:
+    from haros_ci.report.junit import render
+
+    return render(report)
+
+
+def _gitlab(report: Report, view: View) -> str:
+    from haros_ci.report.gitlab import render
+
+    return render(report)
+
+
+def _rdjson(report: Report, view: View) -> str:
+    from haros_ci.report.rdjson import render
+
+    return render(report, source=view.source)
+
+
+def _checkstyle(report: Report, view: View) -> str:
+    from haros_ci.report.checkstyle import render
+
+    return render(report)
+
+
+def _csv(report: Report, view: View) -> str:
+    from haros_ci.report.csv_table import render
+
+    return render(report, package=view.package)
+
+
+def _markdown(report: Report, view: View) -> str:
+    from haros_ci.report.markdown import render
+
+    return render(report)
+
+
+FORMATS: dict[str, Callable[[Report, View], str]] = {
+    "text": _text,
+    "sarif": _sarif,
+    "github": _github,
+    "json": _json,
+    "junit": _junit,
+    "gitlab": _gitlab,
+    "rdjson": _rdjson,
+    "checkstyle": _checkstyle,
+    "csv": _csv,
+    "markdown": _markdown,
+}
+#: Formats of more than one file, each written into a directory (commands/folders.py).
+FOLDERS = ("haros-json",)
+#: Bytes of a file of an earlier run that a new one adds to.
+LARGEST_READ = 50_000_000
+#: Columns of text where COLUMNS says nothing sensible, and the most that it can say.
+USUAL_WIDTH, WIDEST = 120, 1_000
+#: Formats that a person reads as they are; all others are read by programs, which nothing else on stdout may disturb.
+FOR_PEOPLE = frozenset({"text", "github"})
+#: Formats that have no place for trouble with tools: stderr says it.
+SILENT = frozenset({"gitlab", "rdjson", "checkstyle", "csv"})
+#: Formats in which a bracket may be written as an escape.
+IN_JSON = frozenset({"sarif", "json", "gitlab", "rdjson"})
+
+
+def parse_outputs(wanted: tuple[str, ...], renderers: Renderers = MappingProxyType({})) -> Outputs:
+    """``FORMAT[=PATH]`` as pairs, formats of plug-ins (*renderers*) included; at most one may go to stdout beside none other."""
+    known = (*FORMATS, *FOLDERS, *renderers)
+    clash = next((format for format in renderers if format in FORMATS or format in FOLDERS), None)
+    if clash is not None:
+        raise UserError(f"the format '{clash}' of a plug-in is one of haros-ci's own", help="give it another name")
+    outputs = []
+    for item in wanted or ("text",):
+        format, _, path = item.partition("=")
+        if format not in known:
+            raise UserError(f"--output {item}: unknown format '{format}'", help=f"one of {', '.join(known)}")
+        if format in FOLDERS and not path:
+            raise UserError(f"--output {item}: {format} is several files", help=f"name a directory: {format}=DIR")
+        if format in FOLDERS and Path(path).exists() and not Path(path).is_dir():
+            raise UserError(f"--output {item}: {path} is no directory", help="name another one")
+        outputs.append((format, Path(path) if path else None))
+    on_stdout = [format for format, path in outputs if path is None]
+    if len(on_stdout) > 1 and set(on_stdout) - FOR_PEOPLE:
+        raise UserError(
+            f"--output: {' and '.join(on_stdout)} cannot share stdout", help="give all but one a path: sarif=FILE"
+        )
+    return tuple(outputs)
+
+
+def rendered(report: Report, format: str, view: View, renderers: Renderers = MappingProxyType({})) -> str:
+    """*report* in one of ``FORMATS`` or of *renderers*, as it goes to a file or to stdout; RendererError if a plug-in's could not be made."""
+    if format in renderers:
+        return of_plugin(report, renderers[format], to_file=view.to_file)
+    text = FORMATS[format](report, view)
+    if not view.to_file and format in IN_JSON:
+        return text.replace("##[", r"##\u005b")  # else a command to a GitHub runner that reads this log
+    return text
+
+
+def of_plugin(report: Report, render: Callable[[Report], str], *, to_file: bool) -> str:
+    """What a plug-in makes of *report*; read by a person or a runner, it moves no cursor and gives no commands."""
+    from haros_ci.plugins.stdout import kept_clean
+    from haros_ci.report.escape import patch as shown
+
+    try:
+        with kept_clean():
+            text = render(report)
+    except RuntimeError as err:
+        raise RendererError(str(err)) from err
+    read_here = not to_file and (sys.stdout.isatty() or os.environ.get("GITHUB_ACTIONS"))
+    return shown(text) if read_here else text
+
+
+def text_in(folder: Path, name: str) -> str | None:
+    """The text of the file *name* of *folder*, None if there is none; UserError for what cannot be read as one."""
+    path = folder / name
+    try:
+        if not os.path.lexists(path):
+            return None
+        if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_READ:
+            raise UserError(f"{path}: is no file of ours", help="remove it, or name another --output directory")
+        return path.read_text(encoding="utf-8")
+    except (OSError, ValueError) as err:
+        raise UserError(f"{path}: cannot be read", help="remove it, or name another --output directory") from err

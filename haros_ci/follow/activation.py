@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Functions of the workspace, followed with their arguments; what they return, and leave behind."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from haros_ci import syntax
+from haros_ci.follow import (
+    call_arguments,
+    construct,
+    conversions,
+    copies,
+    expressions,
+    inert,
+    methods,
+    overloads,
+    statements,
+)
+from haros_ci.follow.libraries import library
+from haros_ci.follow.run import DEPTH, NEXT, Frame, Run
+from haros_ci.index.index import EITHER
+from haros_ci.index.types import STRINGS, is_smart_pointer
+from haros_ci.model.architecture import Condition
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression, Function
+from haros_ci.values.abstract import NONE, Callable, Cell, Known, Mapped, Object, Opaque, Sequence, Value, join
+
+#: Steps that may go into one function that makes nothing; after that its results are not known.
+SPENT = 300
+#: Steps of one call up to which a function that makes nothing is short, and steps that may go into one that is.
+SHORT, SPENT_SHORT = 10, 4000
+#: Steps that may go into one function in rehearsals, even if it makes something.
+REHEARSED = 10_000
+#: Steps that callbacks may put into one function that could make something, and has made nothing so far.
+IDLE = 800
+#: Steps of rehearsals after which a function is rehearsed no longer than one that makes nothing is followed.
+MANY = 20_000
+
+
+def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_arguments.Argument, ...]) -> Callable:
+    """The overload of a free function or method that takes these arguments."""
+    definition = function.function
+    if not definition.name or definition.kind == "lambda" or overloads.is_any(run, definition):
+        return function
+    if function.source.separator == ".":
+        chosen = overloads.decorated(run, definition)
+        return function if chosen is definition else replace(function, function=chosen)
+    if function.frame is not None:
+        return function
+    candidates = run.index.near(run.index.functions, definition.name, function.source, run.files)
+    if len(candidates) < 2:
+        return function
+    given = (*(call_arguments.Argument(value or Opaque("an argument")) for value in function.bound), *args)
+    source, chosen = methods.overload(run, candidates, given)
+    return replace(function, source=source, function=chosen)
+
+
+def invoke(
+    run: Run,
+    frame: Frame,
+    function: Callable,
+    args: tuple[call_arguments.Argument, ...],
+    targs: tuple[syntax.Argument, ...] = (),
+) -> Value:
+    """Follow a function of the workspace with these arguments."""
+    run.step()
+    definition = function.function
+    if definition.body is None:
+        source, definition = methods.with_body(run, [(function.source, definition)])
+        function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
+    inner_scope = definition.owner or definition.name.rpartition(function.source.separator)[0]
+    templates: Mapping[str, syntax.Argument] = function.templates
+    if function.this is not None and definition.owner:
+        of_base = methods.templates_of(run, function.this, definition.owner)
+        templates = {**templates, **of_base} if of_base else templates
+    if definition.templates:
+        explicit = {
+            n: run.type_in(t, frame)
+            for n, t in zip(definition.templates, targs, strict=False)
+            if isinstance(t, syntax.Type)
+        }
+        templates = {**templates, **_deduced(definition, args), **explicit}
+    inner = Frame(
+        function.source,
+        inner_scope,
+        definition,
+        function.this,
+        templates=templates,
+        outer=function.frame,
+        mark=run.state.mark(),
+    )
+    returns = run.type_in(definition.returns, inner)
+    if definition.body is None:
+        found = library.unknown_call(run, frame, definition.name, args)
+        return conversions.converted(found, returns) if returns.name not in ("", "void", "auto") else found
+    if len(run.active) >= DEPTH or run.active.count(definition) > 1:
+        library.unknown_call(run, frame, definition.name, args)
+        inert.skipped(run, inner, function, definition, returns, _with_bound(function.bound, args))
+        return run.opaque("calls are nested too deeply to be followed", frame, None, returns)
+    given = _with_bound(function.bound, args)
+    makes_nothing = not inert.may_make(run, function, given, inner.templates)
+    spent, times = run.spent.get(id(definition), (0, 0))
+    is_long = spent > SPENT and (spent > SHORT * times or spent > SPENT_SHORT)
+    idle = run.idle.get(id(definition), 0) if run.is_called_back and not makes_nothing else 0
+    if idle > IDLE:
+        return inert.skipped(run, inner, function, definition, returns, given)
+    if (makes_nothing and (is_long or inert.is_inert(run, function, definition, returns, given))) or (
+        run.quiet and spent > (REHEARSED if run.quiet_steps < MANY else SPENT)
+    ):
+        return inert.skipped(run, inner, function, definition, returns, given)
+    bind(run, frame, inner, definition, given)
+    before, there = run.steps, run.extent()
+    run.beyond += frame.is_dead
+    try:
+        value = conversions.converted(follow_body(run, inner, definition), returns)
+    finally:
+        run.beyond -= frame.is_dead
+    value = copies.returned(run, inner, definition, returns, value)
+    if makes_nothing or run.quiet:
+        spent, times = run.spent.get(id(definition), (0, 0))
+        run.spent[id(definition)] = spent + run.steps - before, times + 1
+    elif run.is_called_back:
+        is_idle = run.extent() == there and run.steps - before > 1
+        run.idle[id(definition)] = run.idle.get(id(definition), 0) + run.steps - before if is_idle else 0
+    return value
+
+
+def _with_bound(
+    bound: tuple[Value | None, ...], args: tuple[call_arguments.Argument, ...]
+) -> tuple[call_arguments.Argument, ...]:
+    """The arguments of a bound function: a placeholder (None) takes the next one that is given."""
+    rest = list(args)
+    spread = [call_arguments.Argument(value) if value is not None else rest.pop(0) if rest else None for value in bound]
+    return (
+        *(
+            a if a is not None else call_arguments.Argument(Opaque("an argument that is given from outside"))
+            for a in spread
+        ),
+        *rest,
+    )
+
+
+def _deduced(definition: Function, args: tuple[call_arguments.Argument, ...]) -> dict[str, syntax.Argument]:
+    found: dict[str, syntax.Argument] = {}
+    for parameter, argument in zip(definition.parameters, args, strict=False):
+        kind = argument.type
+        if kind is None:
+            continue
+        if parameter.type.name in definition.templates:
+            found.setdefault(parameter.type.name, kind.bare())
+        elif parameter.type.arguments:
+            for inner, actual in zip(parameter.type.arguments, kind.arguments, strict=False):
+                if (
+                    isinstance(inner, syntax.Type)
+                    and inner.name in definition.templates
+                    and isinstance(actual, syntax.Type)
+                ):
+                    found.setdefault(inner.name, actual)
+    return found
+
+
+def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[call_arguments.Argument, ...]) -> None:
+    """Declare the parameters of *function* in *inner*: references are the caller's cells, the rest are copies."""
+    positional = [argument for argument in args if not argument.keyword]
+    named = {argument.keyword: argument for argument in args if argument.keyword}
+    for number, parameter in enumerate(function.parameters):
+        kind = run.type_in(parameter.type, inner)
+        if parameter.name.startswith("*"):
+            value: Value = _collected(run, frame, function, parameter.name, positional, named)
+            inner.declare(parameter.name.lstrip("*"), Cell(value))
+            positional = []
+            continue
+        argument = positional.pop(0) if positional else named.get(parameter.name)
+        if argument is None and ("*" in named or "**" in named):
+            argument = named.get("*", named.get("**"))
+        if argument is None:
+            default = parameter.default or _declared_default(run, function, number)
+            if default is not None:
+                value = conversions.converted(expressions.evaluate(run, inner, default), kind)
+            else:
+                value = run.opaque("an argument that is given from outside", inner, function.line, kind)
+            inner.declare(parameter.name, Cell(value, kind if kind.name else None))
+            continue
+        if "&" in kind.marks and argument.cell is not None and not kind.marks.rstrip("&").endswith("c"):
+            inner.declare(parameter.name, argument.cell)
+            continue
+        value = argument.value
+        is_open = parameter.type.name in ("", "auto") or parameter.type.name in function.templates
+        if isinstance(value, (Sequence, Mapped)) or argument.cell is not None:
+            value = copies.passed(run, inner, value, kind, argument, is_open)
+        if kind.name and isinstance(value, Known) and isinstance(value.value, str) and not is_smart_pointer(kind):
+            owner = run.class_of(kind.name, inner.source) if kind.name not in STRINGS else None
+            if owner is not None:
+                value = construct.create(run, inner, kind.bare(), (argument,), Location(inner.source.path))
+        if kind.name:
+            value = conversions.converted(value, kind)
+        declared = kind if kind.name and kind.name != "auto" and kind.name not in inner.templates else argument.type
+        if is_open and isinstance(value, Object):  # it may be a pointer
+            declared = argument.cell.type if argument.cell is not None else None
+        inner.declare(parameter.name, Cell(value, declared))
+
+
+def _collected(
+    run: Run,
+    frame: Frame,
+    function: Function,
+    name: str,
+    positional: list[call_arguments.Argument],
+    named: Mapping[str, call_arguments.Argument],
+) -> Value:
+    """What ``*name`` or ``**name`` holds: the arguments that no other parameter takes, if all of them are known."""
+    if not name.startswith("**"):
+        if "*" in named:
+            return Sequence(Cell(run.opaque(call_arguments.UNPACKED, frame)))
+        return Sequence(Cell(tuple(Cell(argument.value) for argument in positional)))
+    if "*" in named or "**" in named:
+        return Mapped(Cell(run.opaque("keyword arguments", frame)))
+    taken = {parameter.name for parameter in function.parameters}
+    return Mapped(Cell({key: Cell(argument.value) for key, argument in named.items() if key not in taken}))
+
+
+def _declared_default(run: Run, function: Function, number: int) -> Expression | None:
+    """A default argument that stands at the function's declaration, and not at its definition."""
+    found = None
+    declarations = [*run.index.functions.get(function.name, ())]
+    if function.owner and function.owner not in run.index.classes:  # defined under a using-directive
+        tail = "::".join(function.name.split("::")[-2:])
+        declarations += [
+            each for each in run.index.by_tail.get(tail, ()) if each[1].name.endswith(f"::{function.name}")
+        ]
+    for _, declared in declarations:
+        if declared is not function and len(declared.parameters) == len(function.parameters):
+            default = declared.parameters[number].default
+            if default is not None:
+                if found is not None and found != default:
+                    return syntax.Unknown(EITHER)
+                found = default
+    return found
+
+
+def follow_body(run: Run, inner: Frame, function: Function) -> Value:
+    """Execute a function's body in its frame and join what all its ways out return and leave behind."""
+
+    run.active.append(function)
+    mark = inner.mark
+    path = inner.source.path
+    guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]
+    run.conditions += guards
+    loops, run.loops = run.loops, []
+    try:
+        ended = statements.execute(run, inner, function.body or ())
+    except RecursionError:
+        return run.opaque("the code is nested too deeply to be followed", inner, function.line)
+    finally:
+        run.loops = loops
+        run.active.pop()
+        del run.conditions[len(run.conditions) - len(guards) :]
+    if inner.exits:
+        branches = list(inner.exits)
+        if ended == NEXT and not inner.is_dead:
+            branches.append(run.state.since(mark))
+        run.state.undo(mark)
+        run.state.merge(branches)
+    if not inner.returned:
+        return NONE if ended == NEXT else run.opaque("it does not return as things are", inner, function.line)
+    value = inner.returned[0]
+    for other in inner.returned[1:]:
+        value = join(value, other)
+    return value

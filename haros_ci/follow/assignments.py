@@ -1,0 +1,346 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Assignment, to variables, members, elements and patterns; what is not known where the target is not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.follow import (
+    activation,
+    braces,
+    call_arguments,
+    conversions,
+    copies,
+    dispatch,
+    expressions,
+    lookup,
+    members,
+    methods,
+    operators,
+    slices,
+    uncertain,
+)
+from haros_ci.follow.libraries import texts
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.types import MAPS, SEQUENCES
+from haros_ci.syntax import Expression, Type
+from haros_ci.values.abstract import (
+    LIST_LIMIT,
+    NONE,
+    UNSET,
+    UNSET_OR_INHERITED,
+    Cell,
+    Choice,
+    ClassValue,
+    Known,
+    Mapped,
+    Module,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Value,
+    join,
+)
+
+TIES = frozenset(map(syntax.Name, ("std::tie", "boost::tie", "tie")))
+#: Methods of containers that give one of their elements.
+ACCESSORS = frozenset(("at", "front", "back"))
+
+
+def assignment(run: Run, frame: Frame, expression: syntax.Assignment) -> Value:
+    """``=`` and its kin: the target holds the value from here on."""
+    symbol, target, source = expression.operator, expression.target, expression.value
+    python = frame.source.program.language == "python"
+    if isinstance(target, syntax.ListLiteral):
+        return _unpack(run, frame, target.items, expressions.evaluate(run, frame, source))
+    if isinstance(target, syntax.Call) and target.callee in TIES and symbol == "=":
+        return _unpack(run, frame, target.arguments, expressions.evaluate(run, frame, source))
+    run.references = None
+    value = expressions.evaluate(run, frame, source)
+    is_lvalue = not python and (
+        not isinstance(source, (syntax.Call, syntax.New, syntax.ListLiteral)) or run.references is not None
+    )
+    cell = _target(run, frame, target)
+    if cell is None:
+        uncertain.lost(run, frame, target, value if symbol == "=" else run.opaque("it is changed", frame))
+        return value
+    held = cell.value
+    if not python and isinstance(held, Object) and held.definition is not None and _is_own(held, cell.type):
+        argument = call_arguments.Argument(value, None, conversions.value_type(value))
+        method = methods.method_of(run, held, f"operator{symbol}", (argument,))
+        if method is not None and method.function.body is not None:
+            return activation.invoke(run, frame, method, (argument,))
+    if symbol != "=":
+        if python and symbol == "+=" and isinstance(held, Sequence):
+            return _extended(run, frame, held, value)
+        value = operators.binary(run, frame, symbol[:-1], held, value)
+    elif isinstance(source, syntax.ListLiteral) and not python and cell.type is not None:
+        value = braces.from_list(run, frame, cell.type, value)
+    elif is_lvalue:
+        value = copies.copied(run, value, _copied_type(run, frame, cell.type, source))
+    if cell.type is not None:
+        value = conversions.converted(value, cell.type)
+        if isinstance(held, Sequence) and isinstance(value, Sequence) and value.type is None:
+            value.type = held.type
+    is_own = not python and symbol == "=" and isinstance(held, Object) and _is_own(held, cell.type)
+    if is_own and isinstance(held, Object) and _fill(run, held, value):
+        return held
+    run.state.write(cell, value)
+    return value
+
+
+def _is_own(held: Object, kind: Type | None) -> bool:
+    """Whether a variable of that type holds the object itself, and no pointer to it."""
+    return kind is not None and copies.is_by_value(kind) and kind.name == held.name
+
+
+def _copied_type(run: Run, frame: Frame, kind: Type | None, source: Expression) -> Type | None:
+    return kind if kind is not None else copies.static_copy(run, frame, source)
+
+
+def _fill(run: Run, held: Object, value: Value) -> bool:
+    """Assign to an object in its place, as pointers lead to it: member by member. False if it is none of the class."""
+    if held is value or held.definition is None:
+        return held is value
+    same = isinstance(value, Object) and value.definition is not None
+    for name, member in held.fields.items():
+        if copies.is_reference(run, held, name):
+            continue
+        if same and isinstance(value, Object) and name in value.fields:
+            run.state.write(member, value.fields[name].value)
+        else:
+            run.state.write(member, Opaque(uncertain.UNCERTAIN, None, member.type))
+    if not same or not isinstance(value, Object):
+        return False
+    for name, member in value.fields.items():
+        if name not in held.fields:
+            fresh = held.fields[name] = Cell(Opaque("it is not set before", None, member.type), member.type)
+            run.state.write(fresh, member.value)
+    return value.definition[1] is held.definition[1]
+
+
+def _extended(run: Run, frame: Frame, held: Sequence, value: Value) -> Value:
+    """Python's ``l += m``: the list itself is longer."""
+    cells: Any = held.content.value
+    items: list[Value] | None = None
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        items = [cell.value for cell in value.content.value]
+    elif isinstance(value, Known) and isinstance(value.value, list):
+        items = [Known(item) for item in value.value]
+    if items is None or not isinstance(cells, tuple) or len(cells) + len(items) > LIST_LIMIT:
+        run.state.write(held.content, run.opaque("a list that is changed", frame))
+    else:
+        run.state.write(held.content, (*cells, *(Cell(item) for item in items)))
+    return held
+
+
+def _unpack(run: Run, frame: Frame, targets: tuple[Expression, ...], value: Value) -> Value:
+    items: list[Value] | None = None
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        items = [cell.value for cell in value.content.value]
+    elif isinstance(value, Object) and value.name == "std::pair" and {"first", "second"} <= value.fields.keys():
+        items = [value.fields["first"].value, value.fields["second"].value]
+    known = (
+        items is not None and len(items) == len(targets) and not any(isinstance(item, syntax.Star) for item in targets)
+    )
+    for index, item in enumerate(targets):
+        one: Value = run.opaque("it is unpacked from what is not known", frame)
+        if known and items is not None:
+            one = items[index]
+        if isinstance(item, syntax.Star):
+            item = item.value
+        if isinstance(item, syntax.ListLiteral):
+            _unpack(run, frame, item.items, one)
+            continue
+        cell = _target(run, frame, item)
+        if cell is None:
+            uncertain.lost(run, frame, item, one)
+        else:
+            run.state.write(cell, conversions.converted(one, cell.type))
+    return value
+
+
+def _target(run: Run, frame: Frame, target: Expression) -> Cell | None:
+    """The cell to assign to; Python makes it where there is none."""
+    python = frame.source.program.language == "python"
+    if python and isinstance(target, syntax.Name):
+        is_module = run.modules.get(frame.source.path) is frame
+        scopes = frame.scopes[:1] if is_module else reversed(frame.scopes)
+        cell = next((scope[target.name] for scope in scopes if target.name in scope), None)
+        if cell is None:
+            cell = frame.scopes[0][target.name] = Cell(NONE)
+        return cell
+    cell = expressions.cell_of(run, frame, target)
+    if cell is None and python and isinstance(target, syntax.Subscript):
+        return _entry(run, frame, target)
+    if cell is None and isinstance(target, syntax.Member):
+        owner = expressions.evaluate(run, frame, target.object)
+        if isinstance(owner, Pointer):
+            owner = owner.cell.value
+        if isinstance(owner, Object) and "[of]" not in owner.fields:
+            cell = owner.fields[target.name] = Cell(run.opaque(_unset(run, owner), frame))
+        elif isinstance(owner, Module):
+            before = members.attribute(run, owner, target.name, frame)
+            cell = lookup.module_frame(run, owner.source).scopes[0][target.name] = Cell(before)
+        elif isinstance(owner, ClassValue) and python:
+            key = (owner.source.path, f"{owner.definition.name}.{target.name}")
+            cell = run.globals[key] = Cell(members.attribute(run, owner, target.name, frame))
+    if cell is None and isinstance(target, syntax.Call) and not python:
+        run.references = None
+        expressions.evaluate(run, frame, target)
+        if run.references is not None and len(run.references) == 1:
+            return run.references[0]
+    return cell
+
+
+def _unset(run: Run, owner: Object) -> str:
+    """Why an attribute that is assigned to for the first time is not known on the paths that do not come there."""
+    if owner.definition is None or owner.definition[0].separator != ".":
+        return "it is not set before"
+    inherits = any(base != "object" for base in methods.library_bases(run, *owner.definition))
+    return UNSET_OR_INHERITED if inherits else UNSET
+
+
+def _entry(run: Run, frame: Frame, target: syntax.Subscript) -> Cell | None:
+    """The new entry of a dictionary that Python assigns to; None for all that is no dictionary, or is not known."""
+    container, key, _ = _parts(run, frame, target)
+    pairs: Any = container.content.value if isinstance(container, Mapped) else None
+    if not isinstance(pairs, dict) or not isinstance(key, Known) or isinstance(key.value, (list, dict)):
+        return None
+    if len(pairs) >= LIST_LIMIT:
+        return None
+    cell = Cell(run.opaque("it is not set before", frame))
+    assert isinstance(container, Mapped)
+    run.state.write(container.content, {**pairs, key.value: cell})
+    return cell
+
+
+def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
+    """``a[b]``."""
+    container, key, kind = _parts(run, frame, expression)
+    if isinstance(key, Object) and key.name == "slice":
+        return slices.part(run, frame, container, key)
+    if isinstance(key, Choice) and isinstance(container, Mapped):
+        return _chosen(run, frame, container, key)
+    cell = element(run, frame, container, key, kind)
+    if cell is not None:
+        return cell.value
+    if isinstance(container, Known) and isinstance(key, Known):
+        if isinstance(container.value, str) and frame.source.program.language != "python":
+            if isinstance(key.value, int) and 0 <= key.value < len(container.value):
+                return texts.number(Known(container.value[key.value]))
+            return run.opaque("a character that is not known", frame)
+        try:
+            return Known(container.value[key.value])
+        except (LookupError, TypeError):
+            if isinstance(container.value, (dict, list)) and frame.source.separator != ".":
+                return NONE  # yaml-cpp: an undefined node
+    if isinstance(container, Object) and container.definition is not None:
+        method = methods.method_of(run, container, "operator[]")
+        if method is not None:
+            return activation.invoke(run, frame, method, (call_arguments.Argument(key),))
+    cells = container.content.value if isinstance(container, Sequence) else ()
+    if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
+        return run.opaque(f"there is no element {key.value}: the list has {len(cells)}", frame)
+    if isinstance(cells, tuple) and cells and not isinstance(key, Known) and not braces.is_open(container):
+        return any_of(cell.value for cell in cells)
+    held = dispatch.entry(container) if not isinstance(key, Known) and frame.source.separator == "." else None
+    if held is not None:
+        return held
+    kind = None
+    if isinstance(container, Sequence) and container.type is not None and container.type.arguments:
+        kind = container.type.of(0)
+    elif isinstance(container, Opaque) and container.type is not None and container.type.name in (SEQUENCES | MAPS):
+        kind = container.type.of(len(container.type.arguments) - 1) if container.type.arguments else None
+    return run.opaque("an element that is not known", frame, None, kind)
+
+
+def _chosen(run: Run, frame: Frame, container: Mapped, key: Choice) -> Value:
+    """The entry of one of several keys; Python does not go on with one that is not there."""
+    cells = [element(run, frame, container, option) for option in key.options]
+    found = [cell.value for cell in cells if cell is not None]
+    if not found or (len(found) < len(cells) and frame.source.separator != "."):
+        return run.opaque("an element that is not known", frame)
+    return any_of(found)
+
+
+def any_of(values: Iterable[Value]) -> Value:
+    """One of *values*, there is no telling which."""
+    result: Value | None = None
+    for value in values:
+        result = value if result is None else join(result, value)
+        if isinstance(result, Opaque) and result.reason not in (UNSET, UNSET_OR_INHERITED):
+            break  # it stays so
+    return result if result is not None else NONE
+
+
+def _parts(run: Run, frame: Frame, expression: syntax.Subscript) -> tuple[Value, Value, Type | None]:
+    """The container, the key and the type of the entries of ``a[b]``; arrays of objects are made here."""
+    inner = expression.object
+    cell = expressions.cell_of(run, frame, inner) if isinstance(inner, call_arguments.LVALUES) else None
+    value = cell.value if cell is not None else expressions.evaluate(run, frame, inner)
+    key = expressions.evaluate(run, frame, expression.index)
+    if isinstance(expression.index, syntax.Assignment):  # ``i++`` is lowered as ``++i`` is
+        key = run.opaque("an index that is counted on the way", frame)
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if cell is None or frame.source.program.language == "python":
+        return value, key, None
+    if value == NONE and cell.type is not None and braces.is_array_of_objects(run, frame, cell.type):
+        value = braces.array(run, frame, [], cell.type)
+        run.state.write(cell, value)
+    kind = cell.type
+    return value, key, kind.of(1) if kind is not None and kind.name in MAPS else None
+
+
+def accessed(run: Run, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
+    """The cell of ``v[i]``, ``v.at(i)``, ``v.front()`` or ``v.back()``."""
+    if isinstance(expression, syntax.Subscript):
+        return element(run, frame, *_parts(run, frame, expression))
+    callee = expression.callee
+    if (
+        frame.source.program.language == "python"
+        or not isinstance(callee, syntax.Member)
+        or callee.name not in ACCESSORS
+    ):
+        return None
+    if not isinstance(callee.object, call_arguments.LVALUES):
+        return None
+    value = expressions.evaluate(run, frame, callee.object)
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if not isinstance(value, (Sequence, Mapped)) or (callee.name == "at") != (len(expression.arguments) == 1):
+        return None
+    given = expression.arguments
+    at = expressions.evaluate(run, frame, given[0]) if given else Known(0 if callee.name == "front" else -1)
+    return element(run, frame, value, at)
+
+
+def element(run: Run, frame: Frame, container: Value, key: Value, kind: Type | None = None) -> Cell | None:
+    """The cell of one element of a sequence or map; a map of C++ makes what is not there, as *kind* says."""
+    if isinstance(container, Pointer):
+        container = container.cell.value
+    if isinstance(container, Sequence) and isinstance(container.content.value, tuple):
+        cells = container.content.value
+        if isinstance(key, Known) and isinstance(key.value, int) and -len(cells) <= key.value < len(cells):
+            found: Cell = cells[key.value]
+            return found
+        if isinstance(key, Known) and isinstance(key.value, int) and braces.is_open(container):
+            return braces.grown(run, frame, container, key.value)
+        return None
+    if isinstance(container, Mapped) and isinstance(container.content.value, dict) and isinstance(key, Known):
+        try:
+            cell = container.content.value.get(key.value)
+        except TypeError:
+            return None
+        if cell is None and isinstance(key.value, (str, int)) and frame.source.separator != ".":
+            value: Value = run.opaque("an entry that is not there", frame, None, kind)
+            if kind is not None and copies.is_by_value(kind) and run.class_of(kind.name, frame.source) is not None:
+                value = braces.made(run, frame, kind)
+            cell = Cell(value, kind)
+            run.state.write(container.content, {**container.content.value, key.value: cell})
+        return cell
+    return None

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What C++ makes of braces: vectors, maps, objects, and arrays whose length need not be known."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.follow import call_arguments, construct, conversions, copies
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.types import INTEGERS, MAPS, SEQUENCES, STRINGS, is_smart_pointer
+from haros_ci.model.location import Location
+from haros_ci.syntax import Type
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Sequence, Text, Value
+
+#: Elements that an array whose length is not known may have.
+GROWN = 64
+#: The marks of the type of an array whose length is not known.
+OPEN = "[]"
+
+
+def from_list(run: Run, frame: Frame, kind: Type, value: Value) -> Value:
+    """Braces as a variable of the resolved type *kind* holds them: an array, vector, map or object."""
+    if not isinstance(value, Sequence) or value.type is not None or not isinstance(value.content.value, tuple):
+        return value
+    cells = value.content.value
+    if "*" in kind.marks:
+        return array(run, frame, [cell.value for cell in cells], kind)
+    if kind.name in SEQUENCES:
+        return braced(run, frame, kind, [cell.value for cell in cells])
+    if kind.name in MAPS:
+        return _pairs(run, frame, kind, [cell.value for cell in cells])
+    if kind.name in ("", "auto") or is_smart_pointer(kind):
+        return value
+    arguments = tuple(call_arguments.Argument(cell.value, None, conversions.value_type(cell.value)) for cell in cells)
+    return construct.create(run, frame, kind.bare(), arguments, Location(frame.source.path))
+
+
+def braced(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
+    """A vector of the elements in braces."""
+    inner = kind.of(0)
+    first = values[0] if values else None
+    if len(values) == 1 and isinstance(first, Sequence) and first.type is not None:
+        return copies.copied(run, first, kind.bare())
+    is_text = inner is not None and inner.name in STRINGS
+    counted = conversions.value_type(first) if first is not None else None
+    if any(isinstance(v, Object) and "[of]" in v.fields for v in values) or (
+        is_text and counted is not None and counted.name in INTEGERS
+    ):
+        return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
+    return Sequence(Cell(tuple(Cell(fitted(run, frame, inner, value), inner) for value in values)), kind)
+
+
+def is_text(argument: call_arguments.Argument) -> bool:
+    """Whether an argument is a text, known or not."""
+    kind = argument.type or conversions.value_type(argument.value)
+    if isinstance(argument.value, (Text, Known)):
+        return isinstance(argument.value, Text) or isinstance(argument.value.value, str)
+    return (
+        not isinstance(argument.value, Object) and kind is not None and kind.name in STRINGS and "*" not in kind.marks
+    )
+
+
+def _pairs(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
+    inner = kind.of(1)
+    made: dict[Any, Cell] = {}
+    for value in values:
+        pair: Any = value.content.value if isinstance(value, Sequence) else None
+        if isinstance(value, Mapped) and len(values) == 1:
+            return copies.copied(run, value, kind)
+        key = pair[0].value if isinstance(pair, tuple) and len(pair) == 2 else None
+        if not isinstance(key, Known) or not isinstance(key.value, (str, int)):
+            return Mapped(Cell(run.opaque("a map with computed keys", frame)))
+        made.setdefault(key.value, Cell(fitted(run, frame, inner, pair[1].value), inner))
+    return Mapped(Cell(made))
+
+
+def fitted(run: Run, frame: Frame, kind: Type | None, value: Value) -> Value:
+    """*value* as an element or member of the resolved type *kind* is initialised with it."""
+    if kind is None:
+        return value
+    if isinstance(value, Sequence) and value.type is None:
+        return from_list(run, frame, kind, value)
+    if (
+        isinstance(value, Known)
+        and isinstance(value.value, str)
+        and copies.is_by_value(kind)
+        and kind.name not in STRINGS
+    ):
+        if run.class_of(kind.name, frame.source) is not None:
+            argument = call_arguments.Argument(value, None, conversions.value_type(value))
+            return construct.create(run, frame, kind.bare(), (argument,), Location(frame.source.path))
+    return conversions.converted(copies.copied(run, value, kind), kind)
+
+
+def array(run: Run, frame: Frame, values: list[Value], kind: Type) -> Value:
+    """An array in braces; *kind* is that of a pointer to its elements."""
+    inner = syntax.Type(kind.name, kind.arguments, kind.marks.replace("*", "", 1))
+    if kind.name == "char" and "*" not in inner.marks:
+        if len(values) == 1 and isinstance(values[0], Known) and isinstance(values[0].value, str):
+            return values[0]
+        return run.opaque("an array of characters", frame, None, kind)
+    cells = tuple(Cell(fitted(run, frame, inner, value), inner) for value in values)
+    return Sequence(Cell(cells), syntax.Type("std::array", (inner,), "" if len(cells) > 1 else OPEN))
+
+
+def is_open(container: Value) -> bool:
+    """Whether an array may have more elements than are known."""
+    return isinstance(container, Sequence) and container.type is not None and container.type.marks == OPEN
+
+
+def is_array_of_objects(run: Run, frame: Frame, kind: Type | None) -> bool:
+    """Whether an uninitialised variable of this type, with an index, is an array of the workspace's objects."""
+    if kind is None or kind.marks.count("*") != 1:
+        return False
+    return run.class_of(kind.name, frame.source) is not None and not is_smart_pointer(kind)
+
+
+def grown(run: Run, frame: Frame, container: Sequence, index: int) -> Cell | None:
+    """The element *index* of an array whose length is not known, constructed if need be."""
+    cells: Any = container.content.value
+    inner = container.type.of(0) if container.type is not None else None
+    if inner is None or not 0 <= index < GROWN or not copies.is_by_value(inner):
+        return None
+    if run.class_of(inner.name, frame.source) is None:
+        return None
+    fresh = [Cell(made(run, frame, inner), inner) for _ in range(index + 1 - len(cells))]
+    run.state.write(container.content, (*cells, *fresh))
+    found: Cell = container.content.value[index]
+    return found
+
+
+def made(run: Run, frame: Frame, kind: Type) -> Value:
+    """A default-constructed value."""
+    return construct.create(run, frame, kind.bare(), (), Location(frame.source.path))

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The arguments of a call, evaluated once: values, cells, types, keywords."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from haros_ci import syntax
+from haros_ci.follow import conversions, expressions, static_types
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.types import INTEGERS, REALS
+from haros_ci.syntax import Expression, Type
+from haros_ci.values.abstract import Cell, Mapped, Value
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Argument:
+    """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python."""
+
+    value: Value
+    cell: Cell | None = None
+    type: Type | None = None
+    keyword: str = ""
+
+
+def is_scalar(kind: Type) -> bool:
+    """Whether a default-constructed variable of the type has no value."""
+    name = kind.name
+    return name in INTEGERS or name in REALS or name in ("bool", "void", "") or set(name.split()) <= INTEGERS
+
+
+def arguments(run: Run, frame: Frame, written: tuple[Expression, ...]) -> tuple[Argument, ...]:
+    """The arguments of a call, evaluated from left to right; unpacked sequences are spread where known."""
+    result: list[Argument] = []
+    is_open = False  # what stands behind an unpacked list that is not known has no place that is known
+    for expression in written:
+        if isinstance(expression, syntax.Star):
+            items = static_types.elements(run, frame, expression.value)
+            if items is None:
+                result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
+                is_open = True
+            elif not is_open:
+                result += [Argument(item.value if isinstance(item, Cell) else item) for item in items]
+            continue
+        if isinstance(expression, syntax.DoubleStar):
+            given = expressions.evaluate(run, frame, expression.value)
+            cells = given.content.value if isinstance(given, Mapped) else None
+            if isinstance(cells, dict) and all(isinstance(key, str) for key in cells):
+                result += [Argument(cell.value, cell, None, key) for key, cell in cells.items()]
+            else:
+                result.append(Argument(run.opaque(UNPACKED, frame), keyword="**"))
+            continue
+        keyword = ""
+        if isinstance(expression, syntax.Keyword):
+            keyword, expression = expression.name, expression.value
+        cell = expressions.cell_of(run, frame, expression) if isinstance(expression, LVALUES) else None
+        value = cell.value if cell is not None else expressions.evaluate(run, frame, expression)
+        kind = cell.type if cell is not None and cell.type is not None else None
+        if kind is None and isinstance(expression, TYPED):
+            kind = static_types.static_type(run, frame, expression)
+        if is_open and not keyword:
+            result.append(Argument(run.opaque(UNPACKED, frame), keyword="*"))
+            continue
+        result.append(Argument(value, cell, kind or conversions.value_type(value), keyword))
+    return tuple(result)
+
+
+#: Why an argument is not known.
+UNPACKED = "unpacked arguments"
+LVALUES = (syntax.Name, syntax.Member, syntax.Subscript, syntax.Dereference)
+
+
+TYPED = (syntax.String, syntax.Number, syntax.Boolean, syntax.Operation, syntax.Cast)

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is called back later: functions given to an API, and methods that a framework calls."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from haros_ci import syntax
+from haros_ci.follow import call_arguments, methods, partials
+from haros_ci.follow.libraries import objects as library_objects
+from haros_ci.follow.run import CHAIN, ROOTS, SEVERAL, Frame, Root, Run, either
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression
+from haros_ci.values.abstract import NONE, Callable, Choice, Object, Pointer, Value
+
+#: The macros that name a signal or slot (QObject).
+QT = frozenset(("SLOT", "SIGNAL"))
+
+#: Why what a callback makes may not be made.
+ONE_OF = "one of several functions is called back"
+
+#: Transitions of managed nodes (design.ros2.org/articles/node_lifecycle.html): a launch file's manager brings them up.
+SETUP = frozenset(("on_configure", "on_activate"))
+TEARDOWN = frozenset(("on_deactivate", "on_cleanup", "on_shutdown", "on_error"))
+
+
+def register(
+    run: Run,
+    value: Value,
+    others: tuple[call_arguments.Argument, ...] = (),
+    is_update: bool = False,
+    is_setup: bool = False,
+    doubt: str | None = None,
+) -> None:
+    """*value* will be called back: remember it with the object among *others* that it is a method of.
+
+    With *is_update* that is when somebody sets parameters of the node or takes it down, with *is_setup* when it is brought
+    up. *doubt* is why it may not be registered, where no statement says so.
+    """
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Object) and value.name == partials.PARTIAL:
+        value = partials.callback(value) or NONE
+    if isinstance(value, Object) and value.definition is not None:
+        separator = value.definition[0].separator
+        found = methods.method_of(run, value, "operator()" if separator == "::" else "__call__")
+        if found is None:
+            return
+        value = found
+    if isinstance(value, Choice):
+        for option in value.options:
+            register(run, option, others, is_update, doubt=ONE_OF)
+        return
+    if not isinstance(value, Callable):
+        return
+    function = value.function
+    if value.this is None and function.owner and value.frame is None:
+        for argument in others:
+            inner = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
+            if isinstance(inner, Object) and inner.definition is not None:
+                value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
+                break
+    key = (id(value.function), id(value.this), len(value.bound))
+    root = Root(value, tuple(run.conditions), is_update=is_update, is_setup=is_setup, doubt=doubt)
+    if key in run.known_roots:
+        _again(run, run.known_roots[key], root)
+    elif not _is_endless(run, value):
+        run.known_roots[key] = len(run.roots)
+        run.roots.append(root)
+
+
+def _again(run: Run, number: int, other: Root) -> None:
+    """The root of that *number* is registered on an*other* way: what it makes stands under what both have in common.
+
+    If it has been called back already, it is so once more, for what it makes then.
+    """
+    if number >= len(run.roots) or run.roots[number].function.function is not other.function.function:
+        return
+    known = run.roots[number]
+    conditions, is_all = either(known.conditions, other.conditions, run.pairs)
+    certain = any(each.doubt is None and each.conditions == conditions for each in (known, other))
+    doubt = None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
+    if (conditions, doubt) == (known.conditions, known.doubt):
+        return
+    merged = replace(known, conditions=conditions, doubt=doubt)
+    if number not in run.called:
+        run.roots[number] = merged
+    elif not run.quiet:
+        key = next(key for key, each in run.known_roots.items() if each == number)
+        run.known_roots[key] = len(run.roots)
+        run.roots.append(merged)
+
+
+def signature(run: Run, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
+    """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
+    named: Expression = written[0] if len(written) == 1 else syntax.Null()
+    if (
+        macro == "SLOT"
+        and frame.this is not None
+        and isinstance(named, syntax.Call)
+        and isinstance(named.callee, syntax.Name)
+    ):
+        register(run, methods.method_of(run, frame.this, named.callee.name) or NONE)
+    return run.opaque(f"what {macro} is", frame)
+
+
+def _is_endless(run: Run, function: Callable) -> bool:
+    """Whether callbacks go on registering *function*, each time for another object.
+
+    In a rehearsal one stands for all of them: what it makes is seen where it is registered in earnest.
+    """
+    registered = sum(root.function.function is function.function for root in run.roots)
+    if run.quiet:
+        return registered > 0
+    if registered < (CHAIN if run.is_called_back else ROOTS):
+        return False
+    if run.relevance.makes(function.function, function.source):
+        reason = f"{function.function.name or 'a function'} is called back for more objects than are followed"
+        run.gaps.setdefault(reason, Location(function.source.path, function.function.line))
+    return True
+
+
+def framework_entries(run: Run, this: Object) -> None:
+    """Methods that a framework will call on *this*, as its library base classes say (``entry`` of a row)."""
+    for owner in library_objects.owners(run, this):
+        for row in run.rows.get(owner, ()):
+            for name in row.entry:
+                method = methods.method_of(run, this, name)
+                if method is not None and row.is_class:
+                    register(run, method, (), name in TEARDOWN, name in SETUP)
+    _entries_of_unknown_base(run, this)
+
+
+def _entries_of_unknown_base(run: Run, this: Object) -> None:
+    """A nodelet whose base class is in a package outside: the manager initialises it, more is not known."""
+    if this.definition is None or this.definition[0].separator != "::":
+        return
+    if not any(found[1] is this.definition[1] for found in run.context.plugins.values()):
+        return
+    method = methods.method_of(run, this, "onInit", ())
+    bases = [base for base in methods.library_bases(run, *this.definition) if base not in run.rows]
+    if method is None or not bases:
+        return
+    said = f"the base class {bases[0]} is not in the workspace: what it makes and calls is not known"
+    run.gaps.setdefault(said, Location(this.definition[0].path, this.definition[1].line))
+    register(run, method)

@@ -1,0 +1,378 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls: into the workspace's functions they are followed, into libraries the API rows and models say what they do."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from haros_ci import syntax
+from haros_ci.follow import (
+    activation,
+    alternatives,
+    call_arguments,
+    callbacks,
+    construct,
+    dynamic,
+    expressions,
+    follow,
+    members,
+    methods,
+    partials,
+    static_types,
+    twins,
+)
+from haros_ci.follow.libraries import library
+from haros_ci.follow.libraries import objects as library_objects
+from haros_ci.follow.ros import api_rows, forwarding
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression
+from haros_ci.values import iterators
+from haros_ci.values.abstract import (
+    NONE,
+    Callable,
+    Cell,
+    Choice,
+    ClassValue,
+    Known,
+    Library,
+    Object,
+    Opaque,
+    Pointer,
+    Text,
+    Value,
+)
+
+
+def call(run: Run, frame: Frame, expression: syntax.Call) -> Value:
+    """The value of a call, with all that it makes, stores and registers on the way."""
+    callee, written, targs = expression.callee, expression.arguments, expression.templates
+    location = Location(frame.source.path, expression.line, expression.column)
+    receiver: Value | None = None
+    receiver_cell: Cell | None = None
+    name = ""
+    twins.called(run, callee)
+    if isinstance(callee, syntax.Member):
+        name = callee.name
+        receiver_cell = (
+            expressions.cell_of(run, frame, callee.object)
+            if isinstance(callee.object, call_arguments.LVALUES)
+            else None
+        )
+        receiver = receiver_cell.value if receiver_cell is not None else expressions.evaluate(run, frame, callee.object)
+        smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
+        args = call_arguments.arguments(run, frame, written)
+        if smart and receiver_cell is not None and name in library.POINTER_METHODS:
+            return library.pointer_method(run, receiver_cell, name, args)
+        if isinstance(receiver, Pointer):
+            receiver_cell, receiver = receiver.cell, receiver.cell.value
+        elif isinstance(receiver, Object) and receiver.name == iterators.ITERATOR:
+            of = iterators.pointed(receiver)
+            receiver_cell, receiver = (of, of.value) if of is not None else (receiver_cell, receiver)
+        if isinstance(receiver, Choice) and frame.source.separator == "::":
+            receiver = iterators.not_null(receiver)
+        if isinstance(receiver, Choice):
+            ways = [
+                partial(method_call, run, frame, option, cell, name, args, targs, location)
+                for option in receiver.options
+                for cell in [receiver_cell if isinstance(option, (Known, Text)) else None]
+            ]
+            settle = (
+                partial(alternatives.certain, receiver.options) if alternatives.are(run, receiver.options) else None
+            )
+            return run.either_way(ways, "it is called on one of several objects", settle)
+        return method_call(run, frame, receiver, receiver_cell, name, args, targs, location)
+    callee, targs = static_types.member_called(run, frame, callee, targs)
+    function = expressions.evaluate(run, frame, callee)
+    if isinstance(function, Library) and function.name in callbacks.QT:
+        return callbacks.signature(run, frame, function.name, written)
+    if isinstance(function, Pointer):
+        function = function.cell.value
+    return apply(run, frame, function, call_arguments.arguments(run, frame, written), targs, location, callee)
+
+
+def method_call(
+    run: Run,
+    frame: Frame,
+    receiver: Value,
+    cell: Cell | None,
+    name: str,
+    args: tuple[call_arguments.Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value:
+    """``receiver.name(args)``."""
+    if isinstance(receiver, Library) and receiver.name == "super":
+        return super_call(run, frame, name, args, location)
+    if name.startswith("spin") and isinstance(receiver, Object) and receiver.name.endswith("Executor"):
+        follow.interlude(run, frame)
+    modelled = library.method(run, frame, receiver, cell, name, args, location)
+    if modelled is not None:
+        return modelled
+    if isinstance(receiver, Object):
+        method = methods.method_of(run, receiver, name, args)
+        if method is not None:
+            with forwarding.through(run, method.function, args, location):
+                return activation.invoke(run, frame, method, args, targs)
+        field = receiver.fields.get(name)
+        is_method = receiver.definition is None and any(
+            f"{owner}{frame.source.separator}{name}" in run.rows for owner in library_objects.owners(run, receiver)
+        )
+        if field is not None and not is_method:
+            return apply(run, frame, field.value, args, targs, location, syntax.Name(name))
+        if "::" in name and receiver.definition is not None:
+            return _of_base(run, frame, receiver, name, args, targs, location)
+        if frame.source.separator == ".":
+            of_class = members.of_class(run, receiver, name, frame)
+            if of_class is not None:
+                return apply(run, frame, of_class, args, targs, location, syntax.Name(name))
+        for owner in library_objects.owners(run, receiver):
+            if (called := f"{owner}{frame.source.separator}{name}") not in run.rows:
+                continue
+            found = api_rows.call(run, frame, called, receiver, args, targs, location)
+            if found is not None:
+                return found
+        return library.unknown_call(run, frame, f"{receiver.name}::{name}", args)
+    if isinstance(receiver, Opaque):
+        kind = receiver.type or (cell.type if cell is not None else None)
+        if kind is not None and kind.name:
+            kind = pointee(kind)
+            loaded = alternatives.of_base(run, kind.name) if run.alternatives else ()
+            if loaded:
+                each = [partial(method_call, run, frame, one, None, name, args, targs, location) for one in loaded]
+                return run.either_way(each, "it is called on one of several objects")
+            if run.alternatives and (held := alternatives.element(run, kind, name)) is not None:
+                return Opaque(receiver.reason, receiver.location, held)
+            owner_class = run.class_of(kind.name, frame.source)
+            if owner_class is not None:
+                summary = library_objects.summary_object(run, owner_class, kind, receiver)
+                if methods.method_of(run, summary, name, args) is not None:
+                    dynamic.virtual(run, owner_class, name, location)
+                    return method_call(run, frame, summary, None, name, args, targs, location)
+            else:
+                stand_in = Object(
+                    kind.name, kind.arguments, namespace=receiver if kind.name in api_rows.HANDLES else None
+                )
+                for owner in library_objects.owners(run, stand_in):
+                    found = api_rows.call(
+                        run, frame, f"{owner}{frame.source.separator}{name}", stand_in, args, targs, location
+                    )
+                    if found is not None:
+                        return found
+        else:
+            handle = api_rows.node_class(run, name, frame.source.separator)
+            if handle:
+                stand_in = Object(handle, namespace=receiver)
+                qualified = f"{handle}{frame.source.separator}{name}"
+                found = api_rows.call(run, frame, qualified, stand_in, args, targs, location)
+                if found is not None:
+                    return found
+        return library.unknown_call(run, frame, name, args, receiver)
+    if isinstance(receiver, Library) and receiver.this is None and _is_of_a_handle(frame, name, args):
+        space = run.opaque(f"what {receiver.name} is is not known", frame, location.line)
+        stand_in = Object("ros::NodeHandle", namespace=space)
+        found = api_rows.call(run, frame, f"ros::NodeHandle::{name}", stand_in, args, targs, location)
+        if found is not None:
+            return found
+    function = members.attribute(run, receiver, name, frame)
+    return apply(run, frame, function, args, targs, location, syntax.Name(name))
+
+
+def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.Argument, ...]) -> bool:
+    """Whether a method of an object that is not declared in the workspace must be one of a node handle."""
+    if frame.source.separator != "::":
+        return False
+    calls_back = any(isinstance(argument.value, Callable) for argument in args)
+    return name in api_rows.UNMISTAKABLE or (name == "subscribe" and len(args) > 2 and calls_back)
+
+
+def _of_base(
+    run: Run,
+    frame: Frame,
+    this: Object,
+    name: str,
+    args: tuple[call_arguments.Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value:
+    """``this->Base::method(args)``: the method of that base class, whatever the object's own is."""
+    head, _, last = name.rpartition("::")
+    meant = run.type_in(syntax.Type(head), frame)
+    owner = run.class_of(meant.name, frame.source)
+    found = methods.class_method(run, *owner, last, args) if owner is not None else None
+    if found is not None:
+        return activation.invoke(run, frame, Callable(*found, this, templates=this.templates), args, targs)
+    inherited = _inherited(run, frame, this, name, args, targs, location)
+    return inherited if inherited is not None else library.unknown_call(run, frame, f"{this.name}::{name}", args)
+
+
+def super_call(
+    run: Run, frame: Frame, name: str, args: tuple[call_arguments.Argument, ...], location: Location
+) -> Value:
+    """Python's ``super().name(...)``: the method of the next class up, of the workspace or of a library."""
+    this = expressions.here(frame)
+    function = frame.function
+    owner = run.class_of(function.owner, frame.source) if function is not None and function.owner else None
+    if this is None or owner is None:
+        return library.unknown_call(run, frame, f"super().{name}", args)
+    for base in owner[1].bases:
+        found = methods.python_class(run, base, owner[0])
+        if found is None:
+            if name == "__init__":
+                for library_base in methods.library_bases(run, *owner):
+                    library_objects.construct_library(run, frame, this, syntax.Type(library_base), args, location)
+            continue
+        method = methods.class_method(run, *found, name)
+        if method is not None:
+            return activation.invoke(run, frame, Callable(*method, this), args)
+    return library.unknown_call(run, frame, f"super().{name}", args)
+
+
+def apply(
+    run: Run,
+    frame: Frame,
+    function: Value,
+    args: tuple[call_arguments.Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+    callee: Expression,
+) -> Value:
+    """Call *function*, whatever kind of value it is."""
+    if isinstance(function, Callable):
+        if function.function.body is None and function.function.kind != "constructor":
+            source, definition = methods.with_body(run, [(function.source, function.function)])
+            if definition.body is None:
+                found = api_rows.call(run, frame, definition.name, function.this, args, targs, location)
+                if found is not None:
+                    return found
+            function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
+        if _takes_self(function, args):
+            this = args[0].value
+            assert isinstance(this, Object)
+            function = Callable(function.source, function.function, this, function.bound, None, this.templates)
+            args = args[1:]
+        function = activation.choose(run, frame, function, args)
+        with forwarding.through(run, function.function, args, location):
+            return activation.invoke(run, frame, function, args, targs)
+    if isinstance(function, ClassValue):
+        owner = (function.source, function.definition)
+        resolved = tuple(run.type_in(t, frame) for t in targs if isinstance(t, syntax.Type))
+        return construct.instance(run, frame, owner, resolved, args, location)
+    if isinstance(function, Library):
+        return library_call(run, frame, function, args, targs, location, callee)
+    if isinstance(function, Object) and function.name == partials.PARTIAL:
+        function, args = partials.called(function, args)
+        return apply(run, frame, function, args, targs, location, callee)
+    if isinstance(function, Object):
+        method = methods.method_of(run, function, "operator()" if frame.source.separator == "::" else "__call__")
+        if method is not None:
+            return activation.invoke(run, frame, method, args, targs)
+    if isinstance(function, Choice):
+        ways = [partial(apply, run, frame, option, args, targs, location, callee) for option in function.options]
+        return run.either_way(ways, "one of several functions is called")
+    if isinstance(function, Opaque):
+        dynamic.function(run, function, members.dotted(callee), location)
+    return library.unknown_call(run, frame, members.dotted(callee) or "a function", args)
+
+
+def _takes_self(function: Callable, args: tuple[call_arguments.Argument, ...]) -> bool:
+    """Whether this is ``Base.method(self, ...)`` of Python."""
+    definition = function.function
+    return (
+        function.source.program.language == "python"
+        and function.this is None
+        and bool(definition.owner)
+        and not definition.is_static
+        and bool(args)
+        and isinstance(args[0].value, Object)
+    )
+
+
+def _inherited(
+    run: Run,
+    frame: Frame,
+    this: Object,
+    name: str,
+    args: tuple[call_arguments.Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """A method of a library's class that *this* has from it, called by its name or as ``Base::method``."""
+    head, _, last = name.rpartition("::")
+    owners = library_objects.owners(run, this)
+    if head:
+        meant = run.type_in(syntax.Type(head), frame).name
+        named = [n for n, owner in enumerate(owners) if meant == owner or head == owner.rpartition("::")[2]]
+        owners = owners[named[0] :] if named else []
+    for owner in owners:
+        if (called := f"{owner}::{last}") not in run.rows:
+            continue
+        found = api_rows.call(run, frame, called, this, args, targs, location)
+        if found is not None:
+            return found
+    return None
+
+
+#: Functions in which callbacks are called.
+SPINNING = frozenset(
+    "ros::spin ros::spinOnce ros::waitForShutdown rospy.spin rospy.sleep rospy.wait_for_message rospy.wait_for_service "
+    "rclcpp::spin rclcpp::spin_some rclcpp::spin_until_future_complete rclpy.spin rclpy.spin_once "
+    "rclpy.spin_until_future_complete".split()
+)
+
+
+def library_call(
+    run: Run,
+    frame: Frame,
+    function: Library,
+    args: tuple[call_arguments.Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+    callee: Expression,
+) -> Value:
+    """A function, method or constructor of a library."""
+    name = function.name
+    if name in SPINNING:
+        follow.interlude(run, frame)
+    base, dot, last = name.rpartition(".")
+    if last == "__init__" and dot and args and base in run.rows and isinstance(args[0].value, Object):
+        library_objects.construct_library(run, frame, args[0].value, syntax.Type(base), args[1:], location)
+        return NONE
+    kind = frame.templates.get(callee.name) if isinstance(callee, syntax.Name) else None
+    if isinstance(kind, syntax.Type):  # what a template parameter stands for
+        return construct.of_template(run, frame, kind, args, location)
+    if function.this is None and frame.this is not None and isinstance(callee, syntax.Name):  # an inherited method
+        inherited = _inherited(run, frame, frame.this, callee.name, args, targs, location)
+        if inherited is not None:
+            return inherited
+    modelled = library.function(run, frame, name, args, targs, location)
+    if modelled is not None:
+        return modelled
+    kinds = tuple(run.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
+    found = api_rows.call(run, frame, name, function.this, args, targs, location, kinds)
+    if found is not None:
+        return found
+    if name in STRINGS or name in SEQUENCES or name in MAPS:
+        return construct.create(run, frame, syntax.Type(name, kinds), args, location)
+    modelled = construct.made_by_its_class(run, frame, callee, kinds, args, location)
+    modelled = modelled or library.instance(run, frame, syntax.Type(name, kinds), args)
+    if modelled is not None:
+        return modelled
+    if isinstance(callee, syntax.Name) and "::" not in name and frame.source.separator == "::":
+        resolved = run.type_in(syntax.Type(callee.name, targs), frame)
+        if resolved.name != name or is_smart_pointer(resolved) or resolved.name in STRINGS:
+            return construct.create(run, frame, resolved, args, location)
+    return library.unknown_call(run, frame, name, args)
+
+
+def new(run: Run, frame: Frame, expression: syntax.New) -> Value:
+    """``new T(...)``: the object itself stands for its address."""
+    resolved = run.type_in(expression.type, frame)
+    return construct.create(
+        run,
+        frame,
+        resolved.bare(),
+        call_arguments.arguments(run, frame, expression.arguments),
+        Location(frame.source.path, expression.line, expression.column),
+    )

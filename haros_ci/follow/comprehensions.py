@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python's comprehensions, map, filter and dict: lists and dictionaries made of the elements of others."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci import syntax
+from haros_ci.follow import activation, call_arguments, calls, statements
+from haros_ci.follow.run import Frame, Run
+from haros_ci.model.location import Location
+from haros_ci.values.abstract import LIST_LIMIT, NONE, Callable, Cell, Known, Mapped, Opaque, Sequence, Value
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+#: Longer lists are not gone through; inside loops and other comprehensions they are shorter.
+LONGEST = 256
+LONGEST_INSIDE = 32
+#: What stands for an element that is in the list if its condition holds.
+MAYBE = Opaque("whether it is in the list")
+
+
+def items(value: Value) -> list[Value] | None:
+    """What a loop over a Python value goes through; None if that is not known."""
+    content: Any = value.content.value if isinstance(value, (Sequence, Mapped)) else None
+    if isinstance(value, Sequence) and isinstance(content, tuple):
+        return [cell.value for cell in content]
+    if isinstance(value, Mapped) and isinstance(content, dict):
+        return [Known(key) for key in content]
+    if isinstance(value, Known) and isinstance(value.value, (str, list, dict)) and len(value.value) <= LIST_LIMIT:
+        return [Known(item) for item in value.value]
+    return None
+
+
+def comprehension(run: Run, frame: Frame, is_flat: bool, args: tuple[Argument, ...]) -> Value:
+    """``[for](iterable, element, guard, the guard's text)``, see ``extract.python.comprehensions``.
+
+    What a guard of which nothing is known lets through is made under it as a condition; the list is then not known.
+    """
+    if len(args) not in (2, 4) or not all(isinstance(a.value, Callable) for a in args[1:3]):
+        return Sequence(Cell(run.opaque("a list that is computed", frame)))
+    element, guard = args[1].value, args[2].value if len(args) == 4 else None
+    assert isinstance(element, Callable)
+    found = items(args[0].value)
+    if found is None or len(found) > (LONGEST if run.turns == 1 else LONGEST_INSIDE):
+        reason = "a list made from one that is not known"
+        unknown = run.opaque(reason, frame)
+        run.either_way([lambda: NONE, lambda: _guarded(run, frame, element, guard, args, unknown) or NONE], reason)
+        return Sequence(Cell(unknown))
+    made: list[Cell] | None = []
+    run.turns *= 2
+    for item in found:
+        value = _guarded(run, frame, element, guard, args, item)
+        if value is None:
+            continue
+        more = (items(value) if is_flat else [value]) if value is not MAYBE else None
+        made = [*made, *map(Cell, more)] if made is not None and more is not None else None
+        if made is not None and len(made) > LIST_LIMIT:
+            made = None
+    run.turns //= 2
+    if made is None:
+        return Sequence(Cell(run.opaque("a list of which not all elements are known", frame)))
+    return Sequence(Cell(tuple(made)))
+
+
+def _guarded(
+    run: Run, frame: Frame, element: Callable, guard: Value | None, args: tuple[Argument, ...], item: Value
+) -> Value | None:
+    """One element; None where the guard keeps it out."""
+    if not isinstance(guard, Callable):
+        return _call(run, frame, element, item)
+    holds = statements.truth(_call(run, frame, guard, item))
+    if holds is not None:
+        return _call(run, frame, element, item) if holds else None
+    text = args[3].value
+    shown = text.value if isinstance(text, Known) and isinstance(text.value, str) else "if"
+    mark = run.state.mark()
+    with run.under("if", shown, frame, guard.function.line, guard.function.column):
+        _call(run, frame, element, item)
+    run.state.merge([{}, run.state.undo(mark)])
+    return MAYBE
+
+
+def _call(run: Run, frame: Frame, function: Callable, item: Value) -> Value:
+    return activation.invoke(run, frame, function, (call_arguments.Argument(item),))
+
+
+def applied(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Value:
+    """``map(f, xs)`` and ``filter(f, xs)``."""
+    unknown = Sequence(Cell(run.opaque(f"a list made by {name}", frame)))
+    if len(args) != 2:
+        return unknown
+    function, found = args[0].value, items(args[1].value)
+    if found is None or len(found) > LONGEST_INSIDE:
+        return unknown
+    location = Location(frame.source.path)
+    made: list[Cell] = []
+    for item in found:
+        if function == NONE:
+            value: Value = item
+        else:
+            given = (call_arguments.Argument(item),)
+            value = calls.apply(run, frame, function, given, (), location, syntax.Name(name))
+        if name == "map":
+            made.append(Cell(value))
+            continue
+        holds = statements.truth(value)
+        if holds is None:
+            return unknown
+        if holds:
+            made.append(Cell(item))
+    return Sequence(Cell(tuple(made)))
+
+
+def dictionary(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value:
+    """``dict(mapping or pairs, name=value)``, a new one."""
+    made: dict[Any, Cell] = {}
+    unknown = Mapped(Cell(run.opaque("a dictionary made from what is not known", frame)))
+    for number, argument in enumerate(args):
+        if argument.keyword in ("*", "**") or (number and not argument.keyword):
+            return unknown
+        if argument.keyword:
+            made[argument.keyword] = Cell(argument.value)
+            continue
+        pairs = _pairs(argument.value)
+        if pairs is None or len(pairs) > LIST_LIMIT:
+            return unknown
+        made.update(pairs)
+    return Mapped(Cell(made))
+
+
+def _pairs(value: Value) -> dict[Any, Cell] | None:
+    """The entries of a dictionary, or of a list of pairs; None where a key is not known."""
+    if isinstance(value, Mapped):
+        content: Any = value.content.value
+        return (
+            {key: Cell(cell.value, cell.type) for key, cell in content.items()} if isinstance(content, dict) else None
+        )
+    if isinstance(value, Known) and isinstance(value.value, dict):
+        return {key: Cell(Known(item)) for key, item in value.value.items()}
+    found = items(value)
+    made: dict[Any, Cell] = {}
+    for item in found or ():
+        pair = items(item)
+        if pair is None or len(pair) != 2:
+            return None
+        key = pair[0]
+        if not isinstance(key, Known) or isinstance(key.value, (list, dict)):
+            return None
+        made[key.value] = Cell(pair[1])
+    return made if found is not None else None

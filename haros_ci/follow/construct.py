@@ -1,0 +1,338 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Objects: construction with bases and members, variables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from haros_ci import syntax
+from haros_ci.follow import (
+    activation,
+    braces,
+    call_arguments,
+    callbacks,
+    conversions,
+    copies,
+    expressions,
+    methods,
+    uncertain,
+)
+from haros_ci.follow.libraries import objects as library_objects
+from haros_ci.follow.libraries import texts
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import Source
+from haros_ci.index.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, parameter_type, pointee
+from haros_ci.model.location import Location
+from haros_ci.syntax import Class, Expression, Function, Type
+from haros_ci.values.abstract import FALSE, LIST_LIMIT, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
+
+#: Classes of nodes that have functions to make them.
+NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))
+
+
+def declare(run: Run, frame: Frame, variable: syntax.Variable) -> None:
+    """A local variable."""
+    name, init = variable.name, variable.init
+    resolved = run.type_in(variable.type, frame)
+    location = Location(frame.source.path, variable.line, variable.column)
+    value_node = init.value if isinstance(init, syntax.Equals) else None
+    if value_node is not None and "&" in resolved.marks:
+        cell = expressions.cell_of(run, frame, value_node)
+        if cell is None and "c" not in resolved.marks:
+            uncertain.exposed(run, frame, value_node)
+        if cell is not None:
+            frame.declare(name, cell)
+            return
+    declared = resolved if resolved.name != "auto" else None
+    value = initial(run, frame, resolved, init, location)
+    is_call = isinstance(value_node, syntax.Call)
+    if is_call and "&" in resolved.marks and run.references is not None and len(run.references) == 1:
+        frame.declare(name, run.references[0])
+        return
+    if init is not None and resolved == syntax.AUTO and isinstance(value, (Object, Sequence, Mapped)):
+        declared = copies.static_copy(run, frame, value_node) if value_node is not None else None
+    frame.declare(name, Cell(value, declared))
+
+
+def copied(run: Run, value: Value, kind: Type | None) -> Value:
+    """*value* as another variable of static type *kind* holds it in C++ (see ``copies.copied``)."""
+    return copies.copied(run, value, kind)
+
+
+def initial(run: Run, frame: Frame, kind: Type, init: syntax.Init | None, location: Location) -> Value:
+    """The first value of a variable of the resolved type *kind*."""
+    if isinstance(init, syntax.Equals):
+        is_python = frame.source.program.language == "python"
+        in_braces = init.value if isinstance(init.value, syntax.ListLiteral) and not is_python else None
+        if in_braces is not None and not _is_list(kind) and "*" not in kind.marks:
+            return create(run, frame, kind, call_arguments.arguments(run, frame, in_braces.items), location)
+        run.references = None
+        value = expressions.evaluate(run, frame, init.value)
+        if in_braces is not None and kind.name not in ("auto", ""):
+            return braces.from_list(run, frame, kind, value)
+        value = copies.taken(run, frame, kind, init.value, value)
+        if kind.name == "auto" or isinstance(value, Object):
+            return value
+        if (
+            isinstance(value, Known)
+            and isinstance(value.value, str)
+            and run.class_of(kind.name, frame.source) is not None
+        ):
+            return create(run, frame, kind, (call_arguments.Argument(value),), location)
+        if isinstance(value, Sequence):
+            return Sequence(value.content, kind if kind.name in SEQUENCES else value.type, value.end)
+        return conversions.converted(value, kind)
+    arguments = call_arguments.arguments(run, frame, init.arguments) if init is not None else ()
+    braced = init.arguments if isinstance(init, syntax.Braces) and arguments else ()
+    is_braced = bool(braced)
+    if is_braced and "*" in kind.marks and (len(arguments) > 1 or isinstance(braced[0], syntax.ListLiteral)):
+        return braces.array(run, frame, [argument.value for argument in arguments], kind)
+    if "*" in kind.marks or "&" in kind.marks:
+        return arguments[0].value if arguments else NONE
+    if is_braced and (kind.name in SEQUENCES or kind.name in MAPS):
+        items = Sequence(Cell(tuple(Cell(argument.value) for argument in arguments)))
+        return braces.from_list(run, frame, kind, items)
+    return create(run, frame, kind, arguments, location)
+
+
+def _is_list(kind: Type) -> bool:
+    return kind.name in SEQUENCES or kind.name in MAPS or kind.name in ("auto", "")
+
+
+def create(
+    run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
+) -> Value:
+    """An instance of the resolved type *kind*, constructed from *arguments*."""
+    if is_smart_pointer(kind):
+        return arguments[0].value if arguments else NONE
+    name = kind.name
+    if name in STRINGS:
+        return conversions.converted(texts.constructed(arguments), kind)
+    if name in SEQUENCES:
+        return _vector(run, frame, kind, arguments)
+    if name in MAPS:
+        given = arguments[0].value if arguments else Mapped(Cell({}))
+        if not isinstance(given, Mapped):
+            return Mapped(Cell(run.opaque("a map that is built in a way that is not followed", frame)))
+        return copies.copied(run, given, kind)
+    if call_arguments.is_scalar(kind):
+        if arguments:
+            return conversions.converted(arguments[0].value, kind)
+        return Opaque("it is not set before", location, kind)
+    owner = run.class_of(name, frame.source)
+    if owner is None:
+        return library_objects.library_object(run, frame, kind, arguments, location)
+    return instance(run, frame, owner, kind.arguments, arguments, location)
+
+
+#: Objects that a vector is filled with when it is constructed.
+OBJECTS = 100
+#: What ``T{}`` is of a scalar type (value initialisation).
+ZEROS = {"bool": FALSE, "int": Known(0), "double": Known(0.0)}
+
+
+def of_template(
+    run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...], location: Location
+) -> Value:
+    """``T{...}`` or ``T(...)`` of the type that a template parameter stands for."""
+    if "*" in kind.marks:
+        return arguments[0].value if arguments else NONE
+    if not arguments and call_arguments.is_scalar(kind):
+        return ZEROS.get(parameter_type(kind) or "", Opaque("its value is not known", location, kind))
+    return create(run, frame, kind, arguments, location)
+
+
+def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.Argument, ...]) -> Value:
+    if not arguments:
+        return Sequence(Cell(()), kind)
+    first = arguments[0].value
+    if isinstance(first, Sequence):
+        twin = copies.copied(run, first, kind)
+        return Sequence(twin.content, kind) if isinstance(twin, Sequence) else twin
+    inner = kind.of(0) or NO_TYPE
+    if inner.name in STRINGS and all(braces.is_text(argument) for argument in arguments):
+        items = Sequence(
+            Cell(tuple(Cell(argument.value) for argument in arguments))
+        )  # no other constructor takes texts
+        return braces.from_list(run, frame, kind, items)
+    fill = arguments[1].value if len(arguments) > 1 else None
+    within = fill.content.value if isinstance(fill, Sequence) else ()
+    most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
+    if run.class_of(inner.name, frame.source) is not None:
+        most = min(most, OBJECTS)
+    if isinstance(first, Known) and isinstance(first.value, int) and 0 <= first.value <= most:
+        cells = []
+        for _ in range(first.value):
+            given = copies.copied(run, fill, inner) if fill is not None else None
+            start = given if given is not None else create(run, frame, inner, (), Location(frame.source.path))
+            cells.append(Cell(start, inner))
+        return Sequence(Cell(tuple(cells)), kind)
+    return Sequence(Cell(run.opaque("a list of unknown length", frame)), kind)
+
+
+def made_by_its_class(
+    run: Run,
+    frame: Frame,
+    callee: Expression,
+    kinds: tuple[syntax.Argument, ...],
+    args: tuple[call_arguments.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """``C::make_shared(args)`` for a class of the workspace, as RCLCPP_SMART_PTR_DEFINITIONS defines it (rclcpp/macros.hpp).
+
+    A node's class has the one of ``rclcpp::Node``, which makes no object of it, unless it defines its own: None.
+    """
+    if not isinstance(callee, syntax.Name) or not callee.name.endswith(("::make_shared", "::make_unique")):
+        return None
+    kind = run.type_in(syntax.Type(callee.name.rpartition("::")[0], kinds), frame)
+    owner = run.class_of(kind.name, frame.source)
+    if owner is None or any(base in NODES for base in methods.library_bases(run, *owner)):
+        return None
+    return create(run, frame, syntax.Type(kind.name, kind.arguments or kinds), args, location)
+
+
+def instance(
+    run: Run,
+    frame: Frame,
+    owner: tuple[Source, Class],
+    targs: tuple[syntax.Argument, ...],
+    arguments: tuple[call_arguments.Argument, ...],
+    location: Location,
+) -> Value:
+    """A new object of a workspace's class: bases, then members in their order, then the constructor's body."""
+    source, definition = owner
+    if source.program.language != "python" and len(arguments) == 1:
+        twin = copies.duplicate(run, owner, arguments[0])
+        if twin is not None:
+            return twin
+    templates = dict(zip(definition.templates, targs, strict=False))
+    this = Object(definition.name, tuple(targs), owner, location=location, templates=templates)
+    if source.program.language == "python":
+        python_construct(run, frame, this, arguments, location)
+        return this
+    initialise(run, frame, this, owner, templates, arguments, location)
+    callbacks.framework_entries(run, this)
+    return this
+
+
+def initialise(
+    run: Run,
+    frame: Frame,
+    this: Object,
+    owner: tuple[Source, Class],
+    templates: Mapping[str, syntax.Argument],
+    arguments: tuple[call_arguments.Argument, ...],
+    location: Location,
+    depth: int = 0,
+    chosen: tuple[Source, Function] | None = None,
+) -> None:
+    """Construct the part of *this* that *owner* declares, by the *chosen* constructor or else by the one that fits."""
+    source, definition = owner
+    if run.index.trace is not None:
+        run.index.trace.paths.add(source.path)
+    short = definition.name.rpartition("::")[2]
+    found = chosen or methods.class_method(run, source, definition, short, arguments, methods.BASES)
+    where, function = found if found is not None else (source, None)
+    inner = Frame(where, definition.name, function, this, templates=templates, mark=run.state.mark())
+    inits: dict[str, syntax.Initializer] = {}
+    body_at = location
+    if function is not None:
+        activation.bind(run, frame, inner, function, arguments)
+        for each in function.inits:
+            inits[each.name.rpartition("::")[2]] = each
+        if function.body is not None:
+            body_at = Location(where.path, function.body_line, function.body_column)
+        if short in inits and not _is_of_base(
+            run, inner, function, definition.name
+        ):  # delegates to another constructor
+            args = call_arguments.arguments(run, inner, inits[short].arguments)
+            if depth < methods.BASES:
+                initialise(run, inner, this, owner, templates, args, location, depth + 1)
+            if function.body is not None:
+                activation.follow_body(run, inner, function)
+            return
+    if depth > methods.BASES:
+        return
+    bases = run.bases(source, definition, templates)
+    given = list(arguments) if function is None and not bases else []  # an aggregate
+    for base in bases:
+        base_init = inits.get(base.name.rpartition("::")[2]) or _by_another_name(run, inner, definition, base.name)
+        args = call_arguments.arguments(run, inner, base_init.arguments) if base_init else ()
+        if function is None and base is bases[0]:  # constructors are inherited
+            args = arguments
+        base_owner = run.class_of(base.name, source)
+        if base_owner is not None and base_owner[1] is not definition:
+            bound = dict(zip(base_owner[1].templates, base.arguments, strict=False))
+            initialise(run, inner, this, base_owner, bound, args, body_at, depth + 1)
+        elif base_owner is None:
+            library_objects.construct_library(run, inner, this, base, args, body_at)
+    declared = Frame(source, definition.name, None, this, templates=templates)
+    for member in definition.fields:
+        if member.is_static:
+            continue
+        kind = run.type_in(member.type, declared)
+        cell = this.fields[member.name] = Cell(NONE, kind)
+        if given:
+            cell.value = braces.fitted(run, declared, kind, given.pop(0).value)
+        elif member.name in inits:
+            own = inits[member.name]
+            is_one = "&" in kind.marks and len(own.arguments) == 1
+            referred = expressions.cell_of(run, inner, own.arguments[0]) if is_one else None
+            if referred is not None:
+                this.fields[member.name] = referred
+                continue
+            start = _as_value(kind, own.arguments)
+            cell.value = initial(run, inner, kind, start, Location(where.path, own.line, own.column))
+        elif member.init is not None:
+            cell.value = initial(run, declared, kind, member.init, Location(source.path, member.line, member.column))
+        elif "*" in kind.marks or "&" in kind.marks:
+            cell.value = run.opaque(f"the member {member.name} is not set before", declared, member.line, pointee(kind))
+        elif not call_arguments.is_scalar(kind):
+            at = body_at if function is not None else Location(source.path, member.line, member.column)
+            cell.value = initial(run, declared, kind, None, at)
+        else:
+            cell.value = Opaque(f"the member {member.name} is not set before", Location(source.path, member.line), kind)
+    if function is not None and function.body is not None:
+        activation.follow_body(run, inner, function)
+
+
+def _by_another_name(run: Run, inner: Frame, definition: Class, base: str) -> syntax.Initializer | None:
+    """The initialiser of a *base* under an alias or macro: ``Base(name)`` where ``using Base = rclcpp::Node``."""
+    members = {member.name for member in definition.fields}
+    for each in inner.function.inits if inner.function is not None else ():
+        written = each.type if each.type.name else syntax.Type(each.name)
+        if each.name not in members and run.type_in(written, inner).name == base:
+            return each
+    return None
+
+
+def _is_of_base(run: Run, inner: Frame, function: Function, name: str) -> bool:
+    """Whether what a constructor initialises under the last part of its own class's *name* is a base of that name."""
+    last = name.rpartition("::")[2]
+    written = next(init for init in function.inits if init.name.rpartition("::")[2] == last)
+    qualified = written.name if "::" in written.name else written.type.name
+    head = qualified.rpartition("::")[0].partition("<")[0]
+    if head.rpartition("::")[2] == last:  # C::C, C<T>::C
+        qualified = head
+    return "::" in qualified and run.type_in(syntax.Type(qualified), inner).name != name
+
+
+def _as_value(kind: Type, arguments: tuple[Expression, ...]) -> syntax.Init:
+    """``m(x)`` for a scalar, pointer or reference is ``m = x``."""
+    if len(arguments) == 1 and ("*" in kind.marks or "&" in kind.marks or call_arguments.is_scalar(kind)):
+        return syntax.Equals(arguments[0])
+    return syntax.Parentheses(arguments)
+
+
+def python_construct(
+    run: Run, frame: Frame, this: Object, arguments: tuple[call_arguments.Argument, ...], location: Location
+) -> None:
+    """``__init__``, and the constructors of libraries' base classes."""
+    source, definition = this.definition
+    method = methods.method_of(run, this, "__init__")
+    if method is not None:
+        activation.invoke(run, frame, method, arguments)
+    for base in methods.library_bases(run, source, definition):
+        if method is None:
+            library_objects.construct_library(run, frame, this, syntax.Type(base), arguments, location)
+    callbacks.framework_entries(run, this)

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Values as variables of a type hold them, and the types that values show by themselves."""
+
+from __future__ import annotations
+
+from haros_ci import syntax
+from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
+from haros_ci.syntax import Type
+from haros_ci.values.abstract import (
+    Callable,
+    Character,
+    Choice,
+    Known,
+    Mapped,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Text,
+    Value,
+    data_of,
+)
+
+#: Types of one byte, which streams write as characters.
+CHARACTERS = frozenset(("char", "int8_t", "uint8_t", "byte"))
+#: The bits of integer types by a word of their names, as on 64-bit systems; 32 for all others.
+WIDTHS = (
+    ("long", 64),
+    ("size_t", 64),
+    ("ssize_t", 64),
+    ("short", 16),
+    ("int16_t", 16),
+    ("uint16_t", 16),
+    ("int64_t", 64),
+    ("uint64_t", 64),
+)
+#: What ``std::string::find`` returns where there is nothing.
+NPOS = 2**64 - 1
+
+
+def converted(value: Value, kind: Type | None) -> Value:
+    """*value* as a variable of type *kind* holds it: an Opaque learns its type, numbers follow C++'s conversions."""
+    if kind is None or kind.name in ("", "auto"):
+        return value
+    if kind.name == "XmlRpc::XmlRpcValue" and not isinstance(value, Opaque):
+        known, data = data_of(value)
+        return Known(data) if known else value
+    if isinstance(value, Opaque):
+        return value if value.type is not None and _is_class(value.type) else Opaque(value.reason, value.location, kind)
+    if isinstance(value, Known):
+        data, name = value.value, kind.name
+        if name in REALS and isinstance(data, (int, bool)):
+            return Known(float(data))
+        if (
+            "*" not in kind.marks
+            and isinstance(data, (int, float))
+            and (name in INTEGERS or set(name.split()) <= INTEGERS)
+        ):
+            return _integer(value, data, name)
+        if name in STRINGS and name != "str" and isinstance(data, Character):
+            return Known(chr(data))
+        if name in STRINGS and name != "str" and "*" not in kind.marks and isinstance(data, (int, float)):
+            return Opaque("a number in a text", None, kind)
+        if name == "bool" and isinstance(data, (int, float)):
+            return Known(bool(data))
+    return value
+
+
+def _integer(value: Known, data: float, name: str) -> Value:
+    """A number in an integer variable: the fraction is dropped, what is too large is known where C++ says so."""
+    if isinstance(data, float) and not abs(data) < 2**63:
+        return Opaque("the number is too large", None, syntax.Type(name))
+    number = int(data)
+    words = name.rpartition("::")[2].split()
+    is_signed = not any(word.startswith(("u", "size_t", "byte")) for word in words)
+    if any(word in CHARACTERS for word in words):
+        if is_signed and number not in range(-128 if words != ["char"] else 0, 128):
+            return Opaque("the number is too large for a character", None, syntax.Type(name))
+        return Known(Character(number % 256 if not is_signed else number))
+    bits = next((size for end, size in WIDTHS if words[-1].startswith(end) or end in words), 32)
+    if is_signed:
+        if not -(1 << bits - 1) <= number < 1 << bits - 1:
+            if number == NPOS:
+                return Known(-1)
+            return Opaque("the number is too large", None, syntax.Type(name))
+    elif not 0 <= number < 1 << bits:
+        if isinstance(data, float):
+            return Opaque("the number is too large", None, syntax.Type(name))
+        number %= 1 << bits
+    return value if type(value.value) is int and value.value == number else Known(number)
+
+
+def _is_class(kind: Type) -> bool:
+    return (
+        kind.name not in STRINGS
+        and kind.name not in INTEGERS
+        and kind.name not in REALS
+        and kind.name not in ("bool", "auto", "")
+    )
+
+
+#: The types that data shows by itself.
+SHOWN: dict[type, Type] = {
+    bool: syntax.Type("bool"),
+    int: syntax.Type("int"),
+    float: syntax.Type("double"),
+    str: syntax.Type("std::string"),
+    list: syntax.Type("list"),
+    dict: syntax.Type("dict"),
+}
+
+
+def value_type(value: Value) -> Type | None:
+    """The static type that a value shows by itself."""
+    if isinstance(value, Known):
+        return SHOWN.get(int if isinstance(value.value, Character) else type(value.value))
+    if isinstance(value, Text):
+        return syntax.Type("std::string")
+    if isinstance(value, Object):
+        return syntax.Type(value.name, value.arguments, "")
+    if isinstance(value, Opaque):
+        return value.type
+    if isinstance(value, Sequence):
+        return value.type or syntax.Type("list")
+    if isinstance(value, Mapped):
+        return syntax.Type("dict")
+    if isinstance(value, Choice):
+        return value_type(value.options[0])
+    if isinstance(value, Pointer):
+        return value.cell.type or value_type(value.cell.value)
+    if isinstance(value, Callable):
+        return syntax.Type("function")
+    return None
+
+
+def smart(kind: Type | None) -> Type | None:
+    """What a smart pointer's type points to; None for other types."""
+    return pointee(kind) if kind is not None and is_smart_pointer(kind) else None

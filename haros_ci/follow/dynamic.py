@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls whose target only the run decides: virtual methods of unknown objects, unknown functions, unknown plug-ins."""
+
+from __future__ import annotations
+
+from haros_ci import syntax
+from haros_ci.follow import call_arguments, copies, lookup, methods
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import Source
+from haros_ci.model.location import Location
+from haros_ci.syntax import Class, Function, Statement
+from haros_ci.values.abstract import Known, Opaque, Text, Value
+
+FUNCTIONS = frozenset(("()", "std::function", "boost::function"))
+
+#: Functions that import a module by its name (docs.python.org/3/library/importlib.html), and why it is not known.
+IMPORTS = frozenset(("__import__", "importlib.import_module"))
+IMPORTED = "it is imported by a name that is not known"
+#: Modules that are generated: what is in them only carries data.
+INTERFACES = ("msg", "srv", "action")
+
+
+def virtual(run: Run, owner: tuple[Source, Class], name: str, location: Location) -> None:
+    """A method of some object of class *owner*: what a class derived from it would make, is not known to be made."""
+    if owner[0].separator != "::":
+        return
+    key = ("overrider", owner[1].name, owner[0].path, name, run.relevance.made)
+    if key not in run.found:
+        run.found[key] = _overrider(run, owner, name)
+    if run.found[key] is not None:
+        said = f"{owner[1].name}::{name} is called on an object whose class is not known; it may be {run.found[key]}"
+        run.gaps.setdefault(said, location)
+
+
+def _overrider(run: Run, owner: tuple[Source, Class], name: str) -> str | None:
+    """The first class, by name, that defines virtual method *name* of *owner* anew so that it may make something."""
+    declared = methods.class_method(run, *owner, name)
+    if declared is None or not _is_virtual(run, declared[1].name):
+        return None
+    for other in sorted(run.index.classes):
+        found = [item for item in run.index.functions.get(f"{other}::{name}", ()) if item[1].body is not None]
+        if other == owner[1].name or not any(_adds(run, where, function, name) for where, function in found):
+            continue
+        for where, definition in run.index.classes[other]:
+            if run.index.sees(owner[0], where, run.files) and copies.derives(run, (where, definition), owner[1]):
+                return other
+    return None
+
+
+def _adds(run: Run, source: Source, function: Function, name: str) -> bool:
+    """Whether a method may make something but for what it has its base class do."""
+    if not run.relevance.makes(function, source):
+        return False
+    rest = tuple(each for each in function.body or () if not _is_of_base(each, name))
+    key = ("rest", id(function))
+    if key not in run.found:
+        run.found[key] = (function, rest)
+    return run.relevance.matters(run.found[key][1], source, function)
+
+
+def _is_of_base(statement: Statement, name: str) -> bool:
+    """Whether a statement is ``Base::name(...);``."""
+    if (
+        not isinstance(statement, syntax.Do)
+        or not isinstance(statement.value, syntax.Call)
+        or not isinstance(statement.value.callee, syntax.Name)
+    ):
+        return False
+    return bool(statement.value.callee.name.endswith(f"::{name}"))
+
+
+def _is_virtual(run: Run, name: str) -> bool:
+    return any(function.is_virtual for _, function in run.index.functions.get(name, ()))
+
+
+def function(run: Run, called: Opaque, name: str, location: Location) -> None:
+    """A function object or pointer that is not known is called: what it makes is not known."""
+    if called.reason == IMPORTED:
+        run.gaps.setdefault(f"{name or 'a function'} is called: {IMPORTED}", location)
+    if called.type is not None and called.type.name in FUNCTIONS and "not set" not in called.reason:
+        run.gaps.setdefault(f"{name or 'a function'} is called, which is not known: {called.reason}", location)
+
+
+def plugin(run: Run, called: str | None, reason: str, location: Location) -> None:
+    """A plug-in is loaded that is not known, or not in the workspace: what it makes is not known."""
+    if called == "":
+        return  # pluginlib throws
+    what = f"the plug-in {called[:200]}" if called is not None else "a plug-in"
+    run.gaps.setdefault(f"{what} is loaded: {reason}", location)
+
+
+def module(run: Run, frame: Frame, name: str, args: tuple[call_arguments.Argument, ...]) -> Value | None:
+    """The Python module that one of ``IMPORTS`` gives: ``__import__`` alone gives the package that it is in."""
+    wanted = args[0].value if args else None
+    if isinstance(wanted, Known) and isinstance(wanted.value, str) and not wanted.value.startswith("."):
+        is_top = name == "__import__" and len(args) == 1
+        return lookup.imported(run, frame, wanted.value.partition(".")[0] if is_top else wanted.value)
+    tail = wanted.parts[-1] if isinstance(wanted, Text) else None
+    if isinstance(tail, str) and tail.endswith(tuple(f".{kind}" for kind in INTERFACES)):
+        return None
+    return run.opaque(IMPORTED, frame) if args else None
+
+
+def of_module(run: Run, value: Opaque, name: Value, frame: Frame) -> Value:
+    """``getattr`` of a module that is not known."""
+    if isinstance(name, Known) and name.value in INTERFACES:
+        return run.opaque("the type of a message that is not known", frame)
+    return value

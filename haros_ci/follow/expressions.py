@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Expressions: the value of each, the cell of those that have one, and their static types."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function_
+from dataclasses import replace
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.follow import (
+    assignments,
+    calls,
+    construct,
+    conversions,
+    copies,
+    lookup,
+    members,
+    operators,
+    statements,
+    static_types,
+    uncertain,
+)
+from haros_ci.follow.libraries import text_methods
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.types import is_smart_pointer, pointee
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression
+from haros_ci.values import iterators
+from haros_ci.values.abstract import (
+    LIST_LIMIT,
+    NONE,
+    Callable,
+    Cell,
+    Choice,
+    Known,
+    Library,
+    Mapped,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Value,
+    concatenate,
+    printed,
+)
+
+
+def evaluate(run: Run, frame: Frame, expression: Expression) -> Value:
+    """The value of *expression*; never raises, whatever it is."""
+    return EVALUATORS[type(expression)](run, frame, expression)
+
+
+def cell_of(run: Run, frame: Frame, expression: Expression) -> Cell | None:
+    """The cell that *expression* names (an lvalue); None if it names none."""
+    if isinstance(expression, syntax.Name):
+        return lookup.named_cell(run, frame, expression.name)
+    if isinstance(expression, syntax.Member):
+        return members.member(run, evaluate(run, frame, expression.object), expression.name, frame)
+    if isinstance(expression, (syntax.Subscript, syntax.Call)):
+        return assignments.accessed(run, frame, expression)
+    if isinstance(expression, syntax.Dereference):
+        value = evaluate(run, frame, expression.value)
+        if isinstance(value, Pointer):
+            return value.cell
+        if isinstance(value, Object) and "[of]" in value.fields:
+            return iterators.pointed(value)
+        if isinstance(value, Object) and value.definition is not None:
+            return Cell(value, syntax.Type(value.name, value.arguments))
+        return None if isinstance(value, Choice) else cell_of(run, frame, expression.value)
+    if isinstance(expression, (syntax.Address, syntax.Keyword, syntax.Cast)):
+        return cell_of(run, frame, expression.value)
+    return None
+
+
+def _this(run: Run, frame: Frame, expression: syntax.This) -> Value:
+    around: Frame | None = frame
+    while around is not None:
+        if around.this is not None:
+            return around.this
+        around = around.outer
+    return run.opaque("the object is not known", frame)
+
+
+def _conditional(run: Run, frame: Frame, expression: syntax.Conditional) -> Value:
+    holds = statements.truth(evaluate(run, frame, expression.test))
+    ways = [lambda side=side: evaluate(run, frame, side) for side in (expression.then, expression.other)]
+    if holds is None:
+        return run.either_way(ways, "it stands in one side of a conditional expression")
+    mark = run.state.mark()
+    with run.doubted("the other side of a conditional expression is taken as things are"):
+        ways[1 if holds else 0]()
+    run.state.undo(mark)
+    return ways[0 if holds else 1]()
+
+
+def _list(run: Run, frame: Frame, expression: syntax.ListLiteral) -> Value:
+    items: list[Cell] = []
+    for item in expression.items:
+        if isinstance(item, syntax.Star):
+            more = static_types.elements(run, frame, item.value)
+            if more is None or len(items) + len(more) > LIST_LIMIT:
+                return Sequence(Cell(run.opaque("a list with unpacked elements", frame)))
+            items += [Cell(each.value) if isinstance(each, Cell) else Cell(each) for each in more]
+            continue
+        items.append(Cell(evaluate(run, frame, item)))
+    return Sequence(Cell(tuple(items)))
+
+
+def _dict(run: Run, frame: Frame, expression: syntax.DictLiteral) -> Value:
+    pairs: dict[Any, Cell] = {}
+    for key, item in expression.pairs:
+        if key and isinstance(key, syntax.DoubleStar):
+            more = evaluate(run, frame, key.value)
+            cells = more.content.value if isinstance(more, Mapped) else None
+            if not isinstance(cells, dict):
+                return Mapped(Cell(run.opaque("a dictionary with unpacked entries", frame)))
+            pairs.update({name: Cell(cell.value) for name, cell in cells.items()})
+            continue
+        found = evaluate(run, frame, key) if key else NONE
+        if not isinstance(found, Known) or isinstance(found.value, (list, dict)):
+            return Mapped(Cell(run.opaque("a dictionary with computed keys", frame)))
+        pairs[found.value] = Cell(evaluate(run, frame, item))
+    return Mapped(Cell(pairs))
+
+
+def _lambda(run: Run, frame: Frame, expression: syntax.Lambda) -> Value:
+    function, captured = copies.captures(run, frame, expression.function)
+    around = kept(frame)
+    for each in captured:
+        place = Location(frame.source.path, each.line, each.column)
+        held = construct.initial(run, frame, syntax.AUTO, each.init, place)
+        kind = copies.static_copy(run, frame, each.init.value) if isinstance(each.init, syntax.Equals) else None
+        around.scopes = [*around.scopes, {each.name: Cell(held, kind)}]
+    return Callable(frame.source, function, here(frame), frame=around)
+
+
+def kept(frame: Frame) -> Frame:
+    """*frame* as a function that is made in it finds it later: with the scopes that are open now, but for Python's."""
+    if frame.source.program.language == "python":
+        return frame
+    return replace(frame, scopes=[*frame.scopes])
+
+
+def here(frame: Frame) -> Object | None:
+    return frame.this if frame.this is not None or frame.outer is None else here(frame.outer)
+
+
+def _address(run: Run, frame: Frame, expression: syntax.Address) -> Value:
+    cell = cell_of(run, frame, expression.value)
+    if cell is None or isinstance(cell.value, (Object, Callable)):
+        return evaluate(run, frame, expression.value)
+    return Pointer(cell)
+
+
+def _dereference(run: Run, frame: Frame, expression: syntax.Dereference) -> Value:
+    value = evaluate(run, frame, expression.value)
+    if isinstance(value, Pointer):
+        return value.cell.value
+    if isinstance(value, Object) and value.name == iterators.ITERATOR:
+        cell = iterators.pointed(value)
+        if cell is not None:
+            return cell.value
+        if not isinstance(value.fields["[of]"].value, Pointer):  # of a text
+            return run.opaque("an element that is not known", frame, None, iterators.kind(value))
+    if isinstance(value, Opaque) and value.type is not None and is_smart_pointer(value.type):
+        return Opaque(value.reason, value.location, pointee(value.type))
+    end = (
+        text_methods.end_of(expression.value, value) if isinstance(value, Object) and value.definition is None else None
+    )
+    return value if end is None else end
+
+
+def _cast(run: Run, frame: Frame, expression: syntax.Cast) -> Value:
+    value = evaluate(run, frame, expression.value)
+    kind = run.type_in(expression.type, frame)
+    if isinstance(value, Object) and value.definition is not None and "*" in kind.marks:
+        owner = run.class_of(kind.name, frame.source)
+        own = value.definition[1]
+        if owner is not None and owner[1] is not own and copies.derives(run, owner, own):
+            return run.opaque("whether it is cast to its own class", frame, None, kind.bare())
+    return conversions.converted(value, kind)
+
+
+def _format(run: Run, frame: Frame, expression: syntax.Format) -> Value:
+    show = printed if frame.source.program.language == "python" else None
+    return concatenate(tuple(evaluate(run, frame, part) for part in expression.parts), show)
+
+
+def _unknown(run: Run, frame: Frame, expression: syntax.Unknown) -> Value:
+    text = expression.text
+    if text.startswith("del ") and frame.source.program.language == "python":
+        uncertain.deleted(run, frame, text)
+    return run.opaque(f"it is computed: {text}", frame)
+
+
+def _unpacked(run: Run, frame: Frame, expression: syntax.Star | syntax.DoubleStar) -> Value:
+    return run.opaque(f"it is computed: {'star' if isinstance(expression, syntax.Star) else 'starstar'}", frame)
+
+
+#: Each takes what its key is a class of.
+EVALUATORS: dict[type[Expression], Function_[[Run, Frame, Any], Value]] = {
+    syntax.String: lambda run, frame, e: Known(e.value),
+    syntax.Number: lambda run, frame, e: Known(e.value),
+    syntax.Boolean: lambda run, frame, e: Known(e.value),
+    syntax.Null: lambda run, frame, e: NONE,
+    syntax.Name: lambda run, frame, e: lookup.name(run, frame, e),
+    syntax.This: _this,
+    syntax.Member: lambda run, frame, e: members.field(run, frame, e),
+    syntax.Subscript: lambda run, frame, e: assignments.indexed(run, frame, e),
+    syntax.Call: lambda run, frame, e: calls.call(run, frame, e),
+    syntax.New: lambda run, frame, e: calls.new(run, frame, e),
+    syntax.Operation: lambda run, frame, e: operators.operation(run, frame, e),
+    syntax.Assignment: lambda run, frame, e: assignments.assignment(run, frame, e),
+    syntax.Conditional: _conditional,
+    syntax.Lambda: _lambda,
+    syntax.ListLiteral: _list,
+    syntax.DictLiteral: _dict,
+    syntax.Format: _format,
+    syntax.Address: _address,
+    syntax.Dereference: _dereference,
+    syntax.Cast: _cast,
+    syntax.TypeName: lambda run, frame, e: Library(run.type_in(e.type, frame).name),
+    syntax.Keyword: lambda run, frame, e: evaluate(run, frame, e.value),
+    syntax.Star: _unpacked,
+    syntax.DoubleStar: _unpacked,
+    syntax.Unknown: _unknown,
+}

@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One node from its entry: initialisation first, then everything that is called back, until nothing new turns up."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function_
+from collections.abc import Iterable, Mapping
+from collections.abc import Sequence as Sequence_
+from dataclasses import dataclass, replace
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.follow import activation, alternatives, call_arguments, construct, inert, lookup
+from haros_ci.follow.ros import ros2_nodes
+from haros_ci.follow.run import ROOTS, Frame, OutOfSteps, Root, Run
+from haros_ci.index.index import Source
+from haros_ci.model.location import Location
+from haros_ci.syntax import Class, Function
+from haros_ci.values.abstract import (
+    UNSET,
+    UNSET_OR_INHERITED,
+    Callable,
+    Cell,
+    Known,
+    Object,
+    Opaque,
+    Sequence,
+    Text,
+    Value,
+)
+from haros_ci.values.state import Writes, joined
+
+#: Reasons of values that what others write takes the place of.
+UNSETS = frozenset((UNSET, UNSET_OR_INHERITED))
+#: Steps that a second rehearsal of all callbacks may take.
+CHEAP = 2_000
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Entry:
+    """Where a node begins: a function (``main``), a class that a framework loads, or a Python module.
+
+    *is_hosted* is a plug-in on the node of the program that loads it, which constructs it without options. *begin* is how
+    what is made by others is made in their place; *label* tells that apart.
+    """
+
+    source: Source
+    function: Function | None = None
+    definition: Class | None = None
+    is_hosted: bool = False
+    begin: Function_[[Run, Frame], None] | None = None
+    label: str = ""
+
+    @property
+    def key(self) -> tuple[str, str, str]:
+        """The file and the names of the function and class: the same in the next run."""
+        function = self.function.name if self.function is not None else self.label
+        return self.source.path, function, self.definition.name if self.definition is not None else ""
+
+
+def follow(run: Run, entry: Entry) -> bool:
+    """Follow the node; what it makes is in ``run.made``. False if it is larger than the budget."""
+    frame = Frame(entry.source, "")
+    try:
+        _start(run, frame, entry)
+        _call_back(run, frame)
+    except OutOfSteps:
+        return False
+    finally:
+        run.forget_unowned()
+    return True
+
+
+def _start(run: Run, frame: Frame, entry: Entry) -> None:
+    if entry.begin is not None:
+        entry.begin(run, frame)
+    elif entry.definition is not None:
+        owner = (entry.source, entry.definition)
+        args: tuple[call_arguments.Argument, ...] = _component_arguments(run, entry)
+        construct.instance(run, frame, owner, (), args, Location(entry.source.path, entry.definition.line))
+        first: list[Root] = []
+        if run.context.process is None:  # what a nodelet's manager calls, before anything is called back
+            first, run.roots[:] = list(run.roots), []
+        for root in first:
+            activation.invoke(run, frame, root.function, _arguments(run, root, frame))
+    elif entry.function is not None and entry.source.separator == ".":
+        lookup.module_frame(run, entry.source)
+        activation.invoke(run, frame, Callable(entry.source, entry.function), ())
+    elif entry.function is not None:
+        words = run.context.arguments
+        args = ()
+        if entry.function.parameters:
+            argv = Opaque("the command line") if words is None else None
+            program: Value = Opaque("the program's name", None, syntax.Type("char", (), "*"))
+            cells = tuple(Cell(value) for value in (program, *(Known(word) for word in words or ())))
+            args = (
+                call_arguments.Argument(argv or Known(len(cells))),
+                call_arguments.Argument(argv or Sequence(Cell(cells))),
+            )
+        activation.invoke(run, frame, Callable(entry.source, entry.function), args)
+    else:
+        lookup.module_frame(run, entry.source)
+
+
+def _component_arguments(run: Run, entry: Entry) -> tuple[call_arguments.Argument, ...]:
+    """What a component is constructed with: the options of its node (rclcpp_components/node_factory.hpp)."""
+    if run.context.process is None or entry.is_hosted or entry.source.separator == ".":
+        return ()
+    return (call_arguments.Argument(ros2_nodes.options_for(run), type=syntax.Type("rclcpp::NodeOptions")),)
+
+
+def _call_back(run: Run, frame: Frame) -> None:
+    """Follow the callbacks: each from the state after initialisation, joined with what the others leave behind."""
+    _set_up(run, frame)  # which is part of the beginning
+    run.is_called_back = True
+    done = 0
+    effects: list[Writes] = []
+    while done < min(len(run.roots), ROOTS):
+        batch = run.roots[done:ROOTS]
+        _rehearse_all(run, frame)
+        effects = list(run.effects)
+        if run.rehearsed < CHEAP:  # what one leaves behind may change what another does
+            for number, root in enumerate(batch, start=done):
+                effects[number] = _rehearsed(run, frame, root, run.effects, number)
+        together = _disturbed(_together(effects))  # each of the batch begins with what holds now
+        for number, root in sorted(enumerate(batch, start=done), key=lambda each: _rank(run, each[1])):
+            if root.is_setup or not inert.may_make(run, root.function, ()):
+                continue
+            mark, known, made = run.state.mark(), len(run.roots), len(run.made)
+            _disturb_all(run, effects, number, together)
+            run.called.add(number)
+            _invoke(run, frame, run.roots[number])
+            _hand_on(run, known, run.state.undo(mark))
+            if root.is_update:
+                run.forget_again(made)
+        done += len(batch)
+
+
+def _rank(run: Run, root: Root) -> tuple[bool, bool]:
+    """Callbacks of plug-ins come first where a node is followed for these; those that change parameters come last."""
+    return root.is_update, bool(run.alternatives) and not alternatives.have(run, root.function.this)
+
+
+def _set_up(run: Run, frame: Frame) -> None:
+    """Bring managed nodes up, and those that they make on the way: what that writes holds from then on."""
+    done = 0
+    while done < min(len(run.roots), ROOTS):
+        root = run.roots[done]
+        if root.is_setup:
+            known = len(run.roots)
+            run.called.add(done)
+            _invoke(run, frame, root)
+            _hand_on(run, known, {})
+        done += 1
+
+
+def _rehearse_all(run: Run, frame: Frame) -> None:
+    """What each callback writes by itself, for those that have not been asked yet."""
+    for number in range(len(run.effects), min(len(run.roots), ROOTS)):
+        run.effects.append(_rehearsed(run, frame, run.roots[number], [], number))
+
+
+def _rehearsed(run: Run, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
+    """What a callback writes, from a state that the *others* have disturbed."""
+    if root.is_update or root.is_setup or root.is_tick:
+        return {}
+    start = run.state.mark()
+    _disturb(run, others, number)
+    mark, known = run.state.mark(), len(run.roots)
+    before = run.steps
+    run.quiet += 1
+    try:
+        _invoke(run, frame, root)
+    finally:
+        run.quiet -= 1
+        run.rehearsed += run.steps - before
+    writes = run.state.since(mark)
+    _hand_on(run, known, run.state.undo(start))
+    return writes
+
+
+def _hand_on(run: Run, known: int, writes: Writes) -> None:
+    """The callbacks that were registered after the first *known* ones begin with the *writes* of the one that did it."""
+    for number in range(known, len(run.roots)):
+        run.roots[number] = replace(run.roots[number], writes=writes)
+
+
+def interlude(run: Run, frame: Frame) -> None:
+    """Callbacks are called here (``ros::spinOnce``): what they may write is joined with what holds."""
+    if run.is_interlude:
+        return
+    run.is_interlude = True
+    try:
+        _rehearse_all(run, frame)
+    finally:
+        run.is_interlude = False
+    _disturb(run, run.effects, -1)
+
+
+def _disturb(run: Run, effects: Sequence_[Writes], own: int) -> None:
+    """Join what the callbacks leave behind with what holds; of its *own* a callback sees plain values only."""
+    _disturb_all(run, effects, own, _disturbed(_all_together(run) if effects is run.effects else _together(effects)))
+
+
+def _disturb_all(run: Run, effects: Sequence_[Writes], own: int, together: Mapping[Cell, Any]) -> None:
+    """The same where *together* is what holds after one or another of them, of the cells that this changes."""
+    mine = effects[own] if 0 <= own < len(effects) else {}
+    for cell, value in together.items():
+        if cell in mine and not isinstance(mine[cell], (Known, Text)):
+            for number, writes in enumerate(effects):
+                if number != own and cell in writes:
+                    after = _joined(cell.value, writes[cell])
+                    if after is not cell.value:
+                        run.state.write(cell, after)
+        else:
+            run.state.write(cell, value)
+
+
+def _disturbed(together: Mapping[Cell, Any]) -> dict[Cell, Any]:
+    """Of what callbacks may leave behind, joined with what holds: the cells that hold something else then."""
+    after = {cell: _joined(cell.value, value) for cell, value in together.items()}
+    return {cell: value for cell, value in after.items() if value is not cell.value}
+
+
+def _joined(held: Any, value: Any) -> Any:
+    if held is value or (held.__class__ is Opaque and held.reason not in UNSETS):
+        return held
+    return joined(held, value)
+
+
+def _all_together(run: Run) -> Mapping[Cell, Any]:
+    """What each cell holds after one or another of the callbacks rehearsed so far; each is joined once."""
+    _together(run.effects[run.joined :], run.together)
+    run.joined = len(run.effects)
+    return run.together
+
+
+def _together(effects: Iterable[Writes], found: dict[Cell, Any] | None = None) -> dict[Cell, Any]:
+    """What each cell holds after one or another of the callbacks, or after what is *found* already."""
+    found = {} if found is None else found
+    for writes in effects:
+        for cell, value in writes.items():
+            found[cell] = joined(found[cell], value) if cell in found else value
+    return found
+
+
+def _invoke(run: Run, frame: Frame, root: Root) -> None:
+    before = run.conditions[:]
+    run.conditions[:] = root.conditions
+    for cell, value in root.writes.items():
+        run.state.write(cell, value)
+    if root.is_tick:
+        run.idle.clear()  # what one node of a tree makes, others may have made
+    with run.doubted(root.doubt):
+        activation.invoke(run, frame, root.function, _arguments(run, root, frame))
+    run.conditions[:] = before
+
+
+def _arguments(run: Run, root: Root, frame: Frame) -> tuple[call_arguments.Argument, ...]:
+    """What a framework passes: a dynamic_reconfigure callback gets the configuration, all else is not known."""
+    function = root.function.function
+    found: list[call_arguments.Argument] = []
+    scope = function.owner or function.name.rpartition("::")[0]
+    inner = Frame(root.function.source, scope, function, root.function.this, templates=root.function.templates)
+    for number, parameter in enumerate(function.parameters):
+        if number < len(root.function.bound) and root.function.bound[number] is not None:
+            continue
+        if parameter.default is not None or parameter.name.startswith("*"):
+            break
+        kind = run.type_in(parameter.type, inner)
+        config: Object | None = run.config_objects.get(kind.name)
+        if config is not None:
+            found.append(call_arguments.Argument(config))
+        else:
+            found.append(call_arguments.Argument(run.opaque("what a callback is given", inner, function.line, kind)))
+    return tuple(found)

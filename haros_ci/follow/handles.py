@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Node handles: the namespace that each stands for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.follow.ros import selectors
+from haros_ci.graph.names import pattern, resolve
+from haros_ci.index.types import STRINGS, pointee
+from haros_ci.model.api import Entry
+from haros_ci.values.abstract import NONE, Known, Object, Opaque, Pointer, Text, Value
+
+if TYPE_CHECKING:
+    pass
+
+
+def handle(applied: selectors.Applied, entry: Entry) -> Value:
+    """The namespace of a node handle: its parent's, and the text below it.
+
+    A handle that a nodelet makes itself is its process's, the manager's, and not its own (wiki.ros.org/nodelet).
+    """
+    context = applied.run.context
+    made_here = applied.row.call == "ros::NodeHandle"
+    parent: Value = Known(context.process_namespace if made_here else context.namespace)
+    if "parent" in entry.values:
+        found = selectors.value_of(applied, entry.values["parent"])
+        parent = namespace_of(applied, found) if found is not None else parent
+    text = selectors.value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else Known("")
+    if text is None or text == Known("") or text == NONE:
+        return parent
+    return below(applied, parent, text, context.process_name if made_here else context.name)
+
+
+def below(applied: selectors.Applied, parent: Value, text: Value, node: str) -> Value:
+    """The namespace *text* seen from *parent*, where *node* is what ``~`` stands for."""
+    name, why, where = pattern(text)
+    space, space_why, space_where = pattern(parent)
+    if name == "~":
+        return Known(node)
+    full = resolve(name, space, node)
+    if why is None and (space_why is None or name[:1] in "/~"):
+        return Known(full)
+    return Text((full.partition("?")[0], Opaque(why or space_why or "", where or space_where), full.partition("?")[2]))
+
+
+def namespace_of(applied: selectors.Applied, value: Any) -> Value:
+    """The absolute namespace that a handle or text stands for."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Object):
+        if value.namespace is not None:
+            return value.namespace
+        return applied.run.opaque(f"the namespace of a {value.name}", applied.frame, applied.location.line)
+    if isinstance(value, Opaque) and value.type is not None and pointee(value.type).name not in STRINGS:
+        return Opaque(f"the node handle is not known: {value.reason}", value.location)
+    if isinstance(value, (Known, Text, Opaque)):
+        return (
+            below(applied, Known(applied.run.context.namespace), value, applied.run.context.name)
+            if value != Known("")
+            else Known(applied.run.context.namespace)
+        )
+    return applied.run.opaque("the namespace is not known", applied.frame, applied.location.line)

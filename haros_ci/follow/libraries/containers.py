@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Models of C++ containers: vectors and maps by their methods."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci import syntax
+from haros_ci.follow import assignments, construct, conversions
+from haros_ci.follow.run import Frame, Run
+from haros_ci.model.location import Location
+from haros_ci.syntax import Type
+from haros_ci.values import iterators
+from haros_ci.values.abstract import (
+    LIST_LIMIT,
+    NONE,
+    Cell,
+    Choice,
+    Known,
+    Mapped,
+    Object,
+    Opaque,
+    Partial,
+    Sequence,
+    Text,
+    Value,
+)
+from haros_ci.values.state import certain, last, possible
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+
+#: Methods that add elements.
+ADDING = frozenset(("insert", "emplace"))
+
+
+def _added(
+    run: Run, receiver: Sequence, name: str, args: tuple[Argument, ...], inner: Type | None
+) -> tuple[Cell, ...] | Opaque | None:
+    """A set's content with one more element, or a list's or set's with those of a range; None if that is not told."""
+    cells: Any = receiver.content.value
+    is_set = receiver.type is not None and receiver.type.name == "std::set"
+    held = certain(cells)
+    values = [argument.value for argument in args]
+    if is_set and len(args) == 1 and name in ("insert", "emplace") and isinstance(values[0], Known):
+        new = [conversions.converted(values[0], inner) if inner is not None else values[0]]
+    elif len(args) == (2 if is_set else 3) and name == "insert" and (is_set or values[0] is receiver.end):
+        found = _range(values[-2], values[-1])
+        if found is None or (is_set and not all(isinstance(each, Known) for each in found)):
+            return None
+        new = found
+    else:
+        return None
+    if is_set:
+        there = [cell.value.value for cell in held if isinstance(cell.value, Known)]
+        new = [each for each in dict.fromkeys(new) if isinstance(each, Known) and each.value not in there]
+    if len(held) + len(new) > LIST_LIMIT:
+        return None
+    whole = (*held, *(Cell(each, inner) for each in new))
+    return whole if isinstance(cells, tuple) else Partial(cells.reason, cells.location, cells.type, whole)
+
+
+def _grown(run: Run, frame: Frame, cells: Any, name: str, args: tuple[Argument, ...], inner: Type | None) -> Opaque:
+    """The content of a list that is not known with one more element: what is added behind the others is the last."""
+    told = run.opaque("the list is built in a way that is not followed", frame)
+    some, end = certain(cells), None
+    if not isinstance(cells, tuple) and name in ("push_back", "emplace_back") and len(args) == 1:
+        end = Cell(conversions.converted(construct.copied(run, args[0].value, inner), inner), inner)
+        some = (*some, end)[-LIST_LIMIT:]
+    others = possible(cells)
+    return Partial(told.reason, told.location, told.type, some, others, end) if some or others else told
+
+
+def _range(first: Value, end: Value) -> list[Value] | None:
+    """The elements from the beginning to the end of one list or set."""
+    if not isinstance(first, Object) or not isinstance(end, Object) or end.name != iterators.END:
+        return None
+    owners = [each.fields["[of]"].value for each in (first, end) if "[of]" in each.fields]
+    content = owners[0].content.value if len(owners) == 2 and isinstance(owners[0], Sequence) else None
+    if owners[0] is not owners[-1] or not isinstance(content, tuple) or iterators.position(first):
+        return None
+    return [cell.value for cell in content]
+
+
+def sequence(run: Run, frame: Frame, receiver: Sequence, name: str, args: tuple[Argument, ...]) -> Value | None:
+    cells: Any = receiver.content.value
+    known = isinstance(cells, tuple)
+    inner = receiver.type.of(0) if receiver.type is not None else None
+    if name in ADDING and (added := _added(run, receiver, name, args, inner)) is not None:
+        run.state.write(receiver.content, added)
+        return NONE
+    if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
+        if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(cells) < LIST_LIMIT:
+            value = conversions.converted(construct.copied(run, args[0].value, inner), inner)
+            run.state.write(receiver.content, (*cells, Cell(value, inner)))
+        elif known and name == "emplace_back" and inner is not None and len(cells) < LIST_LIMIT:
+            value = construct.create(run, frame, inner, args, Location(frame.source.path))
+            run.state.write(receiver.content, (*cells, Cell(value, inner)))
+        else:
+            run.state.write(receiver.content, _grown(run, frame, cells, name, args, inner))
+        return NONE
+    if name == "clear":
+        run.state.write(receiver.content, ())
+        return NONE
+    if name in ("resize", "assign"):
+        if args and isinstance(args[0].value, Known) and isinstance(args[0].value.value, int) and name == "resize":
+            wanted = args[0].value.value
+            if known and 0 <= wanted <= 1000:
+                made = [
+                    Cell(construct.create(run, frame, inner or syntax.Type(""), (), Location(frame.source.path)), inner)
+                    for _ in range(wanted - len(cells))
+                ]
+                run.state.write(receiver.content, (*cells[:wanted], *made))
+                return NONE
+            if 0 <= wanted <= 1000:  # so many, whatever they are
+                unknown = run.opaque("an element that is not known", frame, None, inner)
+                run.state.write(receiver.content, tuple(Cell(unknown, inner) for _ in range(wanted)))
+                return NONE
+        run.state.write(receiver.content, run.opaque("a list of unknown length", frame))
+        return NONE
+    if name in ("size", "empty", "length"):
+        if known:
+            return Known(not cells) if name == "empty" else Known(len(cells))
+        return run.opaque("the length of a list that is not known", frame, None, syntax.Type("int"))
+    if name in ("front", "back", "at"):
+        if known and cells and name != "at":
+            return cells[0 if name == "front" else -1].value
+        if name == "back" and (end := last(cells)) is not None:
+            return end.value
+        if name == "at" and args:
+            cell = assignments.element(run, frame, receiver, args[0].value)
+            if cell is not None:
+                return cell.value
+        return run.opaque("an element that is not known", frame, None, inner)
+    if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend"):
+        if name.endswith("end") or (known and not cells):
+            return iterators.end_of(receiver)
+        if known and name != "rbegin":
+            return iterators.at(receiver, 0)
+        return Object(iterators.ITERATOR, fields={"[of]": Cell(receiver)})
+    if name == "pop_back" and known and cells:
+        run.state.write(receiver.content, cells[:-1])
+        return NONE
+    if name == "swap" and args and isinstance(args[0].value, Sequence):
+        other = args[0].value.content
+        run.state.write(receiver.content, other.value)
+        run.state.write(other, cells)
+        return NONE
+    return None
+
+
+def mapped(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
+    pairs: Any = receiver.content.value
+    if name in ("size", "empty", "count") and isinstance(pairs, dict):
+        if name == "count":
+            key = args[0].value if args else NONE
+            return Known(int(key.value in pairs)) if isinstance(key, Known) else run.opaque("a key is not known", frame)
+        return Known(not pairs) if name == "empty" else Known(len(pairs))
+    if name == "swap" and args and isinstance(args[0].value, Mapped):
+        other = args[0].value.content
+        run.state.write(receiver.content, other.value)
+        run.state.write(other, pairs)
+        return NONE
+    if name in ("insert", "emplace", "erase", "clear", "swap"):
+        run.state.write(receiver.content, {} if name == "clear" else run.opaque("a map that is changed", frame))
+        return NONE
+    if name in ("begin", "cbegin", "end", "cend") and isinstance(pairs, dict):
+        return iterators.end_of(receiver) if name.endswith("end") else iterators.at(receiver, 0)
+    if name == "find" and len(args) == 1:
+        return iterators.found(receiver, args[0].value)
+    if name == "at" and args:
+        cell = assignments.element(run, frame, receiver, args[0].value)
+        return cell.value if cell is not None else run.opaque("an entry that is not known", frame)
+    return None
+
+
+def swapped(run: Run, args: tuple[Argument, ...]) -> Value | None:
+    """``swap(a, b)`` of texts, numbers and whole containers; None for all else."""
+    one, other = args[0].cell, args[1].cell
+    plain = (Known, Text, Choice, Opaque)
+    if one is None or other is None:
+        return None
+    if isinstance(one.value, plain) and isinstance(other.value, plain):
+        before = one.value
+        run.state.write(one, other.value)
+        run.state.write(other, before)
+        return NONE
+    for kind in (Sequence, Mapped):
+        if isinstance(one.value, kind) and isinstance(other.value, kind):
+            content, with_ = one.value.content, other.value.content
+            before = content.value
+            run.state.write(content, with_.value)
+            run.state.write(with_, before)
+            return NONE
+    return None

@@ -1,0 +1,399 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Models of C++ libraries: std::string and containers, streams, bind, smart pointers, yaml-cpp, XmlRpcValue, ros::package."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci import syntax
+from haros_ci.follow import construct, conversions, methods
+from haros_ci.follow.libraries import (
+    algorithms,
+    text_methods,
+    texts,
+)
+from haros_ci.follow.libraries import (
+    bind as library_bind,
+)
+from haros_ci.follow.libraries import (
+    containers as library_containers,
+)
+from haros_ci.follow.libraries import (
+    numbers as library_numbers,
+)
+from haros_ci.follow.libraries import (
+    xml as library_xml,
+)
+from haros_ci.follow.libraries import (
+    yaml as library_yaml,
+)
+from haros_ci.follow.ros import loaders, ros2_selectors
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.mentions import LOADERS
+from haros_ci.index.types import STRINGS, pointee
+from haros_ci.model.location import Location
+from haros_ci.syntax import Type
+from haros_ci.values.abstract import (
+    FALSE,
+    NONE,
+    TRUE,
+    Cell,
+    Choice,
+    Known,
+    Library,
+    Mapped,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Text,
+    Value,
+    concatenate,
+    converted_to_text,
+)
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+XMLRPC = "XmlRpc::XmlRpcValue"
+STREAMS = frozenset(
+    ("std::stringstream", "std::ostringstream", "std::istringstream", "stringstream", "ostringstream", "istringstream")
+)
+FILES = frozenset(("std::ifstream", "std::fstream", "ifstream", "fstream"))
+MANIPULATORS = frozenset(("setw", "setfill", "setprecision", "setbase", "setiosflags", "resetiosflags", "put_time"))
+LIMITS = "std::numeric_limits::"
+BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
+MAKERS = frozenset(
+    f"{space}::{name}"
+    for space in ("boost", "std")
+    for name in ("make_shared", "make_unique", "shared_ptr", "unique_ptr")
+)
+#: Parts of a path.
+PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_path"))
+TRANSPARENT = frozenset(
+    (
+        "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
+        "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
+        "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
+        "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL"
+    ).split()
+)
+
+
+def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
+    """An instance of a modelled class."""
+    name = kind.name
+    if name in STREAMS:
+        stream = Object(name, fields={"[text]": Cell(Known(""))})
+        if args:
+            texts.start(run, stream, args[0].value)
+        return stream
+    if name == DESCRIPTOR and not args and run.context.process is not None:
+        flag = {"read_only": Cell(FALSE, syntax.Type("bool"))}
+        ranges = {each: Cell(Sequence(Cell(()))) for each in ("floating_point_range", "integer_range")}
+        return Object(name, fields={**flag, **ranges})
+    if name in FILES:
+        return Object(name, fields={"[path]": Cell(args[0].value if args else NONE)})
+    if name == "YAML::Parser":
+        return Object(name, fields={"[stream]": Cell(args[0].value if args else NONE)})
+    if name in ("YAML::Node", XMLRPC):
+        return conversions.converted(args[0].value, kind) if args else NONE
+    if name == f"{XMLRPC}::ValueStruct":
+        held: Any = args[0].value.content.value if args and isinstance(args[0].value, Mapped) else {}
+        copied = {key: Cell(cell.value, cell.type) for key, cell in held.items()} if isinstance(held, dict) else held
+        return Mapped(Cell(copied))
+    if name == f"{XMLRPC}::ValueArray":
+        return construct.create(
+            run, frame, syntax.Type("std::vector", (syntax.Type(XMLRPC),), ""), args, Location(frame.source.path)
+        )
+    if name in ("std::pair",) and len(args) == 2:
+        return Object(name, fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
+    if name in ("ros::Duration", "ros::WallDuration", "ros::Rate", "ros::Time") and len(args) == 1:
+        return None
+    return None
+
+
+def function(
+    run: Run,
+    frame: Frame,
+    name: str,
+    args: tuple[Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """A modelled free function or constructor by its name."""
+    name = name.removeprefix("::")
+    if name.removeprefix("std::") in MANIPULATORS:
+        return Library(name)
+    if name == "ros::names::getRemappings" and not args:
+        return loaders.remappings(run)
+    if name in BINDERS and args:
+        return library_bind.bind(args)
+    if name.startswith(LIMITS) and len(targs) == 1 and isinstance(targs[0], syntax.Type) and not args:
+        return library_numbers.limit(name.removeprefix(LIMITS), run.type_in(targs[0], frame))
+    if name.endswith("::directory_iterator") and args:
+        return library_xml.directory(run, args[0].value)
+    if name == "std::make_pair" and len(args) == 2:
+        return Object("std::pair", fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
+    if name.startswith(("std::", "boost::")):
+        text = algorithms.rewritten(run, name, args)
+        if text is not None:
+            return text
+    if name in MAKERS:
+        if name.endswith("_ptr"):
+            return args[0].value if args else NONE
+        if targs:
+            kind = run.type_in(targs[0], frame) if isinstance(targs[0], syntax.Type) else syntax.NOTHING
+            return construct.create(run, frame, kind.bare(), args, location)
+        return None
+    if name in TRANSPARENT and len(args) in (1, 2):
+        value = args[0].value
+        if name.endswith("to_string"):
+            return concatenate((value,), converted_to_text)
+        if name in ("std::string", "string"):
+            return texts.constructed(args)
+        if name == "boost::lexical_cast" and targs and isinstance(targs[0], syntax.Type):
+            wanted = run.type_in(targs[0], frame)
+            if wanted.name not in STRINGS:
+                return conversions.converted(_number(value), wanted)
+            if isinstance(value, Known) and isinstance(value.value, float):
+                is_double = args[0].type is not None and args[0].type.name == "double"
+                return Known(f"{value.value:.17g}") if is_double else run.opaque("its digits are not known", frame)
+            return concatenate((value,))
+        if name in ("std::max", "std::abs"):
+            return None
+        return value
+    if name == "ros::package::getPath" and args and isinstance(args[0].value, Known):
+        return Known(f"$(find {args[0].value.value})")
+    if name in ("ros::names::append", "ros::names::parentNamespace"):
+        return concatenate((args[0].value, Known("/"), args[1].value)) if len(args) == 2 else None
+    if name == "YAML::LoadFile" and args:
+        return library_yaml.yaml_file(run, args[0].value)
+    if name in ("YAML::Load", "YAML::LoadAll") and args:
+        return library_yaml.yaml_stream(run, args[0].value)
+    if name in ("std::find_if", "std::find") and args:
+        return algorithms.found(run, frame, args)
+    if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
+        run.state.write(args[1].cell, run.opaque("it is read from a stream", frame, None, args[1].cell.type))
+        return run.opaque("whether a stream has more is not known", frame, None, syntax.Type("bool"))
+    if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
+        return library_containers.swapped(run, args)
+    if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
+        run.state.write(args[0].cell, run.opaque("it is formatted by sprintf", frame, None, syntax.Type("std::string")))
+        return NONE
+    return None
+
+
+def protected(run: Run, this: Object, name: str) -> Cell | None:
+    """A data member that a library's class gives to the workspace's classes derived from it."""
+    if name == "_value" and this.definition is not None and XMLRPC in methods.library_bases(run, *this.definition):
+        cell = this.fields[name] = Cell(Object("[any]"))
+        return cell
+    return None
+
+
+def _number(value: Value) -> Value:
+    if isinstance(value, Known) and isinstance(value.value, str):
+        try:
+            return Known(float(value.value) if "." in value.value else int(value.value))
+        except ValueError:
+            return Opaque("it is no number")
+    return value
+
+
+def method(
+    run: Run,
+    frame: Frame,
+    receiver: Value,
+    cell: Cell | None,
+    name: str,
+    args: tuple[Argument, ...],
+    location: Location,
+) -> Value | None:
+    """A modelled method by the kind of value it is called on."""
+    if isinstance(receiver, Object):
+        return _object(run, frame, receiver, name, args, location)
+    if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
+        if isinstance(receiver, (Known, Text, Sequence)) or (isinstance(receiver, Opaque) and _is_filled(cell)):
+            return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
+    is_text = isinstance(receiver, Text) or (isinstance(receiver, Known) and isinstance(receiver.value, str))
+    if is_text and name == "append" and cell is None and args:  # of a temporary
+        return concatenate((receiver, texts.constructed(args)))
+    if name == "get_type" and not args and run.context.process is not None:  # of what a parameter holds
+        told = ros2_selectors.type_constant(receiver)
+        if told is not None or isinstance(receiver, (Known, Text, Sequence)):
+            return told or run.opaque("the type of a parameter is not known", frame, location.line)
+    if isinstance(receiver, Known):
+        return _data(run, frame, receiver, cell, name, args)
+    if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
+        return receiver
+    if isinstance(receiver, Text) and name in ("size", "length"):
+        return run.opaque("the length of a text", frame)
+    if isinstance(receiver, Text) and name == "empty":
+        if any(isinstance(part, str) for part in receiver.parts):
+            return FALSE
+        return run.opaque("whether a text is empty", frame, None, syntax.Type("bool"))
+    if isinstance(receiver, (Known, Text, Opaque)) and name in ("append", "push_back") and cell is not None and args:
+        kind = cell.type
+        if kind is not None and kind.name in STRINGS:
+            run.state.write(cell, concatenate((receiver, texts.constructed(args))))
+            return cell.value
+    if isinstance(receiver, Text) and cell is not None and args and name == "assign":
+        run.state.write(cell, conversions.converted(concatenate((texts.constructed(args),)), cell.type))
+        return cell.value
+    if isinstance(receiver, (Text, Choice)) and cell is not None and name == "clear":
+        run.state.write(cell, Known(""))
+        return NONE
+    if isinstance(receiver, Opaque) and name in ("c_str", "str", "data", "get"):
+        return receiver
+    if isinstance(receiver, Opaque) and name in LOADERS and args and receiver.type is not None:
+        kind = pointee(receiver.type)
+        if kind.name == LOADER:
+            this = Object(kind.name, kind.arguments)
+            return library_yaml.plugin(run, frame, this, args[0].value, location)
+    if isinstance(receiver, Sequence):
+        return library_containers.sequence(run, frame, receiver, name, args)
+    if isinstance(receiver, Mapped):
+        return library_containers.mapped(run, frame, receiver, name, args)
+    return None
+
+
+def _is_filled(cell: Cell | None) -> bool:
+    """Whether a variable is a parameter's object: what it holds is the parameter's value."""
+    return cell is not None and cell.type is not None and cell.type.name == "rclcpp::Parameter"
+
+
+def _data(
+    run: Run, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[Argument, ...]
+) -> Value | None:
+    data = receiver.value
+    if name == "has_value" and not args and isinstance(data, bool):
+        return receiver  # what BT::TreeNode::getInput says
+    if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
+        return receiver
+    if isinstance(data, str):
+        if name in ("size", "length"):
+            return Known(len(data))
+        if name == "empty":
+            return Known(not data)
+        values: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+        if not args and name in PARTS:
+            return Known(library_xml.part(data, name))
+        if name in ("starts_with", "ends_with") and len(values) == 1 and isinstance(values[0], str):
+            return Known(data.startswith(values[0]) if name == "starts_with" else data.endswith(values[0]))
+        if name == "substr" and not args:
+            return receiver
+        if name == "substr" and values and all(isinstance(v, int) for v in values):
+            count = values[1] if len(values) > 1 else len(data)
+            count = len(data) if count < 0 else count  # npos
+            return Known(data[values[0] : values[0] + count]) if 0 <= values[0] <= len(data) else None
+        if "find" in name and cell is not None or name in ("find", "rfind"):
+            found = text_methods.found(data, name, args)
+            if found is not None:
+                return found
+        if name == "compare" and len(values) == 1 and isinstance(values[0], str):
+            return Known((data > values[0]) - (data < values[0]))
+        if name in ("at",) and values and isinstance(values[0], int) and 0 <= values[0] < len(data):
+            return texts.number(Known(data[values[0]]))
+        if name in ("front", "back") and data:
+            return texts.number(Known(data[0 if name == "front" else -1]))
+        if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend") and cell is not None:
+            return Object("[iterator]", fields={"[of]": Cell(Pointer(cell))})
+        if name == "pop_back" and cell is not None and data:
+            run.state.write(cell, Known(data[:-1]))
+            return NONE
+        if name == "swap" and cell is not None and args and args[0].cell is not None:
+            run.state.write(cell, args[0].value)
+            run.state.write(args[0].cell, receiver)
+            return NONE
+        if name in ("append", "push_back", "assign") and cell is not None and args:
+            before: tuple[Value, ...] = () if name == "assign" else (receiver,)
+            run.state.write(cell, concatenate((*before, texts.constructed(args))))
+            return cell.value
+        if name == "clear" and cell is not None:
+            run.state.write(cell, Known(""))
+            return NONE
+        if cell is not None and name in ("insert", "erase", "replace", "swap", "resize", "pop_back"):
+            if name == "swap" and args and args[0].cell is not None:
+                run.state.write(args[0].cell, run.opaque("it is swapped", frame, None, args[0].cell.type))
+            changed = text_methods.changed(data, name, args)
+            run.state.write(
+                cell,
+                Known(changed)
+                if changed is not None
+                else run.opaque(f"it is changed by {name}", frame, None, cell.type),
+            )
+            return cell.value
+        return None
+    if name in ("size",) and isinstance(data, (list, dict)):
+        return Known(len(data))
+    if name in ("FindValue", "hasMember") and args and isinstance(args[0].value, Known):
+        inside = isinstance(data, dict) and args[0].value.value in data
+        if name == "hasMember":
+            return Known(inside)
+        return Known(data[args[0].value.value]) if inside else NONE
+    if name in ("IsDefined", "IsScalar", "IsSequence", "IsMap", "IsNull", "valid"):
+        kinds: dict[str, bool] = {
+            "IsDefined": data is not None,
+            "valid": data is not None,
+            "IsNull": data is None,
+            "IsMap": isinstance(data, dict),
+            "IsSequence": isinstance(data, list),
+            "IsScalar": isinstance(data, (str, int, float)),
+        }
+        return Known(kinds[name])
+    if name == "getType":
+        for kind, said in (
+            (bool, "TypeBoolean"),
+            (int, "TypeInt"),
+            (float, "TypeDouble"),
+            (str, "TypeString"),
+            (list, "TypeArray"),
+            (dict, "TypeStruct"),
+        ):
+            if isinstance(data, kind):
+                return Library(f"XmlRpc::XmlRpcValue::{said}")
+    return None
+
+
+LOADER = "pluginlib::ClassLoader"
+DESCRIPTOR = "rcl_interfaces::msg::ParameterDescriptor"
+
+
+def _object(
+    run: Run, frame: Frame, receiver: Object, name: str, args: tuple[Argument, ...], location: Location
+) -> Value | None:
+    if name == "get_type" and not args and receiver.name in ros2_selectors.PARAMETERS:
+        return ros2_selectors.type_constant(receiver)
+    if receiver.name == LOADER and name in LOADERS and args:
+        return library_yaml.plugin(run, frame, receiver, args[0].value, location)
+    if receiver.name in library_xml.CLASSES:
+        return library_xml.method(run, frame, receiver, name, args)
+    if receiver.name == "rclcpp::NodeOptions" and name == "arguments" and not args and name not in receiver.fields:
+        return Sequence(Cell(()), syntax.Type("std::vector", (syntax.Type("std::string"),), ""))
+    if receiver.name == "nodelet::Loader" and name == "load" and len(args) > 1:
+        return loaders.nodelet(run, frame, args, location)
+    if receiver.name == LOADER and name == "getName" and args:
+        named = args[0].value
+        if isinstance(named, Known) and isinstance(named.value, str):
+            return Known(named.value.replace("::", "/").rpartition("/")[2])
+        return run.opaque("the plug-in's name is not known", frame, location.line)
+    if receiver.name in STREAMS:
+        text = receiver.fields["[text]"]
+        if name == "str":
+            if args:
+                texts.start(run, receiver, args[0].value)
+            return text.value
+        if name in ("clear", "flush"):
+            return NONE
+        if name in ("width", "precision", "fill", "setf", "unsetf", "flags", "imbue", "copyfmt") and args:
+            texts.change(run, receiver)
+        elif name not in ("good", "fail", "bad", "eof", "width", "precision", "fill", "flags", "rdstate", "tellp"):
+            run.state.write(text, run.opaque(f"{name} may change it", frame))
+    if receiver.name in FILES and name == "open" and args:
+        run.state.write(receiver.fields["[path]"], args[0].value)
+        return NONE
+    if receiver.name == "YAML::Parser" and name == "GetNextDocument" and args and args[0].cell is not None:
+        run.state.write(args[0].cell, library_yaml.yaml_stream(run, receiver.fields["[stream]"].value))
+        return TRUE
+    return None

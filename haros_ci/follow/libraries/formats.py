@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Texts as Python makes them: ``%``, ``str.format``, paths."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import string
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.follow import members
+from haros_ci.follow.run import Frame, Run
+from haros_ci.model.digits import whole_number
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value, concatenate, printed
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+_SPECIFIER = re.compile(r"%(?:\((\w+)\))?([-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)([diouxXeEfFgGcras%])")
+_SPECIFICATION = re.compile(r"(?:.?[<>=^])?[-+ ]?#?0?\d{0,2}(?:\.\d{1,2})?[bdeEfFgGosxX%]?")
+_FIELD = re.compile(r"(\w*)((?:\.\w+|\[\w+\])*)")
+_STEP = re.compile(r"\.\w+|\[\w+\]")
+#: Functions of paths that compute with texts alone.
+PATHS = {
+    f"{module}.{function.__name__}": function
+    for module in ("os.path", "posixpath")
+    for function in (posixpath.basename, posixpath.dirname, posixpath.normpath, posixpath.splitext, posixpath.split)
+}
+
+
+def of_path(name: str, text: str) -> Value:
+    """What one of ``PATHS`` gives."""
+    made = PATHS[name](text)
+    return Sequence(Cell(tuple(Cell(Known(item)) for item in made))) if isinstance(made, tuple) else Known(made)
+
+
+def percent(run: Run, frame: Frame, text: str, right: Value) -> Value:
+    """Python's ``%`` with a tuple, a value or a dictionary
+    (docs.python.org/3/library/stdtypes.html#printf-style-string-formatting)."""
+    pieces = _SPECIFIER.split(text)
+    specifiers = list(zip(pieces[1::4], pieces[2::4], pieces[3::4], strict=True))
+    if any("%" in piece for piece in pieces[::4]) or any(flags and kind == "%" for _, flags, kind in specifiers):
+        return run.opaque("its format is not understood", frame)
+    given = _given(right, [name for name, _, kind in specifiers if kind != "%"])
+    if given is None:
+        return run.opaque("it is formatted from what is not known, or does not fit", frame)
+    values: list[Value] = [Known(pieces[0])]
+    for (_, flags, kind), piece in zip(specifiers, pieces[4::4], strict=True):
+        values += [Known("%") if kind == "%" else _shown(given.pop(0), flags, kind), Known(piece)]
+    return concatenate(tuple(values), printed)
+
+
+def _given(right: Value, names: list[str | None]) -> list[Value] | None:
+    """What is formatted, one value for each specifier; None if that is not known or they do not fit."""
+    if any(names):
+        if not all(names) or not isinstance(right, (Mapped, Known)):
+            return None
+        pairs = right.content.value if isinstance(right, Mapped) else right.value
+        if not isinstance(pairs, dict) or not all(name in pairs for name in names):
+            return None
+        found = [pairs[name] for name in names]
+        return [item.value if isinstance(item, Cell) else Known(item) for item in found]
+    if isinstance(right, Sequence):
+        cells = right.content.value
+        return [cell.value for cell in cells] if isinstance(cells, tuple) and len(cells) == len(names) else None
+    return [right] if len(names) == 1 else None
+
+
+def _shown(value: Value, flags: str, kind: str) -> Value:
+    if not isinstance(value, Known):
+        if kind == "s" and not flags:
+            return value
+        return Opaque("it is formatted from what is not known")
+    data: Any = value.value
+    if kind == "s":
+        text = printed(value)
+        return Known(f"%{flags}s" % text) if isinstance(text, str) else text
+    if kind == "d" and not flags and isinstance(data, float) and abs(data) < 2**63:
+        return Known(str(int(data)))
+    if not isinstance(data, (int, float)) or kind in ("r", "c", "a") or abs(data) >= 2**63:
+        return Opaque("it is no number")
+    try:
+        return Known(f"%{flags}{kind}" % data)
+    except (TypeError, ValueError, OverflowError):
+        return Opaque("it cannot be formatted so")
+
+
+def braces(run: Run, frame: Frame, text: str, args: tuple[Argument, ...]) -> Value:
+    """``str.format``, see docs.python.org/3/library/string.html#format-string-syntax."""
+    positional = [a.value for a in args if not a.keyword]
+    named = {a.keyword: a.value for a in args if a.keyword}
+    if "*" in named or "**" in named:
+        return run.opaque("unpacked arguments", frame)
+    try:
+        fields = list(string.Formatter().parse(text))
+    except ValueError:
+        return run.opaque("its format is not understood", frame)
+    keys = [re.match(r"\w*", field or "") for _, field, _, _ in fields if field is not None]
+    numbered = {bool(key and key[0]) for key in keys if key is not None and (not key[0] or key[0].isdigit())}
+    if len(numbered) > 1:
+        return run.opaque("its format is not understood", frame)
+    parts: list[Value] = []
+    count = 0
+    for before, field, specifier, conversion in fields:
+        parts.append(Known(before))
+        if field is None:
+            continue
+        found = _FIELD.fullmatch(field)
+        if found is None:
+            return run.opaque("its format is not understood", frame)
+        key = found[1]
+        value: Value | None = named.get(key)
+        if key.isdecimal() or not key:
+            index = whole_number(key) if key else count
+            count += 1
+            value = positional[index] if index is not None and index < len(positional) else None
+        for step in _STEP.findall(found[2]):
+            value = _step(run, frame, value, step) if value is not None else None
+        if value is None:
+            value = run.opaque("an argument is missing", frame)
+        parts.append(_formatted(value, specifier or "", conversion))
+    return concatenate(tuple(parts), printed)
+
+
+def _step(run: Run, frame: Frame, value: Value, step: str) -> Value | None:
+    """An attribute ``.x`` or an entry ``[k]`` of a value that is formatted."""
+    if step.startswith("."):
+        if isinstance(value, Object) and value.definition is not None:
+            cell = members.member(run, value, step[1:], frame)
+            return cell.value if cell is not None else None
+        return None
+    index = whole_number(step[1:-1])
+    key: Any = step[1:-1] if index is None else index
+    content: Any = value.content.value if isinstance(value, (Sequence, Mapped)) else None
+    if isinstance(value, Known) and isinstance(value.value, (list, dict)):
+        content = value.value
+    if isinstance(content, dict):
+        found = content.get(key)
+    else:
+        found = content[key] if isinstance(content, (tuple, list)) and type(key) is int and key < len(content) else None
+    return found.value if isinstance(found, Cell) else Known(found) if found is not None else None
+
+
+def _formatted(value: Value, specifier: str, conversion: str | None) -> Value:
+    if conversion not in (None, "s") and not (isinstance(value, Known) and isinstance(value.value, int)):
+        return Opaque("its representation is not known")
+    if not specifier:
+        return value
+    if not isinstance(value, Known) or not _SPECIFICATION.fullmatch(specifier):
+        return Opaque("it is formatted from what is not known")
+    data: Any = str(value.value) if conversion else value.value
+    if isinstance(data, bool) or not isinstance(data, (int, float, str)):
+        return Opaque("it is formatted in a way that is not followed")
+    if isinstance(data, (int, float)) and abs(data) >= 2**63:
+        return Opaque("it is a long number")
+    try:
+        return Known(format(data, specifier))
+    except (TypeError, ValueError, OverflowError):
+        return Opaque("it cannot be formatted so")
+
+
+def path(run: Run, frame: Frame, args: tuple[Argument, ...]) -> Value:
+    """``os.path.join``: an absolute part begins anew, a slash at the end of a part is not doubled."""
+    parts: list[Value] = []
+    for argument in args:
+        first = argument.value.parts[0] if isinstance(argument.value, Text) else argument.value
+        text = first.value if isinstance(first, Known) else first
+        if parts and not isinstance(text, str):
+            return run.opaque("a part of a path may be absolute", frame)
+        if isinstance(text, str) and text.startswith("/"):
+            parts = []
+        before = parts[-1] if parts else None
+        end = before.parts[-1] if isinstance(before, Text) else before.value if isinstance(before, Known) else None
+        if parts and not (isinstance(end, str) and (end.endswith("/") or (end == "" and len(parts) == 1))):
+            parts.append(Known("/"))
+        parts.append(argument.value)
+    return concatenate(tuple(parts), printed)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What well-known functions and methods of no ROS API do to values: strings, containers, streams, bind, YAML, paths."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from haros_ci import syntax
+from haros_ci.follow import callbacks, havoc, methods
+from haros_ci.follow.libraries import cpp as library_cpp
+from haros_ci.follow.libraries import harmless
+from haros_ci.follow.libraries import python as library_python
+from haros_ci.follow.ros import ros2_nodes
+from haros_ci.follow.run import Frame, Run
+from haros_ci.model.location import Location
+from haros_ci.syntax import Type
+from haros_ci.values.abstract import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+POINTER_METHODS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
+
+
+def pointer_method(run: Run, cell: Cell, name: str, args: tuple[Argument, ...]) -> Value:
+    """A method of a smart pointer itself; its value is the object that it points to."""
+    if name == "reset":
+        run.state.write(cell, args[0].value if args else NONE)
+        return NONE
+    if name in ("get", "release"):
+        return cell.value
+    return Opaque("the state of a smart pointer")
+
+
+def _pointed_to(run: Run, receiver: Object) -> Value | None:
+    """What ``get()`` of ``auto`` gives that a smart pointer was made for: the object itself, if it has no such method."""
+    if receiver.definition is None and receiver.node is None:
+        return None
+    return receiver if methods.method_of(run, receiver, "get") is None and "get" not in receiver.fields else None
+
+
+def method(
+    run: Run,
+    frame: Frame,
+    receiver: Value,
+    cell: Cell | None,
+    name: str,
+    args: tuple[Argument, ...],
+    location: Location,
+) -> Value | None:
+    """A modelled method; None if there is no model of it."""
+    if frame.source.program.language == "python":
+        found = library_python.method(run, frame, receiver, name, args)
+    else:
+        found = library_cpp.method(run, frame, receiver, cell, name, args, location)
+        if found is None and name == "get" and not args and isinstance(receiver, Object):
+            found = _pointed_to(run, receiver)
+    if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:
+        return found
+    if isinstance(receiver, Known) and not isinstance(receiver.value, (str, list, dict)):
+        return None
+    return havoc.method(run, frame, receiver, cell, name, args)
+
+
+def function(
+    run: Run,
+    frame: Frame,
+    name: str,
+    args: tuple[Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """A modelled function; None if there is no model of it."""
+    if frame.source.program.language == "python":
+        return library_python.function(run, frame, name, args)
+    return library_cpp.function(run, frame, name, args, targs, location)
+
+
+def instance(run: Run, frame: Frame, kind: Type, args: tuple[Argument, ...]) -> Value | None:
+    """A modelled class's instance; None if there is no model of it."""
+    if frame.source.program.language == "python":
+        return None
+    return library_cpp.instance(run, frame, kind, args)
+
+
+def unknown_call(
+    run: Run, frame: Frame, name: str, args: tuple[Argument, ...], receiver: Opaque | None = None
+) -> Value:
+    """A call of which nothing is known: what it is given by address or reference is not known afterwards, functions
+    that it is given may be called, and so is its result."""
+    for argument in args:
+        callbacks.register(run, argument.value, args)
+    havoc.called(run, frame, name, args)
+    havoc.given(run, frame, name, args)
+    if not harmless.is_harmless(name, frame.source.program.language == "python"):
+        ros2_nodes.handed(run, name, (argument.value for argument in args))
+    if isinstance(receiver, Opaque):
+        return Opaque(receiver.reason, receiver.location)
+    return run.opaque(f"what {name} returns is not known", frame)

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers that C and C++ libraries name: ``M_PI``, ``DBL_MAX``, ``std::numeric_limits<T>::max()``, on 64-bit systems."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from haros_ci.follow.conversions import CHARACTERS, WIDTHS
+from haros_ci.index.types import INTEGERS
+from haros_ci.syntax import Type
+from haros_ci.values.abstract import Known
+
+_DOUBLE = {
+    "max": 1.7976931348623157e308,
+    "lowest": -1.7976931348623157e308,
+    "min": 2.2250738585072014e-308,
+    "epsilon": 2.220446049250313e-16,
+    "infinity": math.inf,
+}
+_FLOAT = {
+    "max": 3.4028234663852886e38,
+    "lowest": -3.4028234663852886e38,
+    "min": 1.1754943508222875e-38,
+    "epsilon": 1.1920928955078125e-07,
+    "infinity": math.inf,
+}
+_SIZES = {"CHAR": 8, "SHRT": 16, "INT": 32, "LONG": 64, "LLONG": 64, "INT8": 8, "INT16": 16, "INT32": 32, "INT64": 64}
+#: The macros of <cmath>, <cfloat>, <climits> and <cstdint>, which a workspace may define otherwise.
+CONSTANTS: Mapping[str, float | int] = {
+    "M_E": math.e,
+    "M_LOG2E": math.log2(math.e),
+    "M_LOG10E": math.log10(math.e),
+    "M_LN2": math.log(2),
+    "M_LN10": math.log(10),
+    "M_PI": math.pi,
+    "M_PI_2": math.pi / 2,
+    "M_PI_4": math.pi / 4,
+    "M_1_PI": 1 / math.pi,
+    "M_2_PI": 2 / math.pi,
+    "M_2_SQRTPI": 2 / math.sqrt(math.pi),
+    "M_SQRT2": math.sqrt(2),
+    "M_SQRT1_2": math.sqrt(0.5),
+    "INFINITY": math.inf,
+    "HUGE_VAL": math.inf,
+    **{
+        f"{short}_{name.upper()}": table[name]
+        for short, table in (("DBL", _DOUBLE), ("FLT", _FLOAT))
+        for name in ("max", "min", "epsilon")
+    },
+    **{f"{name}_MAX": (1 << bits - 1) - 1 for name, bits in _SIZES.items() if name != "CHAR"},
+    **{f"{name}_MIN": -(1 << bits - 1) for name, bits in _SIZES.items() if name != "CHAR"},
+    **{f"U{name}_MAX": (1 << bits) - 1 for name, bits in _SIZES.items()},
+    "SIZE_MAX": (1 << 64) - 1,
+}
+
+
+def limit(name: str, kind: Type) -> Known | None:
+    """What ``std::numeric_limits<kind>::name()`` returns (en.cppreference.com/w/cpp/types/numeric_limits)."""
+    if kind.marks.replace("c", "") or kind.name in ("double", "float"):
+        table = {"double": _DOUBLE, "float": _FLOAT}.get(kind.name, {})
+        return Known(table[name]) if name in table and not kind.marks.replace("c", "") else None
+    words = kind.name.rpartition("::")[2].split()
+    if not words or not (kind.name in INTEGERS or set(words) <= INTEGERS) or name not in ("max", "min", "lowest"):
+        return None
+    if words == ["char"] or "byte" in words:  # signed or not, as the processor has it
+        return None
+    is_signed = not any(word.startswith(("u", "size_t")) for word in words)
+    is_byte = any(word in CHARACTERS for word in words)
+    bits = 8 if is_byte else next((size for end, size in WIDTHS if words[-1].startswith(end) or end in words), 32)
+    if name == "max":
+        return Known((1 << (bits - 1 if is_signed else bits)) - 1)
+    return Known(-(1 << bits - 1) if is_signed else 0)

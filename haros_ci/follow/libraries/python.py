@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Models of Python's own library: text methods, containers, paths, YAML files, rospkg."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci import syntax
+from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials
+from haros_ci.follow.libraries import (
+    argparse as command_lines,
+)
+from haros_ci.follow.libraries import (
+    formats,
+    python_kinds,
+    python_texts,
+)
+from haros_ci.follow.libraries import (
+    yaml as library_yaml,
+)
+from haros_ci.follow.run import Frame, Run
+from haros_ci.values.abstract import (
+    LIST_LIMIT,
+    NONE,
+    Cell,
+    ClassValue,
+    Known,
+    Library,
+    Mapped,
+    Object,
+    Opaque,
+    Sequence,
+    Value,
+    concatenate,
+    data_of,
+    printed,
+)
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+#: What makes a dictionary; ``[dict]`` is the one of a comprehension.
+DICTS = frozenset(("dict", "[dict]", "collections.OrderedDict"))
+YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
+
+
+def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """A modelled function."""
+    first = args[0].value if args else None
+    if name == "str" and first is not None:
+        return concatenate((first,), printed)
+    if name in ("int", "float", "bool") and isinstance(first, Known) and len(args) == 1:
+        try:
+            return Known({"int": int, "float": float, "bool": bool}[name](first.value))
+        except (TypeError, ValueError, OverflowError):
+            return run.opaque("it is no number", frame)
+    if name in ("int", "float", "bool", "str"):
+        kind = {"int": "int", "float": "double", "bool": "bool", "str": "std::string"}[name]
+        return run.opaque("it is converted from what is not known", frame, None, syntax.Type(kind)) if args else None
+    if name == "len" and first is not None:
+        known, data = data_of(first)
+        if known and isinstance(data, (str, list, dict)):
+            return Known(len(data))
+        if isinstance(first, Sequence) and isinstance(first.content.value, tuple):
+            return Known(len(first.content.value))
+        return run.opaque("the length of what is not known", frame, None, syntax.Type("int"))
+    if name == "range":
+        bounds = [a.value.value for a in args if isinstance(a.value, Known) and isinstance(a.value.value, int)]
+        if args and len(bounds) == len(args):
+            try:
+                numbers = range(*bounds)
+            except (TypeError, ValueError):
+                return None
+            if len(numbers) <= 1000:
+                return Known(list(numbers))
+        return run.opaque("a range that is not known", frame)
+    if name in ("list", "tuple", "sorted", "set", "frozenset", "reversed", "iter") and first is not None:
+        items = comprehensions.items(first)
+        if name in ("sorted", "set", "frozenset") and items is not None:
+            items = _ordered(items) if len(args) == 1 else None
+            if items is not None and name != "sorted":
+                items = [item for number, item in enumerate(items) if item not in items[:number]]
+            if items is not None and name != "sorted" and len(items) > 1:
+                items = None  # in no order that is known
+        if items is not None and name == "reversed":
+            items = items[::-1]
+        if items is not None:
+            return Sequence(Cell(tuple(Cell(item) for item in items)))
+        return Sequence(Cell(run.opaque(f"a list made by {name}", frame)))
+    if name == "enumerate" and first is not None:
+        items = comprehensions.items(first)
+        begin = args[1].value if len(args) > 1 else Known(0)
+        if items is not None and isinstance(begin, Known) and isinstance(begin.value, int):
+            pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items, begin.value)]
+            return Sequence(Cell(tuple(Cell(pair) for pair in pairs)))
+    if name == "zip":
+        columns = [None if a.keyword else comprehensions.items(a.value) for a in args]
+        if columns and all(column is not None for column in columns):
+            rows = list(zip(*(c for c in columns if c is not None), strict=False))
+            made = tuple(Cell(Sequence(Cell(tuple(Cell(v) for v in row)))) for row in rows)
+            return Sequence(Cell(made))
+    if name in DICTS:
+        return comprehensions.dictionary(run, frame, args)
+    if name in ("[for]", "[for in]"):
+        return comprehensions.comprehension(run, frame, name == "[for in]", args)
+    if name in ("map", "filter"):
+        return comprehensions.applied(run, frame, name, args)
+    if name == "[slice]" and all(isinstance(a.value, Known) for a in args):
+        return Object("slice", fields={str(n): Cell(a.value) for n, a in enumerate(args)})
+    plain = python_texts.computed(run, frame, name, args)
+    if plain is not None:
+        return plain
+    if name in ("os.path.join", "posixpath.join") and args:
+        return formats.path(run, frame, args)
+    if name in formats.PATHS and isinstance(first, Known) and isinstance(first.value, str) and len(args) == 1:
+        return formats.of_path(name, first.value)
+    if name in ("open", "io.open", "file") and first is not None:
+        return Object("file", fields={"[path]": Cell(first)})
+    if name in YAML and first is not None:
+        if isinstance(first, Object) and "[path]" in first.fields:
+            return library_yaml.yaml_file(run, first.fields["[path]"].value)
+        return library_yaml.yaml_stream(run, first)
+    if name == command_lines.PARSER:
+        return command_lines.parser(args)
+    if name in ("rospkg.RosPack", "rospkg.rospack.RosPack"):
+        return Object("rospkg.RosPack")
+    if name == "roslib.packages.get_pkg_dir":
+        return Known(f"$(find {first.value})") if isinstance(first, Known) else None
+    if name == "functools.partial" and first is not None:
+        return partials.partial(first, args[1:])
+    if name == "type" and len(args) == 1 and isinstance(first, Object) and first.definition is not None:
+        return ClassValue(*first.definition)
+    if name == "type" and len(args) == 1 and first is not None:
+        return python_kinds.type_of(first)
+    if name == "isinstance":
+        return python_kinds.is_instance(args)
+    if name in ("rospy.myargv", "sys.argv") and run.context.arguments is not None:
+        return argv(run, name == "rospy.myargv")
+    if name in dynamic.IMPORTS:
+        return dynamic.module(run, frame, name, args)
+    if name == "getattr" and len(args) >= 2 and isinstance(first, Opaque) and first.reason == dynamic.IMPORTED:
+        return dynamic.of_module(run, first, args[1].value, frame)
+    if name == "getattr" and len(args) >= 2 and isinstance(args[1].value, Known):
+        return members.attribute(run, args[0].value, str(args[1].value.value), frame)
+    if name == "super":
+        return Library("super")
+    return None
+
+
+def argv(run: Run, is_own: bool = False) -> Value:
+    """The command line of the launch file, with the two words that roslaunch adds (wiki.ros.org/roslaunch/XML/node).
+
+    ``rospy.myargv`` is without them, and without all other remappings.
+    """
+    if run.context.arguments is None:
+        return Opaque("the command line")
+    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in run.context.arguments)]
+    if is_own:
+        words = [word for word in words if not (isinstance(word, Known) and ":=" in word.value)]
+    else:
+        words += [Opaque(f"{word} as roslaunch gives it", None, syntax.Type("str")) for word in ("__name:=", "__log:=")]
+    return Sequence(Cell(tuple(Cell(word) for word in words)))
+
+
+def _may_be_text(value: Value) -> bool:
+    return not isinstance(value, Known) or isinstance(value.value, str)
+
+
+def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """A modelled method."""
+    if isinstance(receiver, Known) and isinstance(receiver.value, str):
+        if name == "format":
+            return formats.braces(run, frame, receiver.value, args)
+        if name == "join" and args:
+            items = comprehensions.items(args[0].value)
+            if items is not None and all(_may_be_text(item) for item in items):
+                parts: list[Value] = []
+                for item in items:
+                    parts += [receiver, item] if parts else [item]
+                return concatenate(tuple(parts), printed)
+        return python_texts.method(run, frame, receiver.value, name, args)
+    if isinstance(receiver, Sequence):
+        cells: Any = receiver.content.value
+        if name == "append" and args and isinstance(cells, tuple) and len(cells) < LIST_LIMIT:
+            run.state.write(receiver.content, (*cells, Cell(args[0].value)))
+            return NONE
+        if name == "clear":
+            run.state.write(receiver.content, ())
+            return NONE
+        if name == "copy" and isinstance(cells, tuple):
+            return Sequence(Cell(tuple(Cell(cell.value) for cell in cells)))
+        if name == "extend" and args and isinstance(cells, tuple):
+            more = comprehensions.items(args[0].value)
+            if more is not None and len(cells) + len(more) <= LIST_LIMIT:
+                run.state.write(receiver.content, (*cells, *(Cell(item) for item in more)))
+                return NONE
+        if name in ("sort", "reverse") and isinstance(cells, tuple) and not args:
+            held = [cell.value for cell in cells]
+            turned = held[::-1] if name == "reverse" else _ordered(held)
+            if turned is not None:
+                run.state.write(receiver.content, tuple(Cell(item) for item in turned))
+                return NONE
+        if name == "pop" and isinstance(cells, tuple) and cells and not args:
+            run.state.write(receiver.content, cells[:-1])
+            return cells[-1].value
+        if name == "pop":
+            run.state.write(receiver.content, run.opaque("a list that is changed", frame))
+            return run.opaque("an element that is not known", frame)
+        if name in ("append", "extend", "insert", "remove", "pop", "sort", "reverse"):
+            run.state.write(receiver.content, run.opaque("a list that is changed", frame))
+            return NONE
+    if isinstance(receiver, Known) and isinstance(receiver.value, dict):
+        pairs = {key: Cell(Known(item)) for key, item in receiver.value.items()}
+        return _dictionary(run, frame, pairs, name, args)
+    if isinstance(receiver, Mapped) and name in ("update", "pop", "setdefault", "clear", "copy"):
+        return _changed(run, frame, receiver, name, args)
+    if isinstance(receiver, Mapped) and isinstance(receiver.content.value, dict):
+        if name == "get" and args and not isinstance(args[0].value, Known):
+            return dispatch.entry(receiver, args[1].value if len(args) > 1 else NONE)
+        return _dictionary(run, frame, receiver.content.value, name, args)
+    if isinstance(receiver, ClassValue) and name == "__subclasses__" and not args:
+        return Sequence(Cell(tuple(Cell(each) for each in dispatch.subclasses(run, receiver))))
+    if isinstance(receiver, Object) and receiver.name == command_lines.PARSER:
+        return command_lines.method(run, frame, receiver, name, args)
+    if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
+        return Known(f"$(find {args[0].value.value})") if args and isinstance(args[0].value, Known) else None
+    if isinstance(receiver, Object) and receiver.name == "file" and name in ("read", "__enter__"):
+        return receiver
+    return None
+
+
+def _ordered(items: list[Value]) -> list[Value] | None:
+    """The texts or numbers *items* in their order; None if they are not known."""
+    data = [item.value for item in items if isinstance(item, Known)]
+    if (
+        len(data) != len(items)
+        or len({type(item) for item in data}) > 1
+        or not isinstance((data or [0])[0], (str, int))
+    ):
+        return None
+    return [Known(item) for item in sorted(data)]
+
+
+def _changed(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """A method that changes a dictionary."""
+    pairs: Any = receiver.content.value
+    if name == "clear":
+        run.state.write(receiver.content, {})
+        return NONE
+    first = args[0].value if args else NONE
+    if isinstance(pairs, dict):
+        if name == "copy":
+            return Mapped(Cell({key: Cell(cell.value, cell.type) for key, cell in pairs.items()}))
+        if name == "update" and len(args) == 1 and not args[0].keyword:
+            more: Any = first.content.value if isinstance(first, Mapped) else None
+            if isinstance(first, Known) and isinstance(first.value, dict):
+                more = {key: Cell(Known(item)) for key, item in first.value.items()}
+            if isinstance(more, dict) and len(pairs) + len(more) <= LIST_LIMIT:
+                fresh = {key: Cell(cell.value, cell.type) for key, cell in more.items()}
+                run.state.write(receiver.content, {**pairs, **fresh})
+                return NONE
+        if isinstance(first, Known) and isinstance(first.value, (str, int)) and name in ("pop", "setdefault"):
+            found = pairs.get(first.value)
+            default = args[1].value if len(args) > 1 else NONE
+            if found is None and name == "setdefault":
+                run.state.write(receiver.content, {**pairs, first.value: Cell(default)})
+            elif found is not None and name == "pop":
+                run.state.write(receiver.content, {key: cell for key, cell in pairs.items() if key != first.value})
+            return found.value if found is not None else default
+    if name == "copy":
+        return Mapped(Cell(pairs))
+    run.state.write(receiver.content, run.opaque("a dictionary that is changed", frame))
+    return run.opaque("an entry that is not known", frame)
+
+
+def _dictionary(run: Run, frame: Frame, pairs: Any, name: str, args: tuple[Argument, ...]) -> Value | None:
+    if name in ("keys", "iterkeys"):
+        return Known(list(pairs))
+    if name in ("values", "itervalues"):
+        return Sequence(Cell(tuple(pairs.values())))
+    if name in ("items", "iteritems"):
+        made = tuple(Cell(Sequence(Cell((Cell(Known(key)), cell)))) for key, cell in pairs.items())
+        return Sequence(Cell(made))
+    if name == "get" and args and isinstance(args[0].value, Known):
+        try:
+            found = pairs.get(args[0].value.value)
+        except TypeError:
+            return None
+        if found is not None:
+            return found.value
+        return args[1].value if len(args) > 1 else NONE
+    return None

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What Python's ``isinstance`` and ``type`` say of plain data."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from haros_ci.values.abstract import NONE, Known, Library, Mapped, Sequence, Value
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+#: The types of plain data, and the built-in ones that each is a kind of; ``basestring`` is of Python 2.
+KINDS = {
+    "str": frozenset(("str", "basestring", "object")),
+    "bool": frozenset(("bool", "int", "object")),
+    "int": frozenset(("int", "object")),
+    "float": frozenset(("float", "object")),
+    "list": frozenset(("list", "object")),
+    "tuple": frozenset(("tuple", "object")),
+    "dict": frozenset(("dict", "object")),
+    "set": frozenset(("set", "object")),
+    "frozenset": frozenset(("frozenset", "object")),
+}
+#: The types that a test may be for and that are told apart.
+TOLD = frozenset(KINDS) | {"basestring", "object"}
+
+
+def is_instance(args: tuple[Argument, ...]) -> Value | None:
+    """What ``isinstance(value, type)``, also of several types, gives; None where it is not known."""
+    if len(args) != 2:
+        return None
+    own, asked = _kinds(args[0].value), _asked(args[1].value)
+    if not own or not asked or not asked <= TOLD:
+        return None
+    told = {not KINDS[each].isdisjoint(asked) for each in own}
+    return Known(told.pop()) if len(told) == 1 else None
+
+
+def type_of(value: Value) -> Value | None:
+    """The type of plain data: ``type(value)``."""
+    own = _kinds(value)
+    return Library(own[0]) if len(own) == 1 else None
+
+
+def same(left: Value, right: Value) -> bool | None:
+    """Whether two built-in types are the same one; None if they are no such types."""
+    if isinstance(left, Library) and isinstance(right, Library) and {left.name, right.name} <= KINDS.keys():
+        return left.name == right.name
+    return None
+
+
+def _kinds(value: Value) -> tuple[str, ...]:
+    """The types that a value may have; a list and a tuple are kept alike."""
+    if isinstance(value, Known) and value != NONE:
+        name = type(value.value).__name__
+        return (name,) if name in KINDS else ()
+    if isinstance(value, Mapped):
+        return ("dict",)
+    return ("list", "tuple", "set", "frozenset") if isinstance(value, Sequence) else ()
+
+
+def _asked(value: Value) -> frozenset[str]:
+    """The names of the types that are asked for; empty if they are not known."""
+    if isinstance(value, Library):
+        return frozenset((value.name,))
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        every = [_asked(cell.value) for cell in value.content.value]
+        return frozenset().union(*every) if all(every) else frozenset()
+    return frozenset()

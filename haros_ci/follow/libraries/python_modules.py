@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which module of the workspace a dotted Python name means, where a package and its modules share names."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+
+from haros_ci.follow import lookup
+from haros_ci.follow.run import Run
+from haros_ci.index.index import Source
+from haros_ci.values.abstract import Library, Module, Value
+
+
+def bound(run: Run, module: str) -> Value | None:
+    """What a package's ``__init__.py`` binds to the name of its submodule *module*; None if the name is the submodule.
+
+    Python asks the package first (docs.python.org/3/reference/import.html, the from clause and submodules).
+    """
+    parent, _, name = module.rpartition(".")
+    for source in run.index.modules.get(parent, ())[:1]:
+        if source.path.endswith("__init__.py"):
+            inner = lookup.module_frame(run, source)
+            cell = inner.scopes[0].get(name)
+            value = cell.value if cell is not None else lookup.python_name(run, inner, name)
+            return None if isinstance(value, (Library, Module)) else value
+    return None
+
+
+def imported(run: Run, first: Iterable[Source]) -> set[str]:
+    """The paths of *first* and of all that they import, by way of others too, with each package's ``__init__.py``."""
+    waiting = list(first)
+    found = {source.path for source in waiting}
+    for source in waiting:
+        package = source.module if source.path.endswith("__init__.py") else source.module.rpartition(".")[0]
+        targets = [source.module]
+        for alias in source.program.aliases:
+            target = alias.type.name.removesuffix(".*")
+            dots = len(target) - len(target.lstrip("."))
+            base = package.split(".")[: len(package.split(".")) - dots + 1] if dots else []
+            targets += [".".join((*base, target[dots:])) if base else target, f"{package}.{target}"]
+        for target in targets:
+            parts = target.split(".")
+            for length in range(1, len(parts) + 1):
+                for other in run.index.modules.get(".".join(parts[:length]), ())[:1]:
+                    if other.path not in found:
+                        found.add(other.path)
+                        waiting.append(other)
+    return found
+
+
+def beside(run: Run, source: Source, target: str) -> str | None:
+    """The module or content of a module beside *source* in its package that ``import`` without dots means in Python 2.
+
+    Python 3 finds nothing there (PEP 328); libraries that are known go first.
+    """
+    package = source.module if source.path.endswith("__init__.py") else source.module.rpartition(".")[0]
+    head = target.partition(".")[0]
+    if not package or head == package.partition(".")[0] or f"{package}.{head}" not in run.index.modules:
+        return None
+    known = run.found.get(("heads",))
+    if known is None:
+        known = run.found["heads",] = frozenset(name.partition(".")[0] for name in run.rows) | sys.stdlib_module_names
+    return None if head in known else f"{package}.{target}"

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The methods of Python's texts that only compute, and what is left of its built-in functions on plain data."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.follow.run import Frame, Run
+from haros_ci.values.abstract import TEXT_LIMIT, Cell, Known, Opaque, Sequence, Value, data_of
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+#: Methods of texts that give a text, a number, a flag or texts.
+METHODS = frozenset(
+    "strip lstrip rstrip lower upper replace split startswith endswith title capitalize rsplit swapcase casefold zfill "
+    "center ljust rjust count find rfind index rindex isdigit isalpha isalnum isspace isupper islower isidentifier "
+    "partition rpartition splitlines removeprefix removesuffix expandtabs __contains__".split()
+)
+#: Functions of plain data, by what they may be given.
+NUMBERS: dict[str, Callable[..., Any]] = {"abs": abs, "max": max, "min": min, "sum": sum, "ord": ord}
+FLAGS: dict[str, Callable[..., Any]] = {"any": any, "all": all}
+
+
+def method(run: Run, frame: Frame, text: str, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """What ``text.name(*args)`` gives (docs.python.org/3/library/stdtypes.html#string-methods); None if not known."""
+    if name not in METHODS or any(argument.keyword for argument in args):
+        return None
+    given: list[Any] = []
+    for argument in args:
+        known, data = data_of(argument.value)
+        if not known or not isinstance(data, (str, int, list, type(None))) or _is_large(data):
+            return None
+        given.append(tuple(data) if isinstance(data, list) else data)
+    longest = max((len(item) for item in given if isinstance(item, str)), default=0)
+    if name == "replace" and longest * (len(text) + 1) > 100 * TEXT_LIMIT:
+        return run.opaque("it is a long text", frame)
+    try:
+        made = getattr(text, name)(*given)
+    except (TypeError, ValueError, AttributeError, OverflowError):
+        return run.opaque(f"{name} fails with what it is given", frame)
+    if isinstance(made, tuple):
+        return Sequence(Cell(tuple(Cell(Known(item)) for item in made)))
+    return run.opaque("it is a long text", frame) if isinstance(made, str) and len(made) > TEXT_LIMIT else Known(made)
+
+
+def _is_large(data: Any) -> bool:
+    return isinstance(data, int) and abs(data) > TEXT_LIMIT
+
+
+def computed(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Value | None:
+    """What a built-in function of plain data gives; None if it is no such function, or its arguments are not known."""
+    if name not in NUMBERS and name not in FLAGS and name not in ("chr", "repr"):
+        return None
+    given = [data_of(argument.value) for argument in args]
+    if not given or not all(known for known, _ in given) or any(argument.keyword for argument in args):
+        return None
+    data = [item for _, item in given]
+    try:
+        if name == "chr":
+            return Known(chr(data[0])) if len(data) == 1 else None
+        if name == "repr":  # of texts, numbers with digits after the point and all else Python 2 and 3 differ
+            return Known(repr(data[0])) if len(data) == 1 and isinstance(data[0], (bool, int)) else None
+        if name in FLAGS and not (len(data) == 1 and isinstance(data[0], list)):
+            return None
+        made = {**NUMBERS, **FLAGS}[name](*data)
+    except (TypeError, ValueError, OverflowError, ArithmeticError):
+        return Opaque(f"{name} fails with what it is given")
+    return Known(made) if isinstance(made, (bool, int, float, str)) else None

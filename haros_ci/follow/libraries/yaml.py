@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""YAML as programs read it: files of the workspace, texts, streams; plug-ins by their names."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from haros_ci import syntax
+from haros_ci.follow import alternatives, construct, dynamic
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.trace import YAML_FILES
+from haros_ci.model.location import Location
+from haros_ci.values.abstract import Choice, Known, Object, Opaque, Value, opaque_of
+
+#: Why it is not known whether what a plug-in makes is made.
+ANY = "which plug-ins are loaded is a matter of parameters"
+#: Plug-ins of one base class that are followed.
+MOST = 32
+
+
+def plugin(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
+    """What pluginlib loads by that name; where a node is followed for its plug-ins, it may be any of that base class.
+
+    These are loaded once at each place of the program for each base class, however often it is gone through.
+    """
+    named = _named(run, frame, loader, name, location)
+    of_base, kind = run.context.of_base, _base(loader)
+    base = kind.name if kind is not None else ""
+    if of_base is None or run.quiet or (location, base) in run.offered:
+        return named
+    run.offered.add((location, base))
+    loaded: list[Value] = [named] if isinstance(named, Object) else []
+    there = {each.name for each in loaded if isinstance(each, Object)}
+    for found in of_base.get(base, ())[:MOST]:
+        if found[1].name not in there:
+            run.gaps.setdefault(ANY, location)
+            with run.doubted(ANY):
+                loaded.append(construct.instance(run, frame, found, (), (), location))
+    alternatives.mark(run, base, loaded)
+    return named if not loaded else loaded[0] if len(loaded) == 1 else Choice(tuple(loaded))
+
+
+def _base(loader: Object) -> syntax.Type | None:
+    """The class whose plug-ins the loader gives."""
+    found = loader.arguments[0] if loader.arguments else None
+    return found if isinstance(found, syntax.Type) else None
+
+
+def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Location) -> Value:
+    """An instance of the class that pluginlib loads by that name, where it is of the workspace (wiki.ros.org/pluginlib)."""
+    base = _base(loader)
+    if isinstance(name, Choice):
+        ways = [partial(_named, run, frame, loader, option, location) for option in name.options]
+        return run.either_way(ways, "it is one of several plug-ins")
+    if not isinstance(name, Known) or not isinstance(name.value, str):
+        why = opaque_of(name)
+        said = why.reason if why is not None else "it is no text"
+        dynamic.plugin(run, None, f"its name is not known: {said}", location)
+        return run.opaque("the plug-in's name is not known", frame, location.line, base)
+    found = run.context.plugins.get(name.value)
+    if found is None:
+        dynamic.plugin(run, name.value, "it is not in the workspace", location)
+        return run.opaque(f"the plug-in {name.value} is not in the workspace", frame, location.line, base)
+    return construct.instance(run, frame, found, (), (), location)
+
+
+def yaml_file(run: Run, path: Value) -> Value:
+    if isinstance(path, Known) and isinstance(path.value, str):
+        if run.index.trace is not None:
+            run.index.trace.paths.add(YAML_FILES)
+            is_traced = not path.value or path.value.endswith((".yaml", ".yml"))  # no file has no name
+            run.index.trace.is_whole = run.index.trace.is_whole and is_traced
+        found = run.context.read_yaml(path.value)
+        if found is not None:
+            return found
+        return Opaque(f"the YAML file {path.value or '(no name)'} is not in the workspace")
+    return Opaque("the name of the YAML file is not known")
+
+
+def yaml_stream(run: Run, stream: Value) -> Value:
+    if isinstance(stream, Object):
+        if "[path]" in stream.fields:
+            return yaml_file(run, stream.fields["[path]"].value)
+        if "[text]" in stream.fields:
+            stream = stream.fields["[text]"].value
+    if isinstance(stream, Known) and isinstance(stream.value, str):
+        found = run.context.read_yaml(f"\n{stream.value}")
+        if found is not None:
+            return found
+    return Opaque("the YAML text is not known")

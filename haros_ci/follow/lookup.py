@@ -1,0 +1,335 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a name means: a variable, a function, a class, a macro, a module, or something of a library."""
+
+from __future__ import annotations
+
+import builtins
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.follow import construct, conversions, expressions, members, methods
+from haros_ci.follow.libraries import cpp as library_cpp
+from haros_ci.follow.libraries import numbers as library_numbers
+from haros_ci.follow.libraries import python_modules
+from haros_ci.follow.ros import qos
+from haros_ci.follow.run import NEXT, Frame, Run
+from haros_ci.index import macros as macros_
+from haros_ci.index.common_messages import COMMON, NAMES
+from haros_ci.index.index import EITHER, Source
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression, Type
+from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join
+
+
+def named_cell(run: Run, frame: Frame, name: str) -> Cell | None:
+    cell = frame.find(name)
+    if cell is not None:
+        return cell
+    if frame.source.program.language == "python":
+        if frame.function is None and frame.scope:  # the body of a class
+            around = run.class_of(frame.scope, frame.source)
+            own = around is not None and any(field.name == name for field in around[1].fields)
+            if own and around is not None:
+                return members.static_cell(run, *around, name)
+        module = module_frame(run, frame.source)
+        return module.scopes[0].get(name)
+    this = frame.this
+    if this is None and frame.outer is not None:
+        this = frame.outer.this
+    if this is not None and "::" not in name:
+        cell = members.member(run, this, name, frame) or library_cpp.protected(run, this, name)
+        if cell is not None:
+            return cell
+    found = _found_variable(run, frame, name)
+    if found is None and "::" in name:  # a static member of what a template parameter or an alias stands for
+        head, _, last = name.rpartition("::")
+        meant = run.type_in(syntax.Type(head), frame).name
+        found = _found_variable(run, frame, f"{meant}::{last}") if meant not in ("", head) else None
+    return global_cell(run, *found) if found is not None else None
+
+
+def _found_variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
+    if (key := ("variable", name, frame.scope, frame.source.path)) not in run.found:
+        run.found[key] = _variable(run, frame, name)
+    return run.found[key]
+
+
+def _variable(run: Run, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
+    """The namespace-scope variable or static member that *name* means: its file, qualified name, initialiser, type."""
+    for candidate in run.index.scopes(name, frame.scope, frame.source):
+        found = run.index.near(run.index.variables, candidate, frame.source, run.files)
+        if found:
+            where, variable = found[0]
+            if any(other.init != variable.init for _, other in found):
+                return frame.source, variable.name, syntax.Equals(syntax.Unknown(EITHER)), variable.type
+            return where, variable.name, variable.init, variable.type
+        head, colons, last = candidate.rpartition("::")
+        if colons:
+            owner = run.class_of(head, frame.source)
+            if owner is not None:
+                static = methods.field_of(run, owner[0], owner[1], last, {})
+                if static is not None and static[1].is_static:
+                    return static[0], candidate, static[1].init, static[2]
+    return None
+
+
+def global_cell(run: Run, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
+    """The one cell of a namespace-scope variable or static member, made when it is first used."""
+    key = (source.path, name)
+    cell = run.globals.get(key)
+    if cell is None:
+        frame = Frame(source, name.rpartition(source.separator)[0])
+        resolved = run.type_in(kind, frame)
+        cell = run.globals[key] = Cell(run.opaque(f"{name} is not set", frame, None, resolved), resolved)
+        if init is not None:
+            cell.value = construct.initial(run, frame, resolved, init, Location(source.path))
+        elif not init:
+            for where, variable in run.index.variables.get(name, ()):  # a static member's definition elsewhere
+                if variable.init is not None:
+                    there = Frame(where, frame.scope)
+                    cell.value = construct.initial(run, there, resolved, variable.init, Location(where.path))
+                    break
+    return cell
+
+
+def name(run: Run, frame: Frame, expression: syntax.Name) -> Value:
+    name = expression.name
+    cell = named_cell(run, frame, name)
+    if cell is not None:
+        return cell.value
+    if frame.source.program.language == "python":
+        return python_name(run, frame, name)
+    key = ("name", name, frame.scope, frame.source.path, run.numbered(frame.templates) if frame.templates else 0)
+    if key not in run.found:
+        run.found[key] = _global_name(run, frame, name)
+    value: Any = run.found[key]
+    if isinstance(value, Macro):
+        return _expanded(run, frame, value, name)
+    if isinstance(value, Library) and run.context.process is not None:
+        profile = qos.preset(value.name)
+        if profile is not None:
+            return profile
+    if frame.this is not None and "::" not in name:
+        inherited = _inherited(run, frame, frame.this, name, value)
+        value = inherited if inherited is not None else value
+    if isinstance(value, Callable) and frame.this is not None and "::" not in name and _is_virtual(run, frame, value):
+        method = methods.method_of(run, frame.this, name)
+        if method is not None:
+            return method
+    if isinstance(value, Callable) and value.function.owner and not value.function.is_static and frame.this is not None:
+        return Callable(value.source, value.function, frame.this, templates=frame.templates)
+    return value
+
+
+@dataclass(frozen=True, slots=True)
+class Macro:
+    """An object-like macro: what its definitions stand for."""
+
+    bodies: tuple[Expression, ...]
+
+
+def _expanded(run: Run, frame: Frame, macro: Macro, name: str) -> Value:
+    """A macro's value where it stands; names in it mean there what they mean."""
+    looking = ("expanding", frame.source.path, name)
+    if looking in run.found:
+        return run.opaque(f"the macro {name} is defined by itself", frame)
+    run.found[looking] = True
+    try:
+        values = [expressions.evaluate(run, frame, body) for body in macro.bodies]
+    finally:
+        del run.found[looking]
+    value = values[0]
+    for other in values[1:]:
+        value = join(value, other)
+    return value
+
+
+def _inherited(run: Run, frame: Frame, this: Object, name: str, value: Value) -> Callable | None:
+    """The method *name* of a base class, which is meant before what the enclosing namespaces have of that name."""
+    if isinstance(value, Callable) and value.function.owner and value.function.owner == frame.scope:
+        return None
+    key = ("inherited", name, frame.scope, frame.source.path, this.name)
+    if key not in run.found:
+        owner = run.class_of(frame.scope, frame.source) or this.definition
+        found = methods.class_method(run, owner[0], owner[1], name) if owner is not None else None
+        run.found[key] = found if found is not None and found[1].kind == "function" else None
+    method = run.found[key]
+    return Callable(*method) if method is not None else None
+
+
+def _is_virtual(run: Run, frame: Frame, value: Callable) -> bool:
+    """Whether the call of a method goes to the object's own class: not inside a constructor, where it is not yet of it."""
+    if frame.function is None or frame.function.kind in ("constructor", "destructor"):
+        return False
+    return any(function.is_virtual for _, function in run.index.functions.get(value.function.name, ()))
+
+
+def _global_name(run: Run, frame: Frame, name: str) -> Value | Macro:
+    """What a name that is no variable means in C++: a function, macro, class, or a library's name."""
+    index = run.index
+    for candidate in index.scopes(name, frame.scope, frame.source):
+        functions = index.near(index.functions, candidate, frame.source, run.files)
+        if functions:
+            return Callable(*methods.with_body(run, functions))
+    macros = index.near(index.macros, name, frame.source, run.files)
+    if macros:
+        packages = {frame.source.package, *(source.package for source, _ in macros)}
+        if any(name in index.defined.get(package, ()) for package in packages):
+            return run.opaque(f"the build defines {name}", frame)
+        return Macro(tuple(macros_.expression(body) for _, body in macros))
+    resolved = run.type_in(syntax.Type(name), frame)
+    found = run.class_of(resolved.name, frame.source)
+    if found is not None:
+        return ClassValue(*found)
+    if "::" in name:
+        method = methods.tail_method(run, resolved.name if "::" in resolved.name else name, frame.source)
+        if method is not None:
+            return Callable(method[0], method[1])
+    if resolved.name.endswith("string::npos"):
+        return Known(conversions.NPOS)
+    constant = NAMES.get(resolved.name, library_numbers.CONSTANTS.get(name))
+    return Known(constant) if constant is not None else Library(resolved.name)
+
+
+def python_name(run: Run, frame: Frame, name: str) -> Value:
+    if name in ("True", "False", "None"):
+        return Known({"True": True, "False": False, "None": None}[name])
+    found = run.index.near(run.index.classes, name, frame.source, run.files)
+    if found and found[0][0].path == frame.source.path:
+        return ClassValue(*found[0])
+    functions = [f for f in run.index.functions.get(name, ()) if f[0].path == frame.source.path]
+    if frame.function is None and frame.scope:  # the body of a class
+        own = run.index.functions.get(f"{frame.scope}.{name}", ())
+        functions = [f for f in own if f[0].path == frame.source.path] or functions
+    if functions:
+        return Callable(functions[-1][0], functions[-1][1])
+    looking = ("looking", frame.source.path, name)
+    if looking not in run.found:  # else modules import each other
+        run.found[looking] = True
+        try:
+            value = _imported_name(run, frame, name)
+        finally:
+            del run.found[looking]
+        if value is not None:
+            return value
+    if not hasattr(builtins, name):
+        return Library(_starred(run, frame.source, name) or name)
+    return Library(name)
+
+
+def _imported_name(run: Run, frame: Frame, name: str) -> Value | None:
+    """What the file's imports of *name* mean: either of several, and of several modules with all their names the last."""
+    targets = dict.fromkeys(alias.type.name for alias in frame.source.program.aliases if alias.name == name)
+    value: Value | None = None
+    for target in targets:
+        other = imported(run, frame, target)
+        value = other if value is None else join(value, other)
+    if value is not None:
+        return value
+    for alias in reversed(frame.source.program.aliases):
+        if alias.name == "*":
+            value = imported(run, frame, f"{alias.type.name.removesuffix('.*')}.{name}")
+            if not isinstance(value, Library):
+                return value
+    return None
+
+
+def _starred(run: Run, source: Source, name: str) -> str | None:
+    """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
+    outside = []
+    for alias in reversed(source.program.aliases):  # of several the last counts
+        module = alias.type.name.removesuffix(".*")
+        package, _, kind = module.rpartition(".")
+        if alias.name == "*" and f"{module}.{name}" in run.rows:
+            return f"{module}.{name}"
+        if alias.name != "*" or kind not in ("msg", "srv"):
+            continue
+        if f"{package}/{name}" in run.index.interfaces or _of_action(run, package, name):
+            return f"{module}.{name}"
+        if name in COMMON.get(package, ()):
+            return f"{module}.{name}"
+        if package not in run.index.packages and package not in COMMON:
+            outside.append(f"{module}.{name}")
+    return outside[0] if len(outside) == 1 and name[:1].isupper() else None
+
+
+def _of_action(run: Run, package: str, name: str) -> bool:
+    """Whether *name* is a message of an action of the workspace (wiki.ros.org/actionlib: FooAction, FooGoal, ...)."""
+    action = name
+    for suffix in ("Action", "Goal", "Result", "Feedback"):
+        base = name.removesuffix(suffix)
+        action = base if base != name and base else action
+    return action != name and f"{package}/{action}" in run.index.interfaces
+
+
+def imported(run: Run, frame: Frame, target: str) -> Value:
+    """What a dotted Python name means: a module, class, function or variable of the workspace, or a library's name."""
+    if target.startswith("."):
+        dots = len(target) - len(target.lstrip("."))
+        base = frame.source.module.split(".")
+        if not frame.source.path.endswith("__init__.py"):
+            base = base[:-1]
+        base = base[: len(base) - dots + 1]
+        target = ".".join((*base, target.lstrip("."))) if target.lstrip(".") else ".".join(base)
+    head = target
+    rest: list[str] = []
+    while head:
+        modules = run.index.modules.get(head)
+        if modules:
+            source = min(modules, key=lambda s: (s.package != frame.source.package, s.path))
+            if rest and is_generated(run, source, rest[-1]):
+                return Library(target)
+            value: Value = Module(source)
+            if not rest:
+                return python_modules.bound(run, head) or value
+            for part in reversed(rest):
+                value = members.attribute(run, value, part, frame)
+            if rest and value is not run.found.get(("first", source.path, rest[-1]), value):
+                return run.opaque("it is imported by value, and a function of its module assigns to it", frame)
+            return value
+        head, dot, last = head.rpartition(".")
+        if not dot:
+            break
+        rest.append(last)
+    beside = python_modules.beside(run, frame.source, target)
+    return imported(run, frame, beside) if beside is not None else Library(target)
+
+
+def is_generated(run: Run, source: Source, name: str) -> bool:
+    """Whether *name* of a package's own Python module is the module that its interfaces are generated into.
+
+    Both are installed into one Python package (wiki.ros.org/genpy, wiki.ros.org/dynamic_reconfigure).
+    """
+    if name not in ("msg", "srv", "cfg") or "." in source.module or not source.path.endswith("__init__.py"):
+        return False
+    if f"{source.module}.{name}" in run.index.modules:
+        return False
+    return name not in module_frame(run, source).scopes[0]
+
+
+def _rebound(source: Source) -> set[str]:
+    """The variables of a Python module that its functions assign to (``global``)."""
+    statements = (statement for function in source.program.functions for statement in function.body or ())
+    return {name for each in statements if isinstance(each, syntax.Global) for name in each.names}
+
+
+def module_frame(run: Run, source: Source) -> Frame:
+    """A Python module's own scope; its body is followed once, when the module is first used."""
+    frame = run.modules.get(source.path)
+    if frame is None:
+        from haros_ci.follow import statements
+
+        frame = run.modules[source.path] = Frame(source, "")
+        if run.index.trace is not None:
+            run.index.trace.paths.add(source.path)
+        body = next((f for f in source.program.functions if f.kind == "module"), None)
+        if body is not None and body.body:
+            for statement in body.body:
+                run.step()
+                if statements.STATEMENTS[type(statement)](run, frame, statement) != NEXT:
+                    break
+        for name in _rebound(source):
+            if name in frame.scopes[0]:
+                run.found["first", source.path, name] = frame.scopes[0][name].value
+    return frame

@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Loops: gone through turn by turn where that is known and worth it, widened where it is not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.follow import alternatives, expressions, statements, static_types
+from haros_ci.follow.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
+from haros_ci.model.location import Location
+from haros_ci.syntax import Block, Expression, Type
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
+from haros_ci.values.state import certain, joined
+
+#: Turns that are tried to find what a loop changes.
+REHEARSALS = 3
+#: Steps after which the turns of a loop are no longer gone through one by one.
+LONG = 2_000
+#: Why a turn may not be taken.
+SOME_PATHS = "what it is made for is an element of the list on some paths only"
+#: Turns around a loop from which on it is widened: 2 for each loop that is gone through, all of them in a rehearsal.
+NESTED = 8
+#: Why an element of a list that is empty as things are may be there all the same.
+NAMED = "the list is a matter of parameters"
+
+
+def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
+    keyword, line, column, text = statement.keyword, statement.line, statement.column, statement.text
+    first, test, body = statement.before, statement.test, statement.body
+    frame.scopes.append({})
+    current = Loop(run.state.mark())
+    known = len(run.made)
+
+    step = body[-1] if body and isinstance(body[-1], syntax.Step) else None
+
+    def one() -> str:
+        return statements.execute(run, frame, body[:-1] if step else body)
+
+    def after() -> None:
+        if step is not None:
+            expressions.evaluate(run, frame, step.value)
+
+    def after_and_test() -> None:
+        after()
+        if test is not None:
+            expressions.evaluate(run, frame, test)
+
+    try:
+        for item in first:
+            statements.STATEMENTS[type(item)](run, frame, item)
+        with run.under(keyword, text, frame, line, column):
+            before = run.steps - run.aside
+            worthwhile = _worthwhile(run, frame, body, test)
+            for turn in range(TURNS):
+                if turn or keyword != "do":
+                    holds = statements.truth(expressions.evaluate(run, frame, test)) if test is not None else None
+                    if holds is False:
+                        return _leave(run, current, goes_on=True)
+                    if holds is None:
+                        break
+                if not worthwhile or run.steps - run.aside - before > LONG:
+                    break
+                run.turns *= 2
+                current.turn = turn
+                ended = _turn(run, frame, current, one, after)
+                run.turns //= 2
+                if ended != NEXT:
+                    return _leave(run, current, goes_on=False, ended=ended)
+            current.turn = 0
+            matters = _matters(run, frame, body, test)
+            _widened(run, frame, current, matters, line, one, after_and_test)
+            return _leave(run, current, goes_on=True)
+    finally:
+        frame.scopes.pop()
+        run.forget_dead(known)
+
+
+def _turn(run: Run, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:
+    """One turn of a loop, and what comes *after* it if the loop goes on."""
+    ended = _body(run, frame, loop, body)
+    if ended == NEXT and after is not None:
+        after()
+    return ended
+
+
+def _body(run: Run, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
+    """The body of a loop: the ways that continue are joined with the one that comes to its end."""
+    was_dead = frame.is_dead
+    loop.continues = []
+    broken = len(loop.breaks)
+    run.loops.append(loop)
+    try:
+        ended = body()
+    finally:
+        run.loops.pop()
+    died = frame.is_dead and not was_dead
+    frame.is_dead = was_dead
+    if loop.continues:
+        ways = list(loop.continues)
+        if ended == NEXT and not died:
+            ways.append(run.state.since(loop.mark))
+        run.state.undo(loop.mark)
+        run.state.merge(ways)
+        return NEXT
+    if ended in (NEXT, CONTINUE) and not died:
+        return NEXT
+    if len(loop.breaks) == broken and died:
+        frame.is_dead = True  # what can be taken has returned
+    return BREAK if died else ended
+
+
+def _leave(run: Run, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
+    """The end of a loop: what was left by break is joined with what came to the end."""
+    if not loop.breaks:
+        return NEXT if goes_on or ended == BREAK else ended
+    ways = list(loop.breaks)
+    if goes_on:
+        ways.append(run.state.since(loop.mark))
+    run.state.undo(loop.mark)
+    run.state.merge(ways)
+    return NEXT
+
+
+def _matters(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
+    blocks = (body,) if test is None else (body, test)
+    return any(run.relevance.matters(block, frame.source, frame.function) for block in blocks)
+
+
+def _worthwhile(run: Run, frame: Frame, body: Block, test: Expression | None) -> bool:
+    """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
+    if _matters(run, frame, body, test):
+        return run.turns < NESTED
+    if (
+        run.turns < NESTED
+        and test is not None
+        and isinstance(test, syntax.Operation)
+        and run.relevance.edits(body, frame.source)
+    ):
+        return True
+    return run.turns == 1 and run.relevance.collects(body, frame.source)
+
+
+def _widened(
+    run: Run,
+    frame: Frame,
+    loop: Loop,
+    matters: bool,
+    line: int,
+    body: Callable[[], str],
+    after: Callable[[], None] | None = None,
+) -> None:
+    """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
+
+    *body* follows a turn. It is rehearsed until it changes nothing more that was known; then, if it *matters*, as it may
+    make something, it is followed for what it makes (not in a rehearsal, which makes nothing).
+    """
+    is_real = matters and not run.quiet
+    begun = tick()
+    for left in reversed(range(1 if run.quiet else REHEARSALS + is_real)):
+        inner = Loop(run.state.mark())
+        kept = run.kept() if is_real else None
+        run.turns *= 1 if is_real else NESTED
+        run.quiet += not is_real
+        try:
+            ended = _turn(run, frame, inner, body, after)
+        finally:
+            run.quiet -= not is_real
+            run.turns //= 1 if is_real else NESTED
+        writes = run.state.undo(inner.mark)
+        if is_real and not left:
+            break
+        ways = [item for way in (writes, *inner.breaks) for item in way.items()]
+        if not _forgotten(run, frame, line, begun, ways):
+            break
+        if kept is not None:
+            run.go_back(kept)
+    before = run.state.since(loop.mark)
+    loop.breaks += [{**before, **way} for way in inner.breaks]
+    run.state.merge([alternatives.own(run, writes), writes] if ended == NEXT else [{}])
+
+
+def _forgotten(run: Run, frame: Frame, line: int, begun: int, ways: list[tuple[Cell, Any]]) -> bool:
+    """Whether a turn has changed what was known before it; that is not known any more."""
+    changed = False
+    for cell, value in ways:
+        if cell.born > begun:  # of the turn itself
+            continue
+        then = joined(cell.value, value)
+        if then is cell.value or isinstance(then, (tuple, dict)) or opaque_of(then) is None:
+            continue
+        some = certain(then)
+        is_opaque = isinstance(cell.value, Opaque) and certain(cell.value) == some
+        if isinstance(then, (Known, Object, Sequence, Mapped)) or is_opaque:
+            continue
+        changed = True
+        told = Opaque("it changes in a loop", Location(frame.source.path, line), cell.type)
+        run.state.write(cell, Partial(told.reason, told.location, told.type, some) if some else told)
+    return changed
+
+
+def each(run: Run, frame: Frame, statement: syntax.Each) -> str:
+    line, column, text = statement.line, statement.column, statement.text
+    name, kind, iterable, body = statement.name, statement.type, statement.iterable, statement.body
+    items, others = static_types.some_elements(run, frame, iterable)
+    resolved = run.type_in(kind, frame)
+
+    def turn(value: Value | Cell) -> str:
+        frame.scopes.append({})
+        try:
+            if isinstance(value, Cell) and "&" in resolved.marks:
+                frame.declare(name, value)
+            else:
+                inner = value.value if isinstance(value, Cell) else value
+                frame.declare(name, Cell(inner, resolved if resolved.name not in ("", "auto") else None))
+            return statements.execute(run, frame, body)
+        finally:
+            frame.scopes.pop()
+
+    current = Loop(run.state.mark())
+    with run.under("for", text, frame, line, column):
+        unknown: Value | None = None
+        if others is not None:
+            kind_ = _element_type(run, frame, iterable, resolved)
+            unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
+        doubt = None
+        loads = run.context.of_base is not None and run.relevance.loads(body, frame.source)
+        if others is None and not items and loads:
+            doubt = NAMED
+            unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(run, frame, iterable, resolved))
+        if items and (run.turns >= NESTED or len(items) > TURNS * 4):
+            unknown = unknown or Opaque("an element in nested loops", Location(frame.source.path, line), resolved)
+            items = []
+        known = len(run.made)
+        for number, item in enumerate(items):
+            run.turns *= 2
+            current.turn = number
+            ended = _turn(run, frame, current, partial(turn, item))
+            run.turns //= 2
+            run.forget_dead(known)
+            if ended != NEXT:
+                return _leave(run, current, goes_on=False, ended=ended)
+        if unknown is not None:
+            current.turn = 0
+            matters = _matters(run, frame, body, None)
+            if others and matters and not run.quiet:
+                _possible(run, frame, current, [partial(turn, other) for other in others])
+            with run.doubted(doubt):
+                _widened(run, frame, current, loads or matters, line, partial(turn, unknown))
+    return _leave(run, current, goes_on=True)
+
+
+def _element_type(run: Run, frame: Frame, iterable: Expression, written: Type) -> Type | None:
+    return static_types.element_type(run, frame, iterable) if written.name in ("", "auto") else written
+
+
+def _possible(run: Run, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:
+    """Turns for elements that a list has on some paths: what these make and leave behind may be so."""
+    mark = run.state.mark()
+    for turn in turns:
+        with run.doubted(SOME_PATHS):
+            ended = _turn(run, frame, loop, turn)
+        writes = run.state.undo(mark)
+        run.state.merge([{}, writes] if ended == NEXT else [{}])
+        mark = run.state.mark()

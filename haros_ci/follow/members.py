@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Members: the data of objects, methods, what modules and classes contain."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from haros_ci import syntax
+from haros_ci.follow import expressions, lookup, methods
+from haros_ci.follow.libraries import python as library_python
+from haros_ci.follow.libraries import python_modules
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import Source
+from haros_ci.index.types import pointee
+from haros_ci.syntax import Class, Expression
+from haros_ci.values import iterators
+from haros_ci.values.abstract import (
+    NONE,
+    Callable,
+    Cell,
+    Choice,
+    ClassValue,
+    Known,
+    Library,
+    Module,
+    Object,
+    Opaque,
+    Pointer,
+    Value,
+    join,
+)
+
+
+def member(run: Run, value: Value, name: str, frame: Frame) -> Cell | None:
+    """The cell of a data member; made where the class declares it (or Python may), None where there is none."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    elif (
+        isinstance(value, Object) and value.name == iterators.ITERATOR and (of := iterators.pointed(value)) is not None
+    ):
+        value = of.value
+    if not isinstance(value, Object):
+        if isinstance(value, Module):
+            return lookup.module_frame(run, value.source).scopes[0].get(name)
+        return static_cell(run, value.source, value.definition, name) if isinstance(value, ClassValue) else None
+    cell = value.fields.get(name)
+    if cell is None and value.definition is not None:
+        source, definition = value.definition
+        if source.program.language == "python":
+            cell = static_cell(run, source, definition, name)
+            if cell is not None:
+                return cell
+        found = methods.field_of(run, source, definition, name, value.templates)
+        if found is not None:
+            where, declared, kind = found
+            if declared.is_static:
+                return lookup.global_cell(run, where, f"{definition.name}{where.separator}{name}", declared.init, kind)
+            cell = value.fields[name] = Cell(
+                run.opaque(f"the member {name} is not set before", frame, None, kind), kind
+            )
+    return cell
+
+
+def static_cell(run: Run, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:
+    """The cell of a class's own attribute, declared or assigned to, or that of its bases."""
+    separator = source.separator
+    set_later = run.globals.get((source.path, f"{definition.name}{separator}{name}"))
+    if set_later is not None:
+        return set_later
+    for declared in definition.fields:
+        if declared.name == name and (declared.is_static or separator == "."):
+            if not declared.is_static:
+                return None
+            frame = Frame(source, definition.name)
+            kind = run.type_in(declared.type, frame)
+            return lookup.global_cell(run, source, f"{definition.name}{separator}{name}", declared.init, kind)
+    if depth < methods.BASES:
+        for base in run.bases(source, definition, {}):
+            owner = methods.python_class(run, base, source) if separator == "." else run.class_of(base.name, source)
+            if owner is not None and owner[1] is not definition:
+                found = static_cell(run, owner[0], owner[1], name, depth + 1)
+                if found is not None:
+                    return found
+    return None
+
+
+def attribute(run: Run, value: Value, name: str, frame: Frame) -> Value:
+    """``value.name`` where it is no data member: a method, a module's content, a library's member."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Module):
+        inner = lookup.module_frame(run, value.source)
+        if name in inner.scopes[0]:
+            return inner.scopes[0][name].value
+        deeper = run.index.modules.get(f"{value.source.module}.{name}")
+        if deeper:
+            return python_modules.bound(run, f"{value.source.module}.{name}") or Module(deeper[0])
+        if lookup.is_generated(run, value.source, name):
+            return Library(f"{value.source.module}.{name}")
+        return lookup.python_name(run, inner, name)
+    if isinstance(value, Library):
+        if value.name == "sys" and name == "argv":
+            return library_python.argv(run)
+        return Library(f"{value.name}.{name}" if frame.source.program.language == "python" else f"{value.name}::{name}")
+    if isinstance(value, Object):
+        cell = member(run, value, name, frame)
+        if cell is not None:
+            return cell.value
+        method = methods.method_of(run, value, name)
+        if method is not None:
+            return method
+        if frame.source.separator == ".":
+            held = of_class(run, value, name, frame)
+            if held is not None:
+                return held
+        return Library(f"{value.name}{frame.source.separator}{name}", value)
+    if isinstance(value, ClassValue):
+        found = methods.field_of(run, value.source, value.definition, name, {})
+        if found is not None:
+            separator = value.source.separator
+            return lookup.global_cell(
+                run, found[0], f"{value.definition.name}{separator}{name}", found[1].init, found[2]
+            ).value
+        unbound = methods.class_method(run, value.source, value.definition, name)
+        if unbound is not None:
+            return Callable(*unbound)
+        if value.source.separator == ".":
+            inside = class_inside(run, value.source, value.definition, name)
+            if inside is not None:
+                return inside
+            if name == "__name__":
+                return Known(value.definition.name.rpartition(".")[2])
+        return Library(f"{value.definition.name}.{name}")
+    if isinstance(value, Choice):
+        result: Value | None = None
+        for option in value.options:
+            found_ = attribute(run, option, name, frame)
+            result = found_ if result is None else join(result, found_)
+        return result if result is not None else NONE
+    if isinstance(value, Opaque):
+        kind = value.type
+        if kind is not None and kind.name:
+            owner = run.class_of(pointee(kind).name, frame.source)
+            if owner is not None:
+                declared = methods.field_of(run, owner[0], owner[1], name, {})
+                if declared is not None:
+                    return Opaque(value.reason, value.location, declared[2])
+                unbound = methods.class_method(run, owner[0], owner[1], name)
+                if unbound is not None:
+                    return Callable(*unbound)
+            return Library(f"{pointee(kind).name}{frame.source.separator}{name}", value)
+        return Opaque(value.reason, value.location)
+    return Library(name, value)
+
+
+def of_class(run: Run, value: Object, name: str, frame: Frame) -> Value | None:
+    """What a Python object's class has under *name* that is no method: an attribute, a class in it, ``__class__``.
+
+    A function is a method there, be it a lambda or a method by another name.
+    """
+    if value.definition is None:
+        return None
+    if name == "__class__":
+        return ClassValue(*value.definition)
+    source, definition = value.definition
+    cell = static_cell(run, source, definition, name)
+    if cell is None:
+        return class_inside(run, source, definition, name)
+    held = cell.value
+    if isinstance(held, Callable) and held.this is None:
+        if not held.function.owner:
+            return replace(held, bound=(value, *held.bound))
+        if not held.function.is_static:
+            return replace(held, this=value)
+    return held
+
+
+def class_inside(run: Run, source: Source, definition: Class, name: str, depth: int = 0) -> ClassValue | None:
+    """The Python class *name* that is defined inside of a class or one of its bases."""
+    wanted = f"{definition.name}.{name}"
+    found = [item for item in run.index.classes.get(wanted, ()) if item[0].path == source.path]
+    if found:
+        return ClassValue(*found[-1]) if len(found) == 1 else None
+    if depth < methods.BASES:
+        for base in run.bases(source, definition, {}):
+            owner = methods.python_class(run, base, source)
+            if owner is not None and owner[1] is not definition:
+                inside = class_inside(run, owner[0], owner[1], name, depth + 1)
+                if inside is not None:
+                    return inside
+    return None
+
+
+def field(run: Run, frame: Frame, expression: syntax.Member) -> Value:
+    value = expressions.evaluate(run, frame, expression.object)
+    cell = member(run, value, expression.name, frame)
+    if cell is not None:
+        return cell.value
+    return attribute(run, value, expression.name, frame)
+
+
+def dotted(expression: Expression) -> str:
+    parts: list[str] = []
+    while isinstance(expression, syntax.Member):
+        parts.append(expression.name)
+        expression = expression.object
+    if not isinstance(expression, syntax.Name):
+        return ""
+    return ".".join((expression.name, *reversed(parts)))

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Classes: the look-up of their members and methods through their bases, and which of several overloads is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from haros_ci import syntax
+from haros_ci.follow import expressions, lookup, members, overloads
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import Source
+from haros_ci.syntax import Class, Field, Function, Type
+from haros_ci.values.abstract import Callable, ClassValue, Object, Value
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+    #: The arguments of a call, None where no call is meant.
+    Given = Sequence[Argument] | None
+
+#: Deeper hierarchies are cut off (and cycles with them).
+BASES = 12
+
+Member = tuple[Source, Field, Type]
+Found = tuple[Source, Function]
+
+
+def field_of(
+    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int = 0
+) -> Member | None:
+    """The data member *name* of a class or its bases: where it is declared, and its resolved type."""
+    key = ("field", id(definition), name, run.numbered(templates) if templates else 0)
+    if key not in run.found:
+        run.found[key] = _field_of(run, source, definition, name, templates, depth)
+    found: Member | None = run.found[key]
+    return found
+
+
+def _field_of(
+    run: Run, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int
+) -> Member | None:
+    for declared in definition.fields:
+        if declared.name == name:
+            return source, declared, run.resolved(declared.type, definition.name, source, templates)
+    if depth < BASES:
+        for base in run.bases(source, definition, templates):
+            owner = run.class_of(base.name, source)
+            if owner is not None and owner[1] is not definition:
+                bound = dict(zip(owner[1].templates, base.arguments, strict=False))
+                found = field_of(run, owner[0], owner[1], name, bound, depth + 1)
+                if found is not None:
+                    return found
+    return None
+
+
+def class_method(
+    run: Run, source: Source, definition: Class, name: str, given: Given = None, depth: int = 0
+) -> Found | None:
+    """The method *name* of a class or its bases; the arguments *given* choose between overloads."""
+    separator = source.separator
+    if separator == "::":
+        key = ("methods", definition.name, name, source.path)
+        if key not in run.found:
+            candidates = run.index.near(run.index.functions, f"{definition.name}::{name}", source, run.files)
+            if not any(function.body is not None for _, function in candidates):
+                candidates = [*overloads.nearest(run, _loose(run, definition.name, name), source), *candidates]
+            run.found[key] = candidates
+        candidates = run.found[key]
+    else:
+        candidates = run.index.near(run.index.functions, f"{definition.name}.{name}", source, run.files)
+        candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
+    if candidates:
+        where, function = overload(run, candidates, given)
+        return where, overloads.decorated(run, function) if separator == "." else function
+    if depth < BASES:
+        for base in run.bases(source, definition, {}):
+            owner = python_class(run, base, source) if separator == "." else run.class_of(base.name, source)
+            if owner is not None and owner[1] is not definition:
+                found = class_method(run, owner[0], owner[1], name, given, depth + 1)
+                if found is not None:
+                    return found
+    return None
+
+
+def python_class(run: Run, base: Type, source: Source) -> tuple[Source, Class] | None:
+    value: Value = expressions.evaluate(run, lookup.module_frame(run, source), syntax.Name(base.name.split(".")[0]))
+    for part in base.name.split(".")[1:]:
+        value = members.attribute(run, value, part, Frame(source, ""))
+    return (value.source, value.definition) if isinstance(value, ClassValue) else None
+
+
+def library_bases(run: Run, source: Source, definition: Class, depth: int = 0) -> list[str]:
+    """The names of all base classes that are not of the workspace."""
+    key = ("bases", id(definition))
+    if key in run.found:
+        known: list[str] = run.found[key]
+        return known
+    found: list[str] = []
+    if source.separator == "::" and depth == 0:
+        run.found[key] = found
+    if depth < BASES:
+        for base in run.bases(source, definition, {}):
+            if source.program.language == "python":
+                owner = python_class(run, base, source)
+                name = base.name
+                if owner is None:
+                    value = expressions.evaluate(run, Frame(source, ""), syntax.Name(name.split(".")[0]))
+                    name = ".".join((getattr(value, "name", name.split(".")[0]), *name.split(".")[1:]))
+            else:
+                owner, name = run.class_of(base.name, source), base.name
+            if owner is None:
+                found.append(name)
+            elif owner[1] is not definition:
+                found += library_bases(run, owner[0], owner[1], depth + 1)
+    return found
+
+
+def method_of(run: Run, this: Object, name: str, given: Given = None) -> Callable | None:
+    """The method *name* of an object, bound to it."""
+    if this.definition is None:
+        return None
+    source, definition = this.definition
+    found = class_method(run, source, definition, name, given)
+    if found is None:
+        return None
+    return Callable(found[0], found[1], this, templates=this.templates)
+
+
+def templates_of(run: Run, this: Object, owner: str) -> Mapping[str, syntax.Argument] | None:
+    """What the template parameters of *owner*, a base class of the object *this*, stand for; None if it has none."""
+    if this.definition is None or this.definition[1].name == owner:
+        return None
+    if not any(each.templates for _, each in run.index.classes.get(owner, ())):
+        return None
+    waiting = [(*this.definition, this.templates)]
+    seen = 0
+    while waiting and seen < BASES:
+        source, definition, templates = waiting.pop(0)
+        seen += 1
+        for base in run.bases(source, definition, templates):
+            found = run.class_of(base.name, source)
+            if found is None:
+                continue
+            bound = dict(zip(found[1].templates, base.arguments, strict=False))
+            if found[1].name == owner:
+                return bound
+            waiting.append((*found, bound))
+    return None
+
+
+def overload(run: Run, candidates: list[Found], given: Given) -> Found:
+    """The definition that takes the arguments *given*, with its body if it has one; of several bodies none for certain."""
+    fitting = candidates
+    if given is not None:
+        fitting = [item for item in candidates if overloads.takes(item[1], len(given))] or candidates
+    best = next((item for item in fitting if item[1].body is not None), fitting[0])
+    if given is not None and len({overloads.signature(item[1]) for item in fitting}) > 1:
+        best = overloads.chosen(run, fitting, given)
+    if best[1].body is None:
+        bodies = [
+            item
+            for item in candidates
+            if item[1].body is not None and len(item[1].parameters) == len(best[1].parameters)
+        ]
+        wanted = overloads.signature(best[1])
+        elsewhere = [item for item in _defined(run, best) if item not in candidates]
+        candidates = [*candidates, *elsewhere]
+        alike = (item for item in (*bodies, *elsewhere) if overloads.signature(item[1]) == wanted)
+        best = next(alike, (*elsewhere, *bodies, best)[0])
+    return overloads.any_of(run, best, candidates) if best[1].body is not None else best
+
+
+def _defined(run: Run, declared: Found) -> list[Found]:
+    """The definitions with as many parameters of a C++ function that is declared only, nearest first."""
+    source, function = declared
+    if source.separator == ".":
+        return []
+    loose = _loose(run, function.owner, function.name.rpartition("::")[2]) if function.owner else []
+    bodies = [
+        item
+        for item in (*run.index.functions.get(function.name, ()), *loose)
+        if item[1].body is not None and len(item[1].parameters) == len(function.parameters)
+    ]
+    return overloads.nearest(run, bodies, source)
+
+
+def with_body(run: Run, candidates: list[Found]) -> Found:
+    """The first that has a body, looked for under the same name in the files of the node if need be."""
+    for item in candidates:
+        if item[1].body is not None:
+            return overloads.any_of(run, item, candidates)
+    found = _defined(run, candidates[0])
+    wanted = overloads.signature(candidates[0][1])
+    alike = [item for item in found if overloads.signature(item[1]) == wanted] or found
+    return overloads.any_of(run, alike[0], alike) if alike else candidates[0]
+
+
+def _loose(run: Run, owner: str, name: str) -> list[Found]:
+    """The definitions of the method *name* of the class *owner* that name the class under a using-directive."""
+    return [
+        item
+        for item in run.index.by_tail.get(f"{owner.rpartition('::')[2]}::{name}", ())
+        if item[1].body is not None and item[1].owner and f"::{owner}".endswith(f"::{item[1].owner}")
+    ]
+
+
+def tail_method(run: Run, name: str, source: Source) -> Found | None:
+    """``C::m`` where the class is known under a using-directive only."""
+    tail = "::".join(name.split("::")[-2:])
+    found = [
+        item
+        for item in run.index.near(run.index.by_tail, tail, source, run.files)
+        if f"::{item[1].name}".endswith(f"::{name}") or f"::{name}".endswith(f"::{item[1].name}")
+    ]
+    return overload(run, found, None) if found else None

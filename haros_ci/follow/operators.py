@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Operators: arithmetic on known data, text put together, streams, assignment, indexing, conversions."""
+
+from __future__ import annotations
+
+import operator
+from dataclasses import replace
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.follow import activation, call_arguments, conversions, expressions, methods, statements
+from haros_ci.follow.libraries import formats, python_kinds, texts
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.types import STRINGS
+from haros_ci.syntax import Expression
+from haros_ci.values import iterators
+from haros_ci.values.abstract import (
+    FALSE,
+    LIST_LIMIT,
+    NONE,
+    TRUE,
+    Callable,
+    Cell,
+    Character,
+    Choice,
+    Known,
+    Library,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Text,
+    Value,
+    concatenate,
+    data_of,
+    join,
+)
+
+BINARY = {
+    "-": operator.sub,
+    "*": operator.mul,
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<": operator.lt,
+    ">": operator.gt,
+    "<=": operator.le,
+    ">=": operator.ge,
+    "&": operator.and_,
+    "|": operator.or_,
+    "^": operator.xor,
+}
+
+
+def operation(run: Run, frame: Frame, expression: syntax.Operation) -> Value:
+    """A unary or binary operator, overloaded ones of the workspace included."""
+    symbol, operands = expression.operator, expression.operands
+    if symbol in ("&&", "||"):
+        return _logical(run, frame, symbol, operands)
+    left = expressions.evaluate(run, frame, operands[0])
+    if len(operands) == 1:
+        return _unary(run, frame, symbol, left)
+    if symbol in ("<<", ">>"):
+        return _shift(run, frame, symbol, operands, left)
+    right = expressions.evaluate(run, frame, operands[1])
+    if symbol == ".*":
+        return _bound(run, frame, left, right)
+    if isinstance(left, Object) and left.definition is not None:
+        given = (call_arguments.Argument(right, None, conversions.value_type(right)),)
+        method = methods.method_of(run, left, f"operator{symbol}", given)
+        if method is not None:
+            return activation.invoke(run, frame, method, given)
+    return binary(run, frame, symbol, left, right)
+
+
+def _bound(run: Run, frame: Frame, left: Value, right: Value) -> Value:
+    """``a.*m``, ``a->*m``: the method that *m* points to, of the object *a*."""
+    this = left.cell.value if isinstance(left, Pointer) else left
+    if isinstance(right, Callable) and isinstance(this, Object) and right.function.owner:
+        return replace(right, this=this, templates=this.templates)
+    return run.opaque("it is a member that a pointer tells", frame)
+
+
+def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Value:
+    """*symbol* applied to two values; Opaque where it cannot be computed."""
+    if isinstance(left, Choice) and not isinstance(right, Choice):
+        return _over(left, lambda option: binary(run, frame, symbol, option, right))
+    if isinstance(right, Choice):
+        return _over(right, lambda option: binary(run, frame, symbol, left, option))
+    if symbol == "+" and (_is_text(left) or _is_text(right)):
+        for value in (left, right):
+            if isinstance(value, Known) and not isinstance(value.value, (str, Character)):
+                return run.opaque("a number is added to a text", frame)
+        return concatenate((left, right))
+    if symbol == "/" and _is_text(left) and _is_text(right) and frame.source.separator == "::":  # std::filesystem::path
+        return concatenate((left, Known("/"), right))
+    if symbol == "%" and isinstance(left, Known) and isinstance(left.value, str):
+        return formats.percent(run, frame, left.value, right)
+    if isinstance(left, Known) and isinstance(right, Known):
+        return _computed(run, frame, symbol, left.value, right.value)
+    if symbol == "+" and isinstance(left, Sequence) and isinstance(right, Sequence):
+        one, other = left.content.value, right.content.value
+        if isinstance(one, tuple) and isinstance(other, tuple):
+            if len(one) + len(other) > LIST_LIMIT:
+                return Sequence(Cell(run.opaque("it is a long list", frame)))
+            return Sequence(Cell((*one, *other)))
+    if isinstance(left, Object) and symbol in ("+", "-") and isinstance(right, Known) and type(right.value) is int:
+        further = iterators.moved(left, right.value if symbol == "+" else -right.value)
+        if further is not None:
+            return further
+    if symbol in ("==", "!=", "is", "is not") and (is_same := python_kinds.same(left, right)) is not None:
+        return TRUE if is_same is (symbol in ("==", "is")) else FALSE
+    if symbol in ("==", "!="):
+        if (told := iterators.compared(symbol, left, right)) is not None:
+            return told
+        if isinstance(left, Object) and isinstance(right, Object) and left is right:
+            return TRUE if symbol == "==" else FALSE
+        if isinstance(left, Library) and left == right and left.this is None:  # a library's constant
+            return TRUE if symbol == "==" else FALSE
+        if (isinstance(left, Object) and right == NONE) or (isinstance(right, Object) and left == NONE):
+            return FALSE if symbol == "==" else TRUE
+        if any(
+            isinstance(a, Pointer) and isinstance(b, Object) and b.name == "[end]"
+            for a, b in ((left, right), (right, left))
+        ):
+            return FALSE if symbol == "==" else TRUE  # an element, and what is behind the last one
+        if isinstance(left, Library) and isinstance(right, Library):
+            words = [each.name.rpartition("::")[2] for each in (left, right)]
+            if all(word.startswith("PARAMETER_") for word in words):  # constants of rclcpp::ParameterType
+                return TRUE if (words[0] == words[1]) is (symbol == "==") else FALSE
+        known, one_data = data_of(left)
+        also, other_data = data_of(right)
+        if known and also:
+            return _computed(run, frame, symbol, one_data, other_data)
+    if symbol in ("in", "not in"):
+        known, item = data_of(left)
+        also, items = data_of(right)
+        if known and also and isinstance(items, (list, dict, str)):
+            try:
+                return Known((item in items) == (symbol == "in"))
+            except TypeError:
+                pass
+    kind = conversions.value_type(left) or conversions.value_type(right)
+    comparison = symbol in ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not")
+    return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool") if comparison else kind)
+
+
+def _over(choice: Choice, function: Any) -> Value:
+    result: Value | None = None
+    for option in choice.options:
+        found = function(option)
+        result = found if result is None else join(result, found)
+    return result if result is not None else NONE
+
+
+def _computed(run: Run, frame: Frame, symbol: str, left: Any, right: Any) -> Value:
+    is_python = frame.source.program.language == "python"
+    if not is_python and isinstance(left, int) and isinstance(right, int) and conversions.NPOS in (left, right):
+        left, right = left % (conversions.NPOS + 1), right % (conversions.NPOS + 1)
+    try:
+        if symbol == "+":
+            if isinstance(left, list) and isinstance(right, list) and len(left) + len(right) > LIST_LIMIT:
+                return run.opaque("it is a long list", frame)
+            return Known(left + right)
+        if symbol in ("is", "is not"):
+            return Known((left is right) == (symbol == "is"))
+        if symbol == "/":
+            if not is_python and isinstance(left, int) and isinstance(right, int):
+                quotient = abs(left) // abs(right)
+                return Known(quotient if (left < 0) == (right < 0) else -quotient)
+            return Known(left / right)
+        if symbol == "//":
+            return Known(left // right)
+        if symbol == "%" and not is_python and isinstance(left, int) and isinstance(right, int):
+            return Known(abs(left) % abs(right) * (-1 if left < 0 else 1))
+        if symbol == "%":
+            return Known(left % right)
+        if symbol == "**" and abs(left) < 1e6 and abs(right) < 64:
+            return Known(left**right)
+        if symbol in ("in", "not in"):
+            return Known((left in right) == (symbol == "in"))
+        if symbol == "*" and (isinstance(left, (str, list)) or isinstance(right, (str, list))):
+            return run.opaque("it is a repeated text", frame)
+        if symbol in BINARY:
+            result = BINARY[symbol](left, right)
+            if not isinstance(result, int) or abs(result) < 2**256:
+                return Known(result)
+    except (TypeError, ValueError, ZeroDivisionError, OverflowError):
+        pass
+    return run.opaque("it cannot be computed", frame)
+
+
+def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...]) -> Value:
+    left = expressions.evaluate(run, frame, operands[0])
+    first = statements.truth(left)
+    reason = f"it stands behind {symbol}"
+    mark = run.state.mark()
+    with run.doubted(reason if first is None or first is not (symbol == "&&") else None):
+        right = expressions.evaluate(run, frame, operands[1])
+    if first is None:
+        run.state.merge([{}, run.state.undo(mark)])
+    elif first is not (symbol == "&&"):  # not evaluated at all
+        run.state.undo(mark)
+    one, other = statements.truth(left), statements.truth(right)
+    if frame.source.program.language == "python":
+        if one is not None:
+            return (right if one else left) if symbol == "&&" else (left if one else right)
+        return run.opaque("it is one or the other", frame)
+    if symbol == "&&" and (one is False or other is False):
+        return FALSE
+    if symbol == "||" and (one is True or other is True):
+        return TRUE
+    if one is not None and other is not None:
+        return Known(one and other if symbol == "&&" else one or other)
+    return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
+
+
+def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
+    if symbol == "!":
+        holds = statements.truth(value)
+        if holds is None:
+            return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
+        return FALSE if holds else TRUE
+    if isinstance(value, Known) and isinstance(value.value, (int, float)):
+        if symbol == "-":
+            return Known(-value.value)
+        if symbol == "~" and isinstance(value.value, int):
+            return Known(~value.value)
+        if symbol == "+":
+            return value
+    return run.opaque("it is computed from what is not known", frame, None, conversions.value_type(value))
+
+
+def _shift(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...], left: Value) -> Value:
+    """``<<`` and ``>>``: overloads of the workspace, streams, YAML's extraction, integers."""
+    cell = expressions.cell_of(run, frame, operands[1])
+    right = cell.value if cell is not None else expressions.evaluate(run, frame, operands[1])
+    if isinstance(left, Object):
+        if left.definition is not None:
+            kind = cell.type if cell is not None else conversions.value_type(right)
+            given = (call_arguments.Argument(right, cell, kind),)
+            method = methods.method_of(run, left, f"operator{symbol}", given)
+            if method is not None:
+                return activation.invoke(run, frame, method, given)
+        text = left.fields.get("[text]")
+        if text is not None and symbol == "<<":
+            texts.insert(run, frame, left, right)
+            return left
+        if text is not None and cell is not None:
+            return _token(run, frame, left, text, cell)
+    if symbol == ">>" and cell is not None:
+        if isinstance(left, Known) and not isinstance(left.value, int):
+            run.state.write(cell, conversions.converted(left, cell.type))
+        else:
+            run.state.write(cell, run.opaque("it is read from a stream", frame, None, cell.type))
+        return left
+    if isinstance(left, Known) and isinstance(right, Known) and type(left.value) is type(right.value) is int:
+        if 0 <= right.value < 64 and abs(left.value) < 2**192:
+            return Known(left.value << right.value if symbol == "<<" else left.value >> right.value)
+    return left
+
+
+def _token(run: Run, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Value:
+    """The next word of a string stream; false (as the stream then is) where there is none."""
+    if isinstance(text.value, Known) and cell.type is not None and cell.type.name in STRINGS:
+        head, *rest = str(text.value.value).split(None, 1) or [""]
+        run.state.write(text, Known(rest[0] if rest else ""))
+        if not head:
+            return FALSE
+        run.state.write(cell, Known(head))
+        return stream
+    run.state.write(text, run.opaque("it is read bit by bit", frame))
+    run.state.write(cell, run.opaque("it is read from a stream", frame, None, cell.type))
+    return run.opaque("whether a stream has more", frame)
+
+
+def _is_text(value: Value) -> bool:
+    if isinstance(value, Opaque):
+        return value.type is not None and value.type.name in STRINGS
+    return isinstance(value, Text) or (isinstance(value, Known) and isinstance(value.value, str))

@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which of several functions of one name is meant; where that cannot be told, a function that is none of them for sure.
+
+C++ ranks overloads by how their parameters fit the arguments (en.cppreference.com/w/cpp/language/overload_resolution).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from haros_ci import syntax
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.index import EITHER, Source
+from haros_ci.index.types import INTEGERS, REALS, STRINGS, is_smart_pointer, pointee
+from haros_ci.syntax import Block, Function, Type
+from haros_ci.values.abstract import Known, Object
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+Found = tuple[Source, Function]
+#: How a parameter takes an argument: as it is, as a template's, converted, perhaps, not at all.
+EXACT, GENERIC, CONVERTED, PERHAPS, NOT = 4, 3, 2, 1, 0
+#: Decorators that leave what a function returns as it is, by the last part of their names.
+TRANSPARENT = frozenset(
+    (
+        "property",
+        "staticmethod",
+        "classmethod",
+        "wraps",
+        "abstractmethod",
+        "abstractproperty",
+        "cached_property",
+        "lru_cache",
+        "cache",
+        "override",
+        "final",
+        "setter",
+        "getter",
+        "deleter",
+        "overload",
+    )
+)
+#: Expressions and statements whose numbers are no places.
+STRICT = (syntax.Number, syntax.Lambda, syntax.NestedFunction)
+ACCESSORS = frozenset(("setter", "deleter", "getter"))
+#: Classes of bases that are looked into.
+BASES = 12
+
+
+def nearest(run: Run, found: list[Found], source: Source) -> list[Found]:
+    """Of definitions elsewhere of what *source* declares: those of the node's own files, else of its package, else others."""
+    index = run.index
+    for fits in (
+        lambda other: other.path in run.files,
+        lambda other: other.path == source.path,
+        lambda other: other.package == source.package,
+    ):
+        near = [item for item in found if fits(item[0])]
+        if near:
+            informed = [
+                item for item in near if item[0].path == source.path or source.path in index.reach(item[0].path)
+            ]
+            return informed or near
+    return [item for item in found if item[1].owner in index.classes or index.sees(source, item[0], run.files)]
+
+
+def chosen(run: Run, candidates: list[Found], arguments: Sequence[Argument]) -> Found:
+    """The overload that fits *arguments* best; of several that fit alike, none for certain."""
+    ranked: list[tuple[int, Found]] = []
+    for item in candidates:
+        fits = [
+            _fit(run, item, parameter.type, argument)
+            for parameter, argument in zip(item[1].parameters, arguments, strict=False)
+        ]
+        ranked.append((-1 if NOT in fits else sum(fits), item))
+    top = max(score for score, _ in ranked)
+    best = sorted((item for score, item in ranked if score == top), key=lambda item: item[1].body is None)
+    names = {signature(item[1]) for item in best}
+    if len(names) == 1 or best[0][1].body is None:
+        return any_of(run, best[0], best) if best[0][1].body is not None else best[0]
+    return best[0][0], _unsure(run, best[0][1], tuple(item[1] for item in best))
+
+
+def takes(function: Function, count: int) -> bool:
+    """Whether a function can be called with *count* arguments."""
+    required = sum(1 for p in function.parameters if p.default is None and not p.name.startswith("*"))
+    open_end = any(p.name.startswith("*") for p in function.parameters)
+    return required <= count and (open_end or count <= len(function.parameters))
+
+
+def any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
+    """*one*, or what stands for all that have its signature and another body."""
+    if len(candidates) == 1 and candidates[0][1] is one[1]:
+        return one
+    key = ("any of", id(one[1]), *(id(function) for _, function in candidates))
+    known: Found | None = run.found.get(key)
+    if known is None:
+        known = run.found[key] = _any_of(run, one, candidates)
+    return known
+
+
+def _any_of(run: Run, one: Found, candidates: Sequence[Found]) -> Found:
+    wanted = signature(one[1])
+    alike = [item for item in candidates if item is one or (item[1].body is not None and signature(item[1]) == wanted)]
+    different = [one, *(item for item in alike if item[1] is not one[1] and not _same(item[1].body, one[1].body))]
+    if len(different) == 1:
+        return one
+    functions = tuple(item[1] for item in different)
+    names = [[p.name for p in function.parameters] for function in functions]
+    if (
+        all(f.guards for f in functions)
+        and all(n == names[0] for n in names)
+        and len({s.path for s, _ in different}) == 1
+    ):
+        return one[0], _guarded(run, functions)
+    return one[0], _unsure(run, one[1], functions)
+
+
+def is_any(run: Run, function: Function) -> bool:
+    """Whether *function* stands for several, or for what a decorator makes of one."""
+    return ("any", id(function)) in run.found
+
+
+def decorated(run: Run, function: Function) -> Function:
+    """A Python function as its decorators leave it: with results that are not known where they may do anything."""
+    for decorator in function.decorators:
+        while isinstance(decorator, syntax.Call):
+            decorator = decorator.callee
+        if not isinstance(decorator, (syntax.Name, syntax.Member)) or decorator.name not in TRANSPARENT:
+            return _unsure(run, function, (function,))
+    return function
+
+
+def python_methods(found: list[Found]) -> list[Found]:
+    """The last definition of a method counts; a property's setter is none."""
+    own = [
+        item
+        for item in found
+        if not any(isinstance(d, syntax.Member) and d.name in ACCESSORS for d in item[1].decorators)
+    ]
+    return (own or found)[-1:]
+
+
+def signature(function: Function) -> tuple[str, ...]:
+    """The parameters' types as text that a declaration and its definition share, names without their scopes."""
+    return tuple(_plain(parameter.type) for parameter in function.parameters)
+
+
+def _plain(kind: syntax.Argument, depth: int = 0) -> str:
+    if not isinstance(kind, syntax.Type) or depth > BASES:
+        return "?"
+    inner = ",".join(_plain(item, depth + 1) for item in kind.arguments)
+    return f"{kind.name.rpartition('::')[2]}<{inner}>{kind.marks}"
+
+
+def _same(one: object, other: object) -> bool:
+    """Whether two blocks are the same but for their places."""
+    waiting = [(one, other)]
+    while waiting:
+        left, right = waiting.pop()
+        if isinstance(left, tuple) and isinstance(right, tuple):
+            if len(left) != len(right):
+                return False
+            waiting += zip(left, right, strict=True)
+        elif isinstance(left, syntax.Record) and isinstance(right, syntax.Record):
+            if type(left) is not type(right) or (isinstance(left, STRICT) and left != right):
+                return False
+            waiting += [(getattr(left, name), getattr(right, name)) for name in left.__struct_fields__]
+        elif left != right and not (type(left) is int and type(right) is int):
+            return False
+    return True
+
+
+def _guarded(run: Run, functions: tuple[Function, ...]) -> Function:
+    """One function of the bodies under the branches of an #if."""
+    branches = tuple(syntax.Branch(*function.guards[-1], function.body or ()) for function in functions)
+    return _made(run, functions, (syntax.Preprocessor(branches),), functions[0].guards[:-1])
+
+
+def _unsure(run: Run, function: Function, functions: tuple[Function, ...]) -> Function:
+    """*function* with results, and effects, that are not sure."""
+    gone = (syntax.Return(syntax.Unknown(EITHER)),)
+    branch = syntax.Branch(function.line, function.column, "", gone)
+    body = (syntax.Preprocessor((branch,)), *(function.body or ()))
+    return _made(run, functions, body, function.guards)
+
+
+def _made(run: Run, functions: tuple[Function, ...], body: Block, guards: tuple[tuple[int, int, str], ...]) -> Function:
+    key = ("any of", *(id(function) for function in functions))
+    found: Function | None = run.found.get(key)
+    if found is None:
+        found = run.found[key] = syntax.replace(functions[0], body=body, guards=guards)
+        run.found["any", id(found)] = found
+    return found
+
+
+def _fit(run: Run, item: Found, written: Type, argument: Argument) -> int:
+    source, function = item
+    value, given = argument.value, argument.type
+    if given is None or not given.name:
+        if isinstance(value, Known) and value.value is None:
+            return EXACT if "*" in written.marks else PERHAPS
+        if source.separator != "::" or not isinstance(value, Object) or value.definition is None:
+            return PERHAPS
+        given = syntax.Type(value.name, value.arguments, "*")
+    if written.name in function.templates:
+        return GENERIC
+    kind = run.type_in(written, Frame(source, function.owner or function.name.rpartition("::")[0]))
+    owner = run.class_of(function.owner, source) if function.owner else None
+    if owner is not None and kind.name in owner[1].templates:
+        return GENERIC
+    fits = _conversion(run, source, kind, given)
+    is_own = given is not argument.type and fits == PERHAPS and (is_smart_pointer(kind) or "*" in kind.marks)
+    return NOT if is_own and _is_of_workspace(run, source, given.name) and "void" not in pointee(kind).name else fits
+
+
+def _is_of_workspace(run: Run, source: Source, name: str) -> bool:
+    """Whether a class and all its bases are defined in the workspace: what it converts to is known."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        current = waiting.pop()
+        owner = run.class_of(current, source)
+        if owner is None or len(seen) > BASES:
+            return False
+        if current not in seen:
+            seen.add(current)
+            waiting += [kind.name for kind in run.bases(owner[0], owner[1], {})]
+    return True
+
+
+def _conversion(run: Run, source: Source, kind: Type, given: Type) -> int:
+    wanted, shown = _sort(kind), _sort(given)
+    if wanted in ("int", "real", "bool") and shown in ("int", "real", "bool"):
+        if "*" in kind.marks:
+            return NOT
+        return EXACT if wanted == shown else CONVERTED
+    if "auto" in (wanted, shown):
+        return PERHAPS
+    if wanted == shown == "text":
+        return EXACT
+    if shown == "text":
+        return NOT if wanted in ("int", "real") else PERHAPS
+    inner, actual = pointee(kind).name, pointee(given).name
+    if wanted == "text":
+        return NOT if shown in ("real", "bool") or _has_no_conversion(run, source, actual) else PERHAPS
+    if inner == actual or inner in (f"{actual}Ptr", f"{actual}ConstPtr"):
+        return EXACT
+    return CONVERTED if _derives(run, source, actual, inner) else PERHAPS
+
+
+def _has_no_conversion(run: Run, source: Source, name: str) -> bool:
+    """Whether a class is of the workspace and neither it nor a base of it declares a conversion (``operator X``)."""
+    owner = run.class_of(name, source)
+    if owner is None:
+        return False
+    if "conversions" not in run.found:
+        names = (name.partition("::operator ") for name in run.index.functions)
+        run.found["conversions"] = frozenset(owner for owner, found, _ in names if found)
+    return owner[1].name not in run.found["conversions"] and not run.bases(owner[0], owner[1], {})
+
+
+def _sort(kind: Type) -> str:
+    """What sort of thing a type is: text, bool, int, real, auto or its own name."""
+    name: str = kind.name
+    if name in STRINGS or (name == "char" and "*" in kind.marks):
+        return "text"
+    if name == "bool":
+        return name
+    if name in REALS:
+        return "real"
+    if name in INTEGERS or set(name.split()) <= INTEGERS:
+        return "int"
+    return "auto" if name == "auto" else name or "auto"
+
+
+def _derives(run: Run, source: Source, name: str, base: str) -> bool:
+    seen: set[str] = set()
+    waiting = [name]
+    while waiting and len(seen) < BASES:
+        current = waiting.pop()
+        if current == base:
+            return True
+        owner = run.class_of(current, source)
+        if owner is not None and current not in seen:
+            seen.add(current)
+            waiting += [kind.name for kind in run.bases(owner[0], owner[1], {})]
+    return False

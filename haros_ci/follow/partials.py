@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""functools.partial: a function with some of its arguments (docs.python.org/3/library/functools.html)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from haros_ci.follow import call_arguments
+from haros_ci.values.abstract import Callable, Cell, Object, Opaque, Value
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+PARTIAL = "functools.partial"
+_FUNCTION = "[function]"
+
+
+def partial(function: Value, args: tuple[Argument, ...]) -> Value:
+    """*function* with *args*: a bound function, or an object where it is a library's or keywords are given."""
+    if isinstance(function, Object) and function.name == PARTIAL:
+        function, args = called(function, args)
+    if isinstance(function, Callable) and not any(argument.keyword for argument in args):
+        return replace(function, bound=(*function.bound, *(argument.value for argument in args)))
+    fields = {_FUNCTION: Cell(function)}
+    for number, argument in enumerate(args):
+        fields[argument.keyword or str(number)] = Cell(argument.value, argument.type)
+    return Object(PARTIAL, fields=fields)
+
+
+def called(value: Object, args: tuple[Argument, ...]) -> tuple[Value, tuple[Argument, ...]]:
+    """What a call of a partial object calls, and with what: keywords that are given anew count."""
+    anew = {argument.keyword for argument in args}
+    first: list[Argument] = []
+    named: list[Argument] = []
+    for name, cell in value.fields.items():
+        if name == _FUNCTION or name in anew:
+            continue
+        if name.isdigit():
+            first.append(call_arguments.Argument(cell.value, None, cell.type))
+        else:
+            named.append(call_arguments.Argument(cell.value, None, cell.type, name))
+    return value.fields[_FUNCTION].value, (*first, *args, *named)
+
+
+def callback(value: Object) -> Value | None:
+    """The function that a partial object is when it is called back; None where a keyword has no place in it."""
+    function, args = called(value, ())
+    if not isinstance(function, Callable) or (function.function.owner and function.this is None):
+        return None
+    names = [parameter.name for parameter in function.function.parameters]
+    names = names[: next((number for number, name in enumerate(names) if name.startswith("*")), len(names))]
+    bound: list[Value | None] = [*function.bound, *(argument.value for argument in args if not argument.keyword)]
+    named = {argument.keyword: argument.value for argument in args if argument.keyword}
+    free = names[len(bound) :]
+    if not named.keys().isdisjoint(("*", "**")) and len(names) == len(function.function.parameters):
+        return replace(function, bound=(*bound, *(Opaque(call_arguments.UNPACKED) for _ in free)))
+    if not named.keys() <= set(free):
+        return None
+    return replace(function, bound=(*bound, *(named.get(name) for name in free)))

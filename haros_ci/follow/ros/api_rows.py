@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: Apache-2.0
+"""API rows applied to calls: which row fits, what its templates select, what the call makes, returns and stores."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from haros_ci import syntax
+from haros_ci.follow import callbacks, conversions, handles
+from haros_ci.follow.libraries import objects as library_objects
+from haros_ci.follow.ros import behavior_tree_ports, behavior_trees, ros2_nodes, ros2_selectors, selectors
+from haros_ci.follow.ros.emit import emit
+from haros_ci.follow.run import Frame, Run
+from haros_ci.graph.names import clean
+from haros_ci.index.types import SEQUENCES, STRINGS, parameter_type, pointee
+from haros_ci.model.api import Entry, Row
+from haros_ci.model.location import Location
+from haros_ci.syntax import Type
+from haros_ci.values.abstract import (
+    FALSE,
+    NONE,
+    TRUE,
+    Callable,
+    Cell,
+    Known,
+    Library,
+    Mapped,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Text,
+    Value,
+)
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+#: How the names of functions end that register what is called when parameters are set.
+UPDATES = frozenset(("_callback", "_set_callback"))
+HANDLES = frozenset(("ros::NodeHandle",))
+#: Methods that no other class has: a receiver of unknown type is taken for a node handle.
+UNMISTAKABLE = frozenset(("advertise", "advertiseService", "serviceClient"))
+
+
+def node_class(run: Run, name: str, separator: str) -> str:
+    """The class that a method can only be of, whatever it is called on: a node handle's or, in ROS 2, a node's; else ""."""
+    if run.context.process is not None:
+        return ros2_nodes.NODE[separator] if name in ros2_nodes.UNMISTAKABLE else ""
+    return "ros::NodeHandle" if separator == "::" and name in UNMISTAKABLE else ""
+
+
+def call(
+    run: Run,
+    frame: Frame,
+    name: str,
+    receiver: Value | None,
+    args: tuple[Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+    types: tuple[syntax.Argument, ...] | None = None,
+) -> Value | None:
+    """The value of a call that a row describes; None if no row does."""
+    row = select(run, name, args)
+    if row is None:
+        return None
+    if name.startswith(behavior_trees.SPACE):
+        modelled = behavior_trees.call(run, frame, name, receiver, args, targs, location)
+        if modelled is not None:
+            return modelled
+    if types is None:
+        types = tuple(run.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
+    made: Object | None = None
+    returns = row.returns
+    if returns is not None and all(isinstance(part, str) for part in returns.parts):
+        made = Object("".join(str(part) for part in returns.parts), types, location=location)
+    elif returns is None and (any(e.kind in ("handle", "node") for e in row.makes) or (row.fills and not receiver)):
+        made = Object(name, types, location=location)
+    is_class = re.split(r"::|\.", name)[-1][:1].isupper()
+    if made is None and is_class and receiver is None and row.transparent is None and returns is None:
+        made = Object(name, types, location=location)
+    args, types, is_exact = _filled(run, name, args, types, location)
+    applied = selectors.Applied(run, frame, row, receiver, args, types, location, is_exact=is_exact)
+    parameter = _apply(applied, made)
+    if row.transparent is not None:
+        through: Value | None = selectors.value_of(applied, row.transparent)
+        return through if through is not None else NONE
+    if made is not None:
+        return made
+    if returns is not None:
+        found: Value | None = selectors.value_of(
+            selectors.Applied(run, frame, row, receiver, args, types, location, None, parameter), returns
+        )
+        if found is not None:
+            return found
+        return run.opaque("a parameter that is not set", frame, location.line)
+    if (
+        any(entry.kind == "getters" and entry.each is None for entry in row.makes)
+        and "value" not in row.makes[0].values
+    ):
+        return (
+            FALSE
+            if parameter is None
+            else run.opaque("it is set", frame, location.line)
+            if isinstance(parameter, Opaque)
+            else TRUE
+        )
+    return run.opaque(f"what {name} returns", frame, location.line)
+
+
+def construct(run: Run, frame: Frame, this: Object, kind: Type, args: tuple[Argument, ...], location: Location) -> None:
+    """What constructing a library's class makes; nothing if no row knows it."""
+    row = select(run, kind.name, args)
+    if row is not None:
+        _apply(selectors.Applied(run, frame, row, this, args, kind.arguments, location), this)
+    elif kind.name.startswith(behavior_trees.SPACE):
+        behavior_tree_ports.configured(this, args)
+
+
+def _filled(
+    run: Run, name: str, args: tuple[Argument, ...], types: tuple[syntax.Argument, ...], location: Location
+) -> tuple[tuple[Argument, ...], tuple[syntax.Argument, ...], bool]:
+    """The arguments with what only the exact tier knows of them; what is known already stays as it is."""
+    if run.exact is None or location.line is None or location.column is None:
+        return args, types, False
+    told = run.exact(location.path, location.line, location.column, name.rpartition("::")[2], len(args))
+    if told is None:
+        return args, types, False
+    filled = []
+    for argument, (kind, value) in zip(args, told[0], strict=False):
+        known = argument.value
+        if isinstance(known, Opaque) and value is not None:
+            known = Known(value)
+        blank = argument.type is None or argument.type.name in ("", "auto")
+        filled.append(replace(argument, value=known, type=syntax.Type(kind) if blank and kind else argument.type))
+    if not types and all(kind is not None for kind in told[1]):
+        types = tuple(syntax.Type(kind) for kind in told[1] if kind is not None)
+    return (*filled, *args[len(filled) :]), types, True
+
+
+def names_of(row: Row) -> tuple[str, ...]:
+    """The qualified names of the class or function that a row tells of, and of the class that it gives."""
+    owner, _, _ = row.call.rpartition("::")
+    names = [row.call]
+    if owner.rpartition("::")[2][:1].isupper():
+        names.append(owner)
+    if row.returns is not None and all(isinstance(part, str) for part in row.returns.parts):
+        names.append("".join(str(part) for part in row.returns.parts))
+    return tuple(name for name in names if "::" in name)
+
+
+def select(run: Run, name: str, args: tuple[Argument, ...]) -> Row | None:
+    """The first row for *name* whose conditions hold."""
+    for row in run.rows.get(name, ()):
+        if row.is_class or (row.args and len(args) not in row.args):
+            continue
+        if all(_has_type(selectors.given(args, where), kind, run) for where, kind in row.when):
+            return row
+    return None
+
+
+def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
+    if argument is None:
+        return False
+    value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
+    kind = conversions.value_type(value) or argument.type
+    name = pointee(kind).name if kind is not None else ""
+    if wanted == "rclcpp::ParameterType" and isinstance(value, Library):
+        return value.name.rpartition("::")[2].startswith("PARAMETER_")
+    if wanted == "string":
+        return (
+            isinstance(value, Text)
+            or (isinstance(value, Known) and isinstance(value.value, str))
+            or name in STRINGS
+            or name == "char"
+        )
+    if wanted == "function":
+        return isinstance(value, (Callable,)) or name in ("boost::function", "std::function", "function")
+    if wanted == "list":
+        return isinstance(value, Sequence) or name in SEQUENCES or name == "list"
+    if wanted == "bool":
+        return (isinstance(value, Known) and isinstance(value.value, bool)) or name == "bool"
+    if wanted == "int":
+        return parameter_type(kind) == "int"
+    if wanted == "double":
+        return name in ("double", "float")
+    if isinstance(value, Library) and value.name.rpartition(".")[0] == wanted:
+        return True
+    if isinstance(value, Object):
+        return value.name == wanted or wanted in library_objects.owners(run, value)
+    return name == wanted
+
+
+def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:
+    """Make, fill, store and register what the row says; the value that its getter reads is returned."""
+    run, row = applied.run, applied.row
+    if row.unseen and not run.quiet:
+        run.gaps.setdefault(row.unseen, applied.location)
+    parameter: Value | None = None
+    known = False
+    for entry in row.makes:
+        if entry.kind == "node" and run.context.process is not None:
+            target = made if made is not None else applied.receiver
+            if isinstance(target, Object):
+                ros2_nodes.construct(applied, entry, target)
+                if applied.receiver is None:
+                    applied = replace(applied, receiver=target)
+            continue
+        if entry.kind == "handle":
+            target = made if made is not None else applied.receiver
+            if isinstance(target, Object):
+                target.namespace = handles.handle(applied, entry)
+            continue
+        for item in _items(applied, entry):
+            inner = applied if item is None else replace(applied, item=item)
+            found = emit(inner, entry)
+            if entry.kind in ("getters", "parameters") and item is None:
+                parameter, known = found, True
+    target = made if made is not None else applied.receiver
+    with_parameter = applied if parameter is None else replace(applied, parameter=parameter)
+    if isinstance(target, Object):
+        for name, template in row.fills:
+            value = selectors.value_of(with_parameter, template)
+            if value is not None:
+                filled = value if not isinstance(value, selectors.TypeValue) else Library(value.type.name)
+                if name in target.fields:
+                    run.state.write(target.fields[name], filled)
+                else:
+                    target.fields[name] = Cell(filled)
+    for where, template in row.sets:
+        argument = selectors.given(applied.args, where)
+        if argument is None:
+            continue
+        cell = argument.cell
+        if cell is None and isinstance(argument.value, Pointer):
+            cell = argument.value.cell
+        if cell is None:
+            continue
+        value = selectors.value_of(with_parameter, template)
+        if value is not None and not isinstance(value, selectors.TypeValue):
+            run.state.write(cell, conversions.converted(value, cell.type))
+        elif not known:
+            run.state.write(cell, run.opaque("it is filled by a call", applied.frame, applied.location.line, cell.type))
+    for where in row.calls:
+        value = selectors.select_value(applied, where)
+        if value is not None and not isinstance(value, selectors.TypeValue):
+            callbacks.register(run, value, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
+            if isinstance(value, Opaque) and applied.frame.source.separator == ".":
+                run.gaps.setdefault(f"what it calls back is not known: {value.reason}", applied.location)
+    return parameter
+
+
+def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Any] | None]:
+    if entry.each is None:
+        return [None]
+    inside = re.fullmatch(r"(config|keys|items)\((.+)\)", entry.each)
+    if inside is None:
+        return []
+    every = (selectors.select_value(applied, part) for part in inside[2].split("|"))
+    value = next((each for each in every if each is not None), None)
+    if inside[1] == "items":
+        return ros2_selectors.items(applied, value)
+    if inside[1] == "keys":
+        if isinstance(value, Mapped) and isinstance(value.content.value, dict):
+            return [{"name": Known(str(k)), "default": c.value} for k, c in value.content.value.items()]
+        return []
+    name = selectors.config_name(value, applied.run)
+    config = applied.run.configs.get(name)
+    if config is None:
+        if name:
+            said = f"the parameters of {name} are in a .cfg that is not in the workspace"
+            applied.run.gaps.setdefault(said, applied.location)
+        return []
+    return [
+        {"name": Known(p.name), "type": Known(p.type), "default": Known(p.default), "group": Known(p.group)}
+        for p in config.parameters
+    ]
+
+
+def parameter_value(applied: selectors.Applied, name: str, default: Value | None) -> Value | None:
+    """What reading parameter *name* gives: what the configuration sets, else the default; None if there is neither."""
+    if "?" in name:
+        return Opaque("the parameter's name is not known")
+    found = applied.run.parameter(clean(name))
+    if found is None:
+        return default
+    return found

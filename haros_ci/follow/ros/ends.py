@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From what a node has made to its endpoints: final names, types that the configuration tells, what is unknown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+
+from haros_ci.follow.run import Made
+from haros_ci.graph.parameters import ParameterServer
+from haros_ci.index.types import data_type
+from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
+from haros_ci.values.abstract import Known
+
+#: Why a name is unknown that the code itself knows.
+UNNAMED = "the name of the node or of its namespace is not known"
+ANONYMOUS = "the node is anonymous: its name ends in a number of its own"
+
+
+def endpoints(
+    made: Iterable[Made], remap: Callable[[Made], str], server: ParameterServer, unnamed: str = UNNAMED
+) -> tuple[Endpoint, ...]:
+    """Endpoints with their final names, by kind and place; *unnamed* says why the node's own name is not known.
+
+    A getter whose variable has no type that can be told has the type of what the configuration sets.
+    """
+    order = {kind: number for number, kind in enumerate(KINDS)}
+    found = [
+        Endpoint(
+            kind=item.kind,
+            name=remap(item),
+            original_name=item.name,
+            type=item.type,
+            location=item.location,
+            conditions=_distinct(item.conditions),
+            queue_size=item.queue_size,
+            latched=item.latched,
+            value=item.value,
+            implicit=item.implicit,
+            qos=item.qos,
+            effective=item.effective,
+            read_only=item.read_only,
+            range=item.range,
+            written=item.written,
+            is_dynamic=item.is_dynamic,
+            is_strict=item.is_strict,
+            source="exact-tier" if item.is_exact else "source",
+            unknowns=(
+                *(Unknown(*unknown) for unknown in dict.fromkeys(item.unknowns)),
+                *_told_by_others(item, remap(item), unnamed),
+            ),
+        )
+        for item in made
+    ]
+    found = [_typed(end, server) if end.kind == "getters" and end.type is None else end for end in found]
+    return tuple(
+        sorted(
+            found,
+            key=lambda e: (
+                order[e.kind],
+                e.location.sort_key if e.location else (),
+                e.name,
+                e.type or "",
+                repr(e.value),
+            ),
+        )
+    )
+
+
+def by(remaps: Mapping[str, str]) -> Callable[[Made], str]:
+    """The final name of what is made under *remaps* of absolute names, as ROS 1 has them."""
+    return lambda item: remaps.get(item.name, item.name)
+
+
+def _told_by_others(item: Made, final: str, unnamed: str) -> tuple[Unknown, ...]:
+    if "?" in item.name and not any(field == "name" for field, _, _ in item.unknowns):
+        return (Unknown("name", unnamed),)
+    if "?" not in item.name and "?" in final:
+        return (Unknown("name", "the launch file remaps it to a name that is not known"),)
+    return ()
+
+
+def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:
+    value = server.get(end.name)
+    kind = data_type(value.value) if isinstance(value, Known) else None
+    if kind is None:
+        return end
+    return replace(end, type=kind, unknowns=tuple(u for u in end.unknowns if u.field != "type"))
+
+
+def _distinct(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:
+    return tuple(dict.fromkeys(conditions))

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Functions of the workspace that wrap an API: what they make stands where they are called.
+
+``node->create_publisher<T>(topic)`` of a node class that is built on rclcpp's is, to its users, the call that makes the
+publisher. A function is taken for a wrapper if it has the name of an API function and is given a text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from typing import TYPE_CHECKING
+
+from haros_ci.follow.run import Run
+from haros_ci.graph.names import UNKNOWN, pattern
+from haros_ci.index.types import STRINGS
+from haros_ci.model.location import Location
+from haros_ci.syntax import Function
+from haros_ci.values import iterators
+from haros_ci.values.abstract import Choice, Known, Library, Opaque, Text
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+#: Functions of rclcpp and rclpy that are given a name, and what wrappers of them are called besides.
+NAMES = frozenset(
+    "create_publisher create_lifecycle_publisher create_subscription create_service create_client create_server "
+    "create_generic_publisher create_generic_subscription create_generic_service create_generic_client "
+    "create_action_server create_action_client declare_parameter declare_parameter_if_not_declared "
+    "declare_or_get_parameter get_or_declare_parameter get_parameter get_parameter_or set_parameter "
+    "declareParameter declare_param getParameter getParam get_param readParameter read_parameter".split()
+)
+
+#: Around what is followed inside a wrapper, or is none.
+INSIDE = nullcontext()
+
+
+def through(
+    run: Run, function: Function, args: tuple[Argument, ...], location: Location
+) -> AbstractContextManager[None]:
+    """While *function* is followed that is called at *location*: the outermost wrapper's call counts."""
+    is_outermost = run.context.process is not None and run.outer is None and _is_wrapper(function)
+    return _outermost(run, args, location) if is_outermost else INSIDE
+
+
+@contextmanager
+def _outermost(run: Run, args: tuple[Argument, ...], location: Location) -> Iterator[None]:
+    values = [each.value for each in args if isinstance(each.value, (Known, Text, Choice, Opaque, Library))]
+    texts = [pattern(each)[0] for value in values for each in (value, *iterators.options(value))]
+    run.outer = location, frozenset(text or UNKNOWN for text in texts)
+    try:
+        yield
+    finally:
+        run.outer = None
+
+
+def place(run: Run, name: str, location: Location) -> Location:
+    """Where an endpoint of that *name* stands that the call at *location* makes."""
+    if run.outer is not None and any(text in name for text in run.outer[1]):
+        return run.outer[0]
+    return location
+
+
+def _is_wrapper(function: Function) -> bool:
+    name = function.name.rpartition("::")[2].rpartition(".")[2]
+    return name in NAMES and any(each.type.name in STRINGS or not each.type.name for each in function.parameters)

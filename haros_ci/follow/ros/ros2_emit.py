@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From an entry of a ROS 2 API row to what it makes: names on the node that it belongs to, QoS, declared parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci import syntax
+from haros_ci.follow import conversions
+from haros_ci.follow.ros import forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
+from haros_ci.follow.run import Made
+from haros_ci.graph.names import UNKNOWN, pattern
+from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
+from haros_ci.index.types import ros2_data_type, ros2_parameter_type
+from haros_ci.model.api import Entry
+from haros_ci.model.architecture import KINDS, Qos
+from haros_ci.model.location import Location
+from haros_ci.values.abstract import (
+    NONE,
+    Cell,
+    Choice,
+    Known,
+    Library,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Value,
+    data_of,
+    opaque_of,
+)
+
+if TYPE_CHECKING:
+    from haros_ci.follow.ros.selectors import Applied
+
+Unknowns = list[tuple[str, str, Location | None]]
+#: What is in a list that is empty by default, of a parameter of which the name is not known.
+MORE = "names that parameters may add"
+#: Why a name is not known that is empty as things are, in a branch that is not taken.
+NOT_EMPTY = "as things are it is empty, and this is not made"
+#: Why it is not known whether something is made under a name.
+ONE_OF_NAMES = "its name is one of several"
+PARAMETERS = frozenset(("getters", "setters", "parameters"))
+
+
+def emit(applied: Applied, entry: Entry) -> Value | None:
+    """Make one endpoint; for what reads or declares a parameter, the value that it has is returned."""
+    from haros_ci.follow.ros.selectors import value_of
+
+    if entry.kind not in KINDS:
+        return None
+    run = applied.run
+    node, why_not = ros2_nodes.of_entry(applied, entry)
+    given = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    if isinstance(given, Choice) and entry.kind not in PARAMETERS:
+        names = [option for option in given.options if option != Known("")]
+        if any(isinstance(option, Known) for option in names):
+            for option in names:
+                with run.doubted(ONE_OF_NAMES):
+                    _named(applied, entry, option, node, why_not)
+            return None
+    return _named(applied, entry, given, node, why_not)
+
+
+def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why_not: str) -> Value | None:
+    """Make the endpoint that has the name *given*."""
+    from haros_ci.follow.ros.emit import interface_type
+    from haros_ci.follow.ros.selectors import value_of
+
+    run = applied.run
+    unknowns: Unknowns = []
+    text, why, where = pattern(given if given is not None else Opaque("it is not given", applied.location))
+    if entry.kind in PARAMETERS and entry.each is not None:
+        text = text.removeprefix(".")
+    if why is None and not text and entry.kind not in PARAMETERS:
+        if given != Known("") or not (run.dead or applied.frame.is_dead):
+            return None  # no name, no topic: a filter's subscriber that is to be told later
+        text, why, where = UNKNOWN, NOT_EMPTY, applied.location
+    if entry.kind in PARAMETERS:
+        return _parameter(applied, entry, node, why_not, (text, why, where))
+    if why is not None:
+        unknowns.append(("name", why, where or applied.location))
+    if node is None:
+        if not text.startswith("/"):
+            unknowns.append(("name", why_not, applied.location))
+        name = text if text.startswith("/") else f"/?/{text.removeprefix('~/')}"
+    else:
+        is_open = (
+            why is not None and text.startswith("?") and not isinstance(given, Choice)
+        )  # it may begin with a slash
+        name = node.expand(f"/{text}" if is_open else text)
+        if "?" in name and why is None and node.why is not None:
+            unknowns.append(("name", *node.why))
+    qos: Qos | None = None
+    if "qos" in entry.values:
+        profile = value_of(applied, entry.values["qos"])
+        if profile is not None:
+            from haros_ci.follow.ros.qos import qos_of
+
+            qos, said = qos_of(profile)
+            if said is not None:
+                unknowns.append(("qos", said[0], said[1] or applied.location))
+    place = forwarding.place(run, text, applied.location)
+    if qos is not None and node is not None and "options" in entry.values and entry.kind in qos_overrides.ENDS:
+        options = value_of(applied, entry.values["options"])
+        qos, said_of_it = qos_overrides.apply(applied, entry.kind, node, name, options, qos, place)
+        unknowns += said_of_it
+    endpoint_type = interface_type(applied, entry, unknowns)
+    if entry.unsure:
+        unknowns.append(("conditions", entry.unsure, applied.location))
+    run.make(
+        Made(
+            kind=entry.kind,
+            name=name,
+            type=endpoint_type,
+            location=place,
+            conditions=tuple(run.conditions),
+            implicit=entry.implicit,
+            is_exact=applied.is_exact,
+            unknowns=(*unknowns, *_beyond(applied)),
+            node=node.whole if node is not None else None,
+            qos=qos,
+            written=text,
+        )
+    )
+    return None
+
+
+def _beyond(applied: Applied) -> Unknowns:
+    """Why what stands behind a return that is taken as things are may not be made; no statement around it says so."""
+    run = applied.run
+    if run.dead or not (applied.frame.is_dead or run.beyond):
+        return []
+    return [("conditions", "as things are, the code returns before it comes to this", applied.location)]
+
+
+def _parameter(
+    applied: Applied, entry: Entry, node: RosNode | None, why_not: str, name: tuple[str, str | None, Location | None]
+) -> Value | None:
+    from haros_ci.follow.ros.selectors import TypeValue, value_of
+
+    run = applied.run
+    unknowns: Unknowns = []
+    text, why, where = name
+    if why is not None:
+        unknowns.append(("name", why, where or applied.location))
+    if node is None:
+        unknowns.append(("name", why_not, applied.location))
+    elif node.why is not None and why is None:
+        unknowns.append(("name", *node.why))
+    full = f"{node.whole.name if node is not None else '/?'}:{text}"
+    found = value_of(applied, entry.values["value"]) if "value" in entry.values else None
+    default, data = found if not isinstance(found, TypeValue) else None, None
+    default = _unwrapped(default)
+    word = ros2_selectors.type_word(default)
+    if word is not None:  # a type in place of a default value
+        default, kind_told = None, word
+    else:
+        kind_told = None
+    if default is not None and default != NONE:
+        known, data = data_of(default)
+        if not known:
+            reason = opaque_of(default)
+            said = reason.reason if reason else "it is not plain data"
+            unknowns.append(("value", said, (reason and reason.location) or applied.location))
+            data = None
+    kind = value_of(applied, entry.values["type"]) if "type" in entry.values else None
+    declared = kind_told
+    if declared is not None:
+        pass
+    elif isinstance(kind, TypeValue):
+        declared = ros2_parameter_type(kind.type)
+    elif isinstance(kind, Library):
+        declared = ros2_selectors.type_word(kind)
+    elif isinstance(kind, Known):
+        declared = ros2_parameter_type(syntax.Type(str(kind.value))) or str(kind.value)
+    if declared is None and default is not None:
+        declared = ros2_data_type(data) if data is not None else ros2_parameter_type(conversions.value_type(default))
+    is_told = why is None or ros2_parameters.is_telling(text)
+    value, effective = _effective(applied, node, text if is_told else None, default, entry.kind)
+    if declared is None and entry.kind == "parameters":
+        declared = ros2_data_type(effective)
+    if declared is None and ("type" in entry.values or "value" in entry.values):
+        unknowns.append(("type", "the type of the parameter is not known", applied.location))
+    read_only, limits = _descriptor(applied, entry, unknowns)
+    if entry.kind == "parameters" and effective is None and value is not None and value != NONE:
+        why_not_known = opaque_of(value)
+        said = why_not_known.reason if why_not_known else "it is not plain data"
+        unknowns.append(("effective", said, (why_not_known and why_not_known.location) or applied.location))
+    if declared == "double" and isinstance(data, int) and not isinstance(data, bool):
+        data = float(data)
+    run.make(
+        Made(
+            kind=entry.kind,
+            name=full,
+            type=declared,
+            location=forwarding.place(run, text, applied.location),
+            conditions=tuple(run.conditions),
+            value=data,
+            implicit=entry.implicit,
+            is_exact=applied.is_exact,
+            unknowns=(*unknowns, *_beyond(applied)),
+            node=node.whole if node is not None else None,
+            effective=effective if entry.kind == "parameters" else None,
+            read_only=read_only,
+            range=limits,
+            written=text,
+            is_dynamic=entry.kind == "parameters" and _is_dynamic(applied, entry),
+            is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
+        )
+    )
+    if entry.kind == "setters" or entry.kind == "parameters":
+        stored = default if entry.kind == "setters" else value
+        if (
+            stored is None
+            and entry.kind == "parameters"
+            and (word is not None or applied.frame.source.separator == "::")
+        ):
+            stored = Opaque(
+                NO_DEFAULT, applied.location
+            )  # without a value from outside the declaration or reading throws
+        ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
+    return value
+
+
+def _unwrapped(value: Value | None) -> Value | None:
+    """What a ParameterValue or Parameter holds."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Object) and "value" in value.fields:
+        held: Value = value.fields["value"].value
+        return held
+    return value
+
+
+def _effective(
+    applied: Applied, node: RosNode | None, name: str | None, default: Value | None, kind: str
+) -> tuple[Value | None, Any]:
+    """The value that the parameter has, and as data: what is set or given from outside, else the default.
+
+    Where it is declared now, what other ways have declared does not count; one that is not declared cannot be read.
+    """
+    if name is None or node is None:
+        return Opaque(NO_NAME, applied.location), None
+    found = ros2_parameters.parameter(applied, node, name, kind == "parameters")
+    is_read = kind == "getters" and "?" not in name
+    if is_read and found is not None and ros2_parameters.is_declared(applied, node, Known(name)) == Known(False):
+        found = Opaque("it is given from outside, but the node is not seen to declare it", applied.location)
+    if kind == "getters" and found is None and node.whole.kind == GIVEN and node.why is not None:
+        found = Opaque(*node.why)  # it may have declared it
+    value = found if found is not None else default
+    if value is None:
+        return None, None
+    if found is None and kind == "parameters" and _is_empty(value) and "?" in name:
+        assert isinstance(value, Sequence)  # of what is an element of a list itself, a list may have any
+        value = Sequence(Cell(Opaque(MORE, applied.location)), value.type)
+    known, data = data_of(value)
+    if known and isinstance(value, Sequence):
+        value = Known(data)  # of each reading it is a copy
+    return value, data if known else None
+
+
+def _descriptor(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[bool | None, Any]:
+    """Whether a parameter is read-only, and its range, as a ParameterDescriptor says."""
+    from haros_ci.follow.ros.selectors import value_of
+
+    found = value_of(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
+    if isinstance(found, Pointer):
+        found = found.cell.value
+    if entry.kind != "parameters":
+        return None, None
+    if found is None or (isinstance(found, Sequence) and found.content.value == ()):
+        return False, None
+    if not isinstance(found, Object):
+        reason = found.reason if isinstance(found, Opaque) else "the descriptor is not known"
+        unknowns += [(field, reason, applied.location) for field in ("read_only", "range")]
+        return None, None
+    flag = found.fields.get("read_only")
+    read_only: bool | None = False
+    if flag is not None and flag.value != NONE:
+        read_only = bool(flag.value.value) if isinstance(flag.value, Known) else None
+    if read_only is None:
+        unknowns.append(("read_only", "what the descriptor says is not known", applied.location))
+    for name in ("floating_point_range", "integer_range"):
+        cell = found.fields.get(name)
+        first = _first(cell.value) if cell is not None else None
+        if first is not None:
+            limits = tuple(_number(first, part) for part in ("from_value", "to_value", "step"))
+            if None in limits[:2]:
+                unknowns.append(("range", "what the descriptor says is not known", applied.location))
+            return read_only, limits
+        if cell is not None and isinstance(cell.value, (Opaque, Sequence)) and not _is_empty(cell.value):
+            unknowns.append(("range", "what the descriptor says is not known", applied.location))
+    return read_only, None
+
+
+def _is_dynamic(applied: Applied, entry: Entry) -> bool:
+    """Whether a parameter's type is not fixed by its declaration, as a ParameterDescriptor says, or may say."""
+    from haros_ci.follow.ros.selectors import value_of
+
+    found = value_of(applied, entry.values["descriptor"]) if "descriptor" in entry.values else None
+    if isinstance(found, Pointer):
+        found = found.cell.value
+    if not isinstance(found, Object):
+        return found is not None and not _is_empty(found)
+    flag = found.fields.get("dynamic_typing")
+    return flag is not None and flag.value not in (NONE, Known(False))
+
+
+def _is_empty(value: Value) -> bool:
+    return isinstance(value, Sequence) and value.content.value == ()
+
+
+def _first(value: Any) -> Object | None:
+    content = getattr(getattr(value, "content", None), "value", None)
+    if isinstance(content, tuple) and content and isinstance(content[0].value, Object):
+        found: Object = content[0].value
+        return found
+    return None
+
+
+def _number(value: Object, name: str) -> float | None:
+    cell = value.fields.get(name)
+    held = cell.value.value if cell is not None and isinstance(cell.value, Known) else None
+    return float(held) if isinstance(held, (int, float)) and not isinstance(held, bool) else None

@@ -1,0 +1,300 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Nodes of a ROS 2 process in the code: what constructs one, and which one an entry of an API row belongs to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.follow import twins
+from haros_ci.graph.names import pattern
+from haros_ci.graph.parameters import Perhaps
+from haros_ci.graph.ros2_process import Arguments, Parameters, RosNode, Rule, from_arguments, named, ros_arguments
+from haros_ci.model.api import Entry
+from haros_ci.model.location import Location
+from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
+
+if TYPE_CHECKING:
+    from haros_ci.follow.ros.selectors import Applied
+    from haros_ci.follow.run import Run
+
+#: The class of a node in the client libraries, by language's separator.
+NODE = {"::": "rclcpp::Node", ".": "rclpy.node.Node"}
+#: Methods that no other class has: what they are called on is a node.
+UNMISTAKABLE = frozenset(
+    "create_publisher create_subscription create_service create_client create_generic_publisher "
+    "create_generic_subscription create_wall_timer declare_parameter declare_parameters".split()
+)
+#: Options of a node that say what it makes by itself.
+SWITCHES = (
+    "start_parameter_services",
+    "enable_rosout",
+    "start_parameter_event_publisher",
+    "automatically_declare_parameters_from_overrides",
+)
+#: The options of nodes that a library makes beside the one that it is given, and what they switch off.
+HIDDEN = Known("hidden")
+UNIQUE = "the library gives it another name each time"
+HIDES = ("start_parameter_services", "start_parameter_event_publisher")
+#: Of options: they are those that a component is given. Of a node: nothing is for it that the process is given.
+CONTAINED, ALONE = "(contained)", "(alone)"
+#: Of a node: it has parameters that it does not declare, or may have (rclcpp/node_options.hpp; rclpy/node.py).
+UNDECLARED = "(undeclared)"
+_UNDECLARED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
+#: A parameter that a node's options may set.
+OTHERS = Perhaps("it may be set in the node's options, which are not known")
+#: The parameter of every node that says whether it takes its time from a topic.
+SIM_TIME = "use_sim_time"
+#: Fields of an object that hold its node, or the object that has it.
+HOLDING = ("node", "node_")
+#: The field of a node that holds the options that it was constructed with.
+GIVEN = "(options)"
+#: Libraries that declare no parameters on nodes but those of every node.
+DECLARING_NOTHING = (
+    "rclcpp::",
+    "rclcpp_",
+    "rclpy.",
+    "std::",
+    "boost::",
+    "tf2_ros",
+    "message_filters",
+    "launch",
+    "threading.",
+)
+UNKNOWN_NODE = "which node it belongs to is not known"
+
+
+def construct(applied: Applied, entry: Entry, target: Object) -> None:
+    """*target* becomes a node: under the name that it is given, unless its options or the process's arguments rename it."""
+    from haros_ci.follow.ros.selectors import value_of
+
+    run = applied.run
+    process = run.context.process
+    assert process is not None
+    if "parent" in entry.values:
+        found = of_value(run, value_of(applied, entry.values["parent"]))
+        below = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
+        text, why, where = pattern(below if below is not None else NONE)
+        if found is not None:
+            inner = found.expand(text) if not text.startswith(("/", "~")) else found.space
+            target.node = RosNode(
+                name=found.name,
+                own=found.own,
+                space=inner,
+                kind=found.kind,
+                class_name=found.class_name,
+                location=applied.location,
+                rules=found.rules,
+                given=found.given,
+                why=(why, where) if why is not None else found.why,
+                main=found.whole,
+                options=found.options,
+            )
+        return
+    name = value_of(applied, entry.values["name"]) if "name" in entry.values else None
+    if "anonymous" in entry.values and value_of(applied, entry.values["anonymous"]) != Known(False):
+        name = Opaque(UNIQUE, applied.location)
+    space = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
+    options = value_of(applied, entry.values["options"]) if "options" in entry.values else None
+    if isinstance(options, Object) or len(applied.args) == 1:
+        target.fields[GIVEN] = Cell(options if isinstance(options, Object) else Object("rclcpp::NodeOptions"))
+    is_managed = value_of(applied, entry.values["lifecycle"]) == Known(True) if "lifecycle" in entry.values else False
+    target.node = made(run, target, name, space, options, applied.location, is_managed)
+
+
+def made(
+    run: Run,
+    target: Object,
+    name: Value | None,
+    space: Value | None,
+    options: Any,
+    location: Location,
+    is_managed: bool = False,
+) -> RosNode:
+    """A node of the process by the name, namespace and options that its constructor is given."""
+    process = run.context.process
+    assert process is not None
+    text, why, where = pattern(name) if name is not None else ("?", "the code does not tell its name", location)
+    above, space_why, space_where = pattern(space) if space is not None and space != NONE else ("", None, None)
+    options = options.cell.value if isinstance(options, Pointer) else options
+    if options == HIDDEN:  # its options rename it to its own name, whatever the process is given
+        options = Object("rclcpp::NodeOptions", fields={each: Cell(Known(False)) for each in HIDES})
+        local, is_open, why = Arguments((Rule("", "__node", text),)), False, why or UNIQUE
+    else:
+        local, is_open = _arguments(options)
+    is_contained = process.component is not None and (isinstance(options, Opaque) or _flag(options, CONTAINED) is True)
+    is_global = _flag(options, "use_global_arguments") is not False
+    rules = (*local.rules, *(process.rules if is_global else ()))
+    full, own = named(text, above, rules)
+    unknown = None
+    if is_open:
+        full, own, unknown = "/?", "/?", ("the arguments in its options are not known", location)
+    elif "?" in full:
+        unknown = (why or space_why or "it is renamed to what is not known", where or space_where or location)
+    switches = {switch: flag for switch in SWITCHES if (flag := _flag(options, switch)) is not None}
+    if not is_contained and not is_global:
+        switches[ALONE] = True
+    if isinstance(options, Opaque) or any(
+        _field(options, each) not in (None, NONE, Known(False)) for each in _UNDECLARED
+    ):
+        switches[UNDECLARED] = True
+    given = {**_parameters(local, full, location), **_overrides(options)}
+    sim_time = given.get(SIM_TIME)
+    if isinstance(sim_time, Known) and isinstance(sim_time.value, bool):
+        switches[SIM_TIME] = sim_time.value
+    node = RosNode(
+        name=full,
+        own=own,
+        space=own,
+        kind="lifecycle" if is_managed else "node",
+        class_name=target.name,
+        location=location,
+        conditions=tuple(run.conditions),
+        rules=rules,
+        given=given,
+        why=unknown,
+        options=switches,
+    )
+    if not is_open and not is_contained:
+        twins.made(run, target, full, named(text, above, local.rules)[0], location)
+    if not run.quiet:
+        known = next((n for n in run.nodes if (n.name, n.location) == (full, location)), None)
+        if known is None:
+            run.nodes.append(node)
+    return node
+
+
+def options_for(run: Run) -> Object:
+    """The NodeOptions that a component is constructed with: what the container, or launch, gives it."""
+    process = run.context.process
+    words: list[str] = ["--ros-args"]
+    for rule in (process.component or ()) if process is not None else ():
+        head = f"{rule.node}:{rule.source}" if rule.node else rule.source
+        words += ["-r", f"{head}:={rule.target}"]
+    cells = tuple(Cell(Known(word)) for word in words)
+    fields = {
+        "arguments": Cell(Sequence(Cell(cells))),
+        "use_global_arguments": Cell(Known(process is None or process.component is None)),
+        CONTAINED: Cell(Known(True)),
+    }
+    return Object("rclcpp::NodeOptions", fields=fields)
+
+
+def options_of(run: Run, node: Value | None) -> Value | None:
+    """A copy of the options that a node was constructed with (``rclcpp::Node::get_node_options``); None if not known."""
+    held = _field(node.cell.value if isinstance(node, Pointer) else node, GIVEN)
+    if not isinstance(held, Object):
+        return None
+    fields = {name: Cell(cell.value, cell.type) for name, cell in held.fields.items()}
+    words = _field(held, "arguments")
+    if isinstance(words, Sequence):
+        content = words.content.value
+        cells = tuple(Cell(cell.value, cell.type) for cell in content) if isinstance(content, tuple) else content
+        fields["arguments"] = Cell(Sequence(Cell(cells), words.type))
+    return Object(held.name, held.arguments, fields=fields)
+
+
+def _field(value: Any, name: str) -> Value | None:
+    if isinstance(value, Object) and name in value.fields:
+        held: Value = value.fields[name].value
+        return held
+    return None
+
+
+def _flag(options: Any, name: str) -> bool | None:
+    held = _field(options, name)
+    return held.value if isinstance(held, Known) and isinstance(held.value, bool) else None
+
+
+def _arguments(options: Any) -> tuple[Arguments, bool]:
+    """The arguments in a node's options, and whether there may be others."""
+    held = _field(options, "arguments")
+    if held is None or held == NONE:
+        return Arguments(), False
+    words: list[str] = []
+    if isinstance(held, Known) and isinstance(held.value, list):
+        words = [str(word) for word in held.value]
+    elif isinstance(held, Sequence) and isinstance(held.content.value, tuple):
+        words = [pattern(cell.value)[0] for cell in held.content.value]
+    else:
+        return Arguments(), True
+    return ros_arguments(words), False
+
+
+def _parameters(local: Arguments, node: str, location: Location) -> dict[str, Value]:
+    """What the arguments in a node's own options give it; ``?`` stands for what files may say."""
+    given = Parameters(from_arguments(local, location))
+    found: dict[str, Value] = {name: given.get(node, name) or NONE for name in given.of(node)}
+    if local.files:
+        found["?"] = Perhaps("a parameter file in the node's options may set it", location)
+    return found
+
+
+def _overrides(options: Any) -> dict[str, Value]:
+    """The parameters in a node's options: ``parameter_overrides``, ``append_parameter_override``; ``?`` for others."""
+    held = _field(options, "parameter_overrides")
+    found: dict[str, Value] = {}
+    appended, value = _field(options, "appended_name"), _field(options, "appended_value")
+    if appended is not None and value is not None:
+        found[str(appended.value) if isinstance(appended, Known) else "?"] = value
+    if isinstance(held, Mapped) and isinstance(held.content.value, dict):
+        return found | {str(key): cell.value for key, cell in held.content.value.items()}
+    from haros_ci.follow.ros.ros2_selectors import listed
+
+    items = listed(held) if held is not None and held != NONE else ()
+    for item in (None,) if items is None else items:
+        name = item["name"] if item is not None else None
+        if item is not None and isinstance(name, Known) and "default" in item:
+            found[str(name.value)] = item["default"]
+        else:
+            found["?"] = OTHERS
+    if isinstance(found.get("?"), Known):
+        found["?"] = OTHERS
+    return found
+
+
+def of_value(run: Run, value: Any, depth: int = 0) -> RosNode | None:
+    """The node that a value is, or has; None if that is not known."""
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if not isinstance(value, Object) or depth > 3:
+        return None
+    if value.node is not None:
+        found: RosNode = value.node
+        return found
+    for name in HOLDING:
+        if name in value.fields:
+            inner = of_value(run, value.fields[name].value, depth + 1)
+            if inner is not None:
+                return inner
+    return None
+
+
+def handed(run: Run, name: str, values: Iterable[Value]) -> None:
+    """Nodes among *values* are handed to the function or class *name*, which is not seen and may declare parameters on them."""
+    if run.context.process is not None and not name.startswith(DECLARING_NOTHING):
+        for value in values:
+            found = of_value(run, value)
+            for node in run.nodes:
+                if found is not None and node.name == found.name:
+                    node.options[UNDECLARED] = True
+
+
+def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:
+    """The node that an entry is made on: what ``namespace`` selects, else the receiver; and why it is not known."""
+    from haros_ci.follow.ros.selectors import value_of
+
+    run = applied.run
+    chosen = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else applied.receiver
+    if isinstance(chosen, Choice):
+        every = [of_value(run, option) for option in chosen.options]
+        if every and every[0] is not None and all(each is every[0] for each in every):
+            return every[0], ""
+        return None, "it belongs to one of several nodes"
+    found = of_value(run, chosen)
+    if found is not None:
+        return found, ""
+    if isinstance(chosen, Object) and chosen.definition is not None and chosen is applied.receiver:
+        chosen.node = made(run, chosen, None, None, None, chosen.location or applied.location)
+        return chosen.node, ""
+    return None, chosen.reason if isinstance(chosen, Opaque) else UNKNOWN_NODE

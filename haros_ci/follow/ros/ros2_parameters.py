@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a ROS 2 node has for a parameter: what it has declared or set itself, else what it is given from outside."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.follow.ros import ros2_nodes
+from haros_ci.graph.names import pattern
+from haros_ci.graph.ros2_process import NO_NAME, RosNode, fits
+from haros_ci.values.abstract import NONE, Known, Opaque, Value
+from haros_ci.values.state import Held
+
+if TYPE_CHECKING:
+    from haros_ci.follow.ros.selectors import Applied
+
+
+def parameter(applied: Applied, node: RosNode, name: str, is_declared: bool = False) -> Value | None:
+    """What *node* has for a parameter: what it has declared or set itself, else what it is given; None if nothing.
+
+    Where it *is_declared* now, only what it has for certain counts: of the rest this is the first declaration.
+    """
+    own: Any = applied.run.server.value
+    if isinstance(own, Opaque):
+        return own
+    held: Held | None = own.get(f"{node.whole.name}:{name}")
+    if held is not None and (held.is_certain or not is_declared):
+        return None if held.value == NONE else held.value
+    if "?" in name and _has_like(own, node, name):
+        return Opaque(NO_NAME, applied.location)
+    return given(applied, node, name)
+
+
+def is_telling(name: str) -> bool:
+    """Whether a name of which some parts are not known (``?.topic``) tells one parameter from others."""
+    return len(name.rpartition("?")[2]) > 1
+
+
+def _has_like(own: Mapping[str, Held], node: RosNode, name: str) -> bool:
+    """Whether the node has declared or set a parameter of a known name that may be the one of which parts are known."""
+    whole = f"{node.whole.name}:"
+    told = (full[len(whole) :] for full in own if full.startswith(whole))
+    return any("?" not in each and fits(each, name) for each in told)
+
+
+def given(applied: Applied, node: RosNode, name: str) -> Value | None:
+    """What *node* is given for a parameter from outside."""
+    own = node.whole.given
+    if name in own and name != "?":
+        return own[name]
+    if "?" in name and any(fits(each, name) for each in own):
+        return Opaque(NO_NAME, node.location)
+    is_alone = node.whole.options.get(ros2_nodes.ALONE)
+    found = None if is_alone else applied.run.context.parameter(f"{node.whole.name}:{name}")
+    if "?" not in own:
+        return found
+    return own["?"] if found is None else Opaque("a parameter file in the node's options may set it", node.location)
+
+
+def is_declared(applied: Applied, node: RosNode | None, name: Value) -> Value:
+    """Whether the node has declared the parameter of that name; one that is known in parts is another each time."""
+    text, why, _ = pattern(name)
+    own: Any = applied.run.server.value
+    is_told = why is None or is_telling(text)
+    if node is None or not is_told or isinstance(own, Opaque):
+        return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
+    held: Held | None = own.get(f"{node.whole.name}:{text}") if "?" not in text else None
+    if held is not None and held.value != NONE and held.is_certain:
+        return Known(True)
+    if (held is not None and held.value != NONE) or ("?" in text and _has_like(own, node, text)):
+        return applied.run.opaque("whether the parameter is declared", applied.frame, applied.location.line)
+    if node.whole.options.get("automatically_declare_parameters_from_overrides"):
+        found = given(applied, node, text)
+        return Known(found is not None) if not isinstance(found, Opaque) else found
+    return Known(False)
+
+
+def remember(applied: Applied, full: str, value: Value) -> None:
+    run = applied.run
+    own: Any = run.server.value
+    if isinstance(own, Opaque):
+        return
+    name = full.partition(":")[2]
+    if "?" in name and not is_telling(name):
+        return  # one more under a name that is not known; the others stay as they are
+    run.state.write(run.server, {**own, full: Held(value)})

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Selectors of rows in ROS 2: names of the node that a call is on, keyword arguments, items of lists of parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.follow import conversions
+from haros_ci.follow.ros import ros2_nodes
+from haros_ci.graph.ros2_process import RosNode
+from haros_ci.index.types import ros2_data_type, ros2_parameter_type
+from haros_ci.values.abstract import (
+    NONE,
+    Cell,
+    Known,
+    Library,
+    Mapped,
+    Object,
+    Opaque,
+    Pointer,
+    Sequence,
+    Text,
+    Value,
+    data_of,
+)
+
+if TYPE_CHECKING:
+    from haros_ci.follow.ros.selectors import Applied
+
+#: What rclpy calls the option that rclcpp calls ``arguments``.
+_OPTIONS = {"cli_args": "arguments"}
+#: Classes of rclcpp that hold a parameter's value.
+PARAMETERS = ("rclcpp::ParameterValue", "rclcpp::Parameter")
+#: Members of rcl_interfaces/msg/ParameterType and of rclpy's Parameter.Type, without their prefix.
+TYPES = {
+    "BOOL": "bool",
+    "INTEGER": "int",
+    "DOUBLE": "double",
+    "STRING": "str",
+    "BYTE_ARRAY": "bytes",
+    "BOOL_ARRAY": "bool[]",
+    "INTEGER_ARRAY": "int[]",
+    "DOUBLE_ARRAY": "double[]",
+    "STRING_ARRAY": "str[]",
+}
+
+
+def node_name(applied: Applied, part: str) -> Value:
+    """The receiver's name (``name``, ``base_name``) or namespace (``namespace``, ``sub_namespace``, ``effective_namespace``)."""
+    node = ros2_nodes.of_value(applied.run, applied.receiver)
+    if node is None:
+        return applied.run.opaque("the name of a node that is not known", applied.frame, applied.location.line)
+    own = node.whole
+    texts = {
+        "name": own.name,
+        "base_name": own.name.rpartition("/")[2],
+        "namespace": own.own,
+        "sub_namespace": node.space[len(own.own) :].strip("/") if node.main is not None else "",
+        "effective_namespace": node.space,
+    }
+    return known_text(texts[part], node)
+
+
+def known_text(text: str, node: RosNode) -> Value:
+    """A text in which ``?`` stands for what is not known of a node's name."""
+    if "?" not in text:
+        return Known(text)
+    why = Opaque(*(node.why or ("the name of the node is not known", node.location)))
+    head, _, tail = text.partition("?")
+    return Text(tuple(part for part in (head, why, tail) if part != ""))
+
+
+def keywords(applied: Applied) -> Object:
+    """The keyword arguments of a call as an object's members."""
+    given = {arg.keyword: Cell(arg.value) for arg in applied.args if arg.keyword and arg.keyword[0] != "*"}
+    return Object("keywords", fields={_OPTIONS.get(name, name): cell for name, cell in given.items()})
+
+
+def items(applied: Applied, value: Any) -> list[Mapping[str, Any] | None]:
+    """The items of a list of parameters: texts, tuples of a name and more, objects with ``name`` and ``value``."""
+    found = listed(value)
+    if found is None:
+        reason = value.reason if isinstance(value, Opaque) else "it is no list"
+        applied.run.gaps.setdefault(f"a list of parameters is not known: {reason}", applied.location)
+        return []
+    return [*found]
+
+
+def listed(value: Any) -> list[Mapping[str, Any]] | None:
+    """The items of a list of parameters; None if it is not known."""
+    if isinstance(value, Known) and isinstance(value.value, (list, tuple)):
+        cells: Any = tuple(Cell(Known(item)) for item in value.value)
+    else:
+        cells = value.content.value if isinstance(value, (Sequence, Mapped)) else None
+    if isinstance(cells, dict):
+        return [{"name": Known(str(name)), "default": cell.value} for name, cell in cells.items()]
+    if not isinstance(cells, tuple):
+        return None
+    return [_item(cell.value) for cell in cells]
+
+
+def _item(value: Any) -> Mapping[str, Any]:
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Object) and "name" in value.fields:
+        held = value.fields.get("value")
+        found = {"name": value.fields["name"].value}
+        return {**found, "default": held.value} if held is not None else found
+    parts: list[Any] = []
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        parts = [cell.value for cell in value.content.value]
+    elif isinstance(value, Known) and isinstance(value.value, (list, tuple)):
+        parts = [Known(part) for part in value.value]
+    if not parts:
+        return {"name": value}
+    found = {"name": parts[0]}
+    if len(parts) > 1:
+        found["type" if type_word(parts[1]) else "default"] = parts[1]
+    if len(parts) > 2:
+        found["descriptor"] = parts[2]
+    return found
+
+
+def type_word(value: Any) -> str | None:
+    """The parameter type that a constant stands for: ``Parameter.Type.STRING``, ``rclcpp::PARAMETER_DOUBLE``."""
+    if not isinstance(value, Library):
+        return None
+    last = value.name.rpartition("::")[2].rpartition(".")[2].removeprefix("PARAMETER_")
+    return TYPES.get(last)
+
+
+def type_constant(value: Any) -> Library | None:
+    """``get_type()`` of a ParameterValue or Parameter, or of what it holds: the constant of that type; None if not known."""
+    if isinstance(value, Object):
+        held = value.fields.get("value")
+        value = held.value if held is not None and value.name in PARAMETERS else None
+    if value is None or isinstance(value, Library) or value == NONE:
+        return None
+    known, data = data_of(value)
+    word = (ros2_data_type(data) if known else None) or ros2_parameter_type(conversions.value_type(value))
+    constant = next((name for name, each in TYPES.items() if each == word), None)
+    return Library(f"rclcpp::ParameterType::PARAMETER_{constant}") if constant is not None else None

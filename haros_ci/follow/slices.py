@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python's slices of texts and lists (docs.python.org/3/reference/expressions.html#slicings)."""
+
+from __future__ import annotations
+
+from haros_ci.follow.run import Frame, Run
+from haros_ci.values.abstract import Cell, Choice, Known, Object, Sequence, Value, join
+
+#: What a part of a list is that has nothing as things are.
+NOTHING = "a part of a list, which has nothing as it is started"
+
+
+def part(run: Run, frame: Frame, container: Value, bounds: Object) -> Value:
+    """``container[a:b:c]``, a new text or list; *bounds* is the object that ``[slice]`` makes.
+
+    Nothing of a list that has something is not known: what is done with each element is looked at once all the same.
+    """
+    values = [cell.value for cell in bounds.fields.values()]
+    numbers = [value.value for value in values if isinstance(value, Known) and type(value.value) in (int, type(None))]
+    unknown = run.opaque("a part of what is not known", frame)
+    if len(numbers) != 3 or numbers[2] == 0:
+        return unknown
+    which = slice(*numbers)
+    if isinstance(container, Choice):
+        result: Value | None = None
+        for option in container.options:
+            found = part(run, frame, option, bounds)
+            result = found if result is None else join(result, found)
+        return result if result is not None else unknown
+    if isinstance(container, Known) and isinstance(container.value, (str, list)):
+        return Known(container.value[which])
+    if isinstance(container, Sequence):
+        cells = container.content.value
+        if isinstance(cells, tuple) and (cells[which] or not cells):
+            return Sequence(Cell(tuple(Cell(cell.value, cell.type) for cell in cells[which])))
+        return Sequence(Cell(run.opaque(NOTHING, frame) if isinstance(cells, tuple) else unknown))
+    return unknown

@@ -1,0 +1,360 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Statements, followed on all paths: branches are tried one by one and joined, loops are turned or widened."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.follow import construct, expressions, lookup, loops, members
+from haros_ci.follow.libraries import harmless
+from haros_ci.follow.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop, Run
+from haros_ci.model.location import Location
+from haros_ci.syntax import Block, Expression, Statement
+from haros_ci.values.abstract import Cell, Known, Library, Object, Sequence, Value
+from haros_ci.values.state import Writes, joined
+
+#: What holds in the script that is started, and in no other module: no condition at all.
+MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
+
+
+def execute(run: Run, frame: Frame, block: Block) -> str:
+    """Follow the statements of *block* in a scope of their own; say how it ends."""
+    frame.scopes.append({})
+    try:
+        for statement in block:
+            run.step()
+            ended = STATEMENTS[type(statement)](run, frame, statement)
+            if ended != NEXT:
+                return ended
+        return NEXT
+    finally:
+        frame.scopes.pop()
+
+
+def truth(value: Value) -> bool | None:
+    """Whether a condition holds, None if that is not known."""
+    if isinstance(value, Known):
+        return bool(value.value)
+    if isinstance(value, Object):
+        return None if _decides(value) else True
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        return bool(value.content.value)
+    return None
+
+
+def _decides(value: Object) -> bool:
+    """Whether an object has a say in whether it is true."""
+    if value.definition is None:
+        return value.name.rpartition("::")[2] == "optional"
+    source, definition = value.definition
+    words = {f"{definition.name}{source.separator}{word}" for word in ("operator bool", "__bool__", "__len__")}
+    return any(function.name in words for function in source.program.functions)
+
+
+def _do(run: Run, frame: Frame, statement: syntax.Do) -> str:
+    expressions.evaluate(run, frame, statement.value)
+    return NEXT
+
+
+def _variable(run: Run, frame: Frame, statement: syntax.Variable) -> str:
+    construct.declare(run, frame, statement)
+    return NEXT
+
+
+def _static(run: Run, frame: Frame, statement: syntax.Static) -> str:
+    """A variable that is made once. What is made in a rehearsal only is not kept: it has made nothing of note."""
+    variable = statement.statement
+    name = variable.name
+    kinds = (kind.name if isinstance(kind, syntax.Type) else "" for kind in frame.templates.values())
+    key = ("static", frame.source.path, variable.line, variable.column, name, *kinds)
+    if key not in run.statics:
+        _variable(run, frame, variable)
+        cell = frame.scopes[-1].get(name)
+        if run.quiet or cell is None:
+            return NEXT
+        run.statics[key] = cell
+        function = frame.function
+        if function is not None and not frame.templates and run.relevance.matters(statement, frame.source, function):
+            run.relevance = run.relevance.after(statement, function)
+    frame.scopes[-1][name] = run.statics[key]
+    return NEXT
+
+
+def _global(run: Run, frame: Frame, statement: syntax.Global) -> str:
+    scope = lookup.module_frame(run, frame.source).scopes[0]
+    for name in statement.names:
+        frame.scopes[0][name] = scope.setdefault(name, Cell(run.opaque(f"{name} is not set", frame)))
+    return NEXT
+
+
+def _nonlocal(run: Run, frame: Frame, statement: syntax.Nonlocal) -> str:
+    for name in statement.names:
+        cell = frame.outer.find(name) if frame.outer is not None else None
+        frame.scopes[0][name] = cell or Cell(run.opaque(f"{name} is not set", frame))
+    return NEXT
+
+
+def _if(run: Run, frame: Frame, statement: syntax.If) -> str:
+    line, column, text = statement.line, statement.column, statement.text
+    then, other, else_line, else_column = statement.then, statement.other, statement.else_line, statement.else_column
+    if text.replace("'", '"').replace(" ", "").strip("()") in MAIN_GUARD and frame.source.program.language == "python":
+        return execute(run, frame, then) if frame.source.path in run.files else NEXT
+    holds = truth(expressions.evaluate(run, frame, statement.test))
+    if holds is not None and run.outer is not None:  # what a wrapper does not do as things are is nobody's
+        return execute(run, frame, then if holds else other)
+    branches = []
+    mark = run.state.mark()
+    with run.under("if", text, frame, line, column):
+        ended = _followed(run, frame, then, holds is not False)
+    branches.append((ended, run.state.undo(mark)))
+    if else_line:
+        path = frame.source.path
+        run.pairs[Location(path, else_line, else_column)] = Location(path, line, column)
+        with run.under("else", text, frame, else_line, else_column):
+            ended = _followed(run, frame, other, holds is not True)
+        branches.append((ended, run.state.undo(mark)))
+    else:
+        branches.append((NEXT, {}))
+    return _merge(run, frame, branches, None if holds is None else [0 if holds else 1])
+
+
+def _followed(run: Run, frame: Frame, block: Block, can_be: bool) -> str:
+    """Follow a branch; what one that cannot be taken returns does not count."""
+    before = frame.is_dead
+    frame.is_dead = before or not can_be
+    run.dead += not can_be
+    try:
+        return execute(run, frame, block)
+    finally:
+        frame.is_dead = before
+        run.dead -= not can_be
+
+
+def _merge(run: Run, frame: Frame, branches: list[tuple[str, Writes]], live: list[int] | None) -> str:
+    """Go on with the join of the branches that can be taken; one that cannot is gone through for what it makes only."""
+    chosen = branches if live is None else [branches[i] for i in live]
+    going = [writes for ended, writes in chosen if ended == NEXT]
+    if going:
+        run.state.merge(going)
+        return NEXT
+    rest = [writes for ended, writes in branches if ended == NEXT]
+    if rest and not (run.loops and run.loops[-1].turn):  # what no turn reaches was gone through in the first
+        frame.is_dead = True
+        run.state.merge(rest)
+        return NEXT
+    ends = {ended for ended, _ in chosen}
+    return next((ended for ended in (CONTINUE, BREAK, RETURN, THROW) if ended in ends), NEXT)
+
+
+def _switch(run: Run, frame: Frame, statement: syntax.Switch) -> str:
+    line, column, text, test, cases = statement.line, statement.column, statement.text, statement.value, statement.cases
+    value = expressions.evaluate(run, frame, test)
+    branches: list[tuple[str, Writes]] = []
+    live: list[int] = []
+    default = None
+    taken = _taken(run, frame, value, [case.value for case in cases])
+    can_be = taken is None
+    for index, case in enumerate(cases):
+        if case.value is None:
+            default = len(branches)
+        if taken is not None and index in taken:
+            can_be = True
+            live.append(len(branches))
+        if not case.body and index + 1 < len(cases):  # the same as the next case
+            continue
+        was_dead, is_dead = frame.is_dead, not can_be
+        frame.is_dead = was_dead or is_dead
+        run.dead += is_dead
+        can_be = taken is None
+        loop = Loop(run.state.mark(), is_switch=True)
+        run.loops.append(loop)
+        ended = NEXT
+        with run.under("switch", text, frame, line, column):
+            for following in cases[index:]:
+                ended = execute(run, frame, following.body)
+                if ended != NEXT:
+                    break
+        run.loops.pop()
+        frame.is_dead = was_dead
+        run.dead -= is_dead
+        ways = list(loop.breaks)
+        if ended == NEXT:
+            ways.append(run.state.since(loop.mark))
+        writes = run.state.undo(loop.mark)
+        if ways:
+            run.state.merge(ways)
+            writes = run.state.undo(loop.mark)
+        branches.append((NEXT if ways or ended == BREAK else ended, writes))
+    if default is None:
+        branches.append((NEXT, {}))
+        default = len(branches) - 1
+    if not branches:
+        return NEXT
+    return _merge(run, frame, branches, (live or [default]) if taken is not None else None)
+
+
+def _taken(run: Run, frame: Frame, value: Value, labels: list[Expression | None]) -> set[int] | None:
+    """The numbers of the cases that a switch over *value* goes to, else the default's; None if that is not known."""
+    if not isinstance(value, Known):
+        return None
+    found = set()
+    for number, label in enumerate(labels):
+        wanted = expressions.evaluate(run, frame, label) if label is not None else None
+        if wanted is not None and not isinstance(wanted, Known):
+            return None
+        if wanted is not None and wanted.value == value.value:
+            found.add(number)
+    return found or {number for number, label in enumerate(labels) if label is None}
+
+
+def _try(run: Run, frame: Frame, statement: syntax.Try) -> str:
+    """A handler begins with anything that the block may have done by then; afterwards counts what it assigns itself.
+
+    What else the block has left undone where it threw is not thought of: most never throw. A handler that gives up, as it
+    returns false or nothing, is followed for what it makes, and not for what it leaves behind.
+    """
+    block, handlers = statement.body, statement.handlers
+    mark = run.state.mark()
+    is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
+    run.trying += is_caught
+    try:
+        ended = execute(run, frame, block)
+    finally:
+        run.trying -= is_caught
+    after = run.state.undo(mark)
+    branches: list[tuple[str, Writes]] = [(ended, after)]
+    for handler in handlers:
+        start = run.state.mark()
+        for cell, value in after.items():
+            run.state.write(cell, joined(cell.value, value))
+        begun = run.state.mark()
+        frame.scopes.append({})
+        if handler.name:
+            kind = run.type_in(handler.type, frame)
+            frame.declare(handler.name, Cell(run.opaque("an exception", frame, handler.line, kind)))
+        returned = len(frame.returned)
+        with run.under("catch", handler.text, frame, handler.line, handler.column):
+            how = execute(run, frame, handler.body)
+        frame.scopes.pop()
+        if how == RETURN and ended != THROW and all(map(_is_failure, frame.returned[returned:])):
+            del frame.returned[returned:], frame.exits[returned:]
+        own = run.state.since(begun)
+        run.state.undo(start)
+        branches.append((how, {**after, **own}))
+    return _merge(run, frame, branches, None)
+
+
+def _is_failure(value: Value) -> bool:
+    """Whether a function that returns this says that it has failed, or nothing."""
+    if isinstance(value, Library):
+        return value.name.endswith(("FAILURE", "ERROR"))
+    return value in (Known(False), Known(None))
+
+
+def _preprocessor(run: Run, frame: Frame, statement: syntax.Preprocessor) -> str:
+    branches: list[tuple[str, Writes]] = []
+    for branch in statement.branches:
+        mark = run.state.mark()
+        declared: dict[str, Cell] = {}
+        with run.under("#if", branch.text, frame, branch.line, branch.column):
+            frame.scopes.append(declared)
+            ended = NEXT
+            for item in branch.body:
+                run.step()
+                ended = STATEMENTS[type(item)](run, frame, item)
+                if ended != NEXT:
+                    break
+            frame.scopes.pop()
+        for name, cell in declared.items():  # no scope of its own: what it declares is there afterwards
+            frame.scopes[-1].setdefault(name, cell)
+        branches.append((ended, run.state.undo(mark)))
+    if not any(branch.text.startswith("#else") for branch in statement.branches):
+        branches.append((NEXT, {}))
+    for _, writes in branches:  # what one branch alone declares keeps its value
+        for cell in writes:
+            if cell in frame.scopes[-1].values():
+                for _, other in branches:
+                    other.setdefault(cell, writes[cell])
+    return _merge(run, frame, branches, None)
+
+
+def _return(run: Run, frame: Frame, statement: syntax.Return) -> str:
+    value = expressions.evaluate(run, frame, statement.value) if statement.value is not None else Known(None)
+    if not frame.is_dead:
+        frame.returned.append(value)
+        frame.exits.append(run.state.since(frame.mark))
+    return RETURN
+
+
+def _throw(run: Run, frame: Frame, statement: syntax.Throw) -> str:
+    if statement.value is not None:
+        expressions.evaluate(run, frame, statement.value)
+    return THROW
+
+
+def _break(run: Run, frame: Frame, statement: syntax.Break) -> str:
+    if run.loops and not frame.is_dead:
+        run.loops[-1].breaks.append(run.state.since(run.loops[-1].mark))
+    return BREAK
+
+
+def _continue(run: Run, frame: Frame, statement: syntax.Continue) -> str:
+    if not frame.is_dead:
+        for loop in reversed(run.loops):
+            if not loop.is_switch:
+                loop.continues.append(run.state.since(loop.mark))
+                break
+    return CONTINUE
+
+
+def _define(run: Run, frame: Frame, statement: syntax.NestedFunction) -> str:
+    from haros_ci.values.abstract import Callable
+
+    function = frame.source.program.functions[statement.function]
+    frame.declare(statement.name, Cell(Callable(frame.source, function, frame.this, frame=expressions.kept(frame))))
+    return NEXT
+
+
+def _class(run: Run, frame: Frame, statement: syntax.NestedClass) -> str:
+    found = run.class_of(statement.name, frame.source)
+    if found is None:
+        return NEXT
+    for field in found[1].fields if found[0] is frame.source and not run.quiet else ():
+        if field.init is not None and run.relevance.matters(field.init, frame.source):
+            members.static_cell(run, *found, field.name)
+    if run.modules.get(frame.source.path) is not frame:
+        from haros_ci.values.abstract import ClassValue
+
+        frame.declare(statement.name.rpartition(frame.source.separator)[2], Cell(ClassValue(*found)))
+    return NEXT
+
+
+def _import(run: Run, frame: Frame, statement: syntax.Import) -> str:
+    frame.declare(statement.name, Cell(lookup.imported(run, frame, statement.target)))
+    return NEXT
+
+
+#: Each takes what its key is a class of.
+STATEMENTS: dict[type[Statement], Callable[[Run, Frame, Any], str]] = {
+    syntax.Do: _do,
+    syntax.Variable: _variable,
+    syntax.Static: _static,
+    syntax.Global: _global,
+    syntax.Nonlocal: _nonlocal,
+    syntax.If: _if,
+    syntax.Loop: lambda run, frame, s: loops.loop(run, frame, s),
+    syntax.Each: lambda run, frame, s: loops.each(run, frame, s),
+    syntax.Switch: _switch,
+    syntax.Try: _try,
+    syntax.Preprocessor: _preprocessor,
+    syntax.Nested: lambda run, frame, s: execute(run, frame, s.body),
+    syntax.Return: _return,
+    syntax.Break: _break,
+    syntax.Continue: _continue,
+    syntax.Throw: _throw,
+    syntax.NestedFunction: _define,
+    syntax.NestedClass: _class,
+    syntax.Import: _import,
+}

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Static types of expressions, as declared; and the elements that a loop goes through."""
+
+from __future__ import annotations
+
+from haros_ci import syntax
+from haros_ci.follow import conversions, expressions
+from haros_ci.follow.run import Frame, Run
+from haros_ci.index.types import SEQUENCES
+from haros_ci.syntax import Expression, Type
+from haros_ci.values import iterators
+from haros_ci.values.abstract import LIST_LIMIT, Cell, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
+from haros_ci.values.state import certain, possible
+
+
+def elements(run: Run, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
+    """The elements that a loop goes through; None if they are not known."""
+    found, others = some_elements(run, frame, expression)
+    return found if others is None else None
+
+
+def some_elements(run: Run, frame: Frame, expression: Expression) -> tuple[list[Value | Cell], tuple[Cell, ...] | None]:
+    """Elements that a loop goes through for sure, and objects that are elements on some paths: None if these are all.
+
+    Where a branch is not taken, a text stands for the list that the branch is for: its letters are no elements.
+    """
+    value = expressions.evaluate(run, frame, expression)
+    if isinstance(value, Pointer):
+        value = value.cell.value
+    if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
+        return list(certain(value.content.value)), objects(value.content.value)
+    is_dead = bool(run.dead or frame.is_dead)
+    found = (
+        None if is_dead and isinstance(value, Known) and isinstance(value.value, str) else _all_elements(frame, value)
+    )
+    return ([], ()) if found is None else (found, None)
+
+
+def objects(content: Opaque) -> tuple[Cell, ...]:
+    """Of the possible elements of a list those that are objects of the workspace."""
+    every = ((cell, iterators.options(cell.value)) for cell in possible(content))
+    return tuple(
+        cell
+        for cell, options in every
+        if all(isinstance(each, Object) and each.definition is not None for each in options)
+    )
+
+
+def _all_elements(frame: Frame, value: Value) -> list[Value | Cell] | None:
+    python = frame.source.separator == "."
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        return list(value.content.value)
+    if isinstance(value, Mapped) and isinstance(value.content.value, dict):
+        if not python:
+            pairs = value.content.value.items()
+            return [Object("std::pair", fields={"first": Cell(Known(key)), "second": cell}) for key, cell in pairs]
+        return [Known(key) for key in value.content.value]
+    if isinstance(value, Known) and isinstance(value.value, (list, dict)):
+        return [Known(item) for item in value.value]
+    if isinstance(value, Known) and isinstance(value.value, str) and python:
+        return [Known(item) for item in value.value] if len(value.value) <= LIST_LIMIT else None
+    return None
+
+
+def element_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
+    """The static type of a container's elements."""
+    kind = static_type(run, frame, expression)
+    if kind is not None and kind.name in SEQUENCES and kind.arguments:
+        return kind.of(0)
+    return None
+
+
+def member_called(
+    run: Run, frame: Frame, callee: Expression, targs: tuple[syntax.Argument, ...]
+) -> tuple[Expression, tuple[syntax.Argument, ...]]:
+    """``decltype(a)::element_type::make`` with the class that it stands for, and this class's template arguments."""
+    if not isinstance(callee, syntax.Name) or not callee.name.startswith("decltype("):
+        return callee, targs
+    inside, _, rest = callee.name[9:].partition(")")
+    name = inside.removeprefix("this->").strip()
+    kind = static_type(run, frame, syntax.Name(name)) if name.isidentifier() and rest.startswith("::") else None
+    if kind is None:
+        return callee, targs
+    head, _, last = rest[2:].rpartition("::")
+    owner = run.type_in(syntax.Type(f"{kind.name}::{head}" if head else kind.name, kind.arguments, ""), frame)
+    return syntax.Name(f"{owner.name}::{last}"), targs or owner.arguments
+
+
+def static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
+    """The declared (resolved) type of *expression*; what it makes and changes is not kept."""
+    mark = run.state.mark()
+    run.quiet += 1
+    try:
+        return _static_type(run, frame, expression)
+    finally:
+        run.quiet -= 1
+        run.state.undo(mark)
+
+
+def _static_type(run: Run, frame: Frame, expression: Expression) -> Type | None:
+    literal = LITERAL_TYPES.get(type(expression))
+    if literal is not None:
+        return literal
+    if isinstance(expression, syntax.Number):
+        return syntax.Type("int") if isinstance(expression.value, int) else syntax.Type("double")
+    if isinstance(expression, (syntax.Address, syntax.Dereference, syntax.Keyword)):
+        return _static_type(run, frame, expression.value)
+    if isinstance(expression, syntax.Cast):
+        return run.type_in(expression.type, frame)
+    if isinstance(expression, syntax.Operation) and expression.operator in (
+        "==",
+        "!=",
+        "<",
+        ">",
+        "<=",
+        ">=",
+        "!",
+        "&&",
+        "||",
+    ):
+        return syntax.Type("bool")
+    if isinstance(expression, syntax.Operation):
+        kinds = [_static_type(run, frame, item) for item in expression.operands]
+        known = [kind for kind in kinds if kind is not None]
+        for name in ("std::string", "double", "float"):
+            if any(kind.name == name for kind in known):
+                return syntax.Type(name)
+        return known[0] if len(known) == len(kinds) and known else None
+    cell = expressions.cell_of(run, frame, expression)
+    if cell is not None and cell.type is not None and cell.type.name not in ("", "auto"):
+        return cell.type
+    value = cell.value if cell is not None else expressions.evaluate(run, frame, expression)
+    return conversions.value_type(value)
+
+
+LITERAL_TYPES: dict[type[Expression], Type] = {
+    syntax.String: syntax.Type("std::string"),
+    syntax.Boolean: syntax.Type("bool"),
+    syntax.Format: syntax.Type("std::string"),
+    syntax.ListLiteral: syntax.Type("list"),
+    syntax.DictLiteral: syntax.Type("dict"),
+}

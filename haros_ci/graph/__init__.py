@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names, parameters and command lines of nodes: what a configuration gives each."""

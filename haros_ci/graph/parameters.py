@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The parameter server of a configuration, as a node sees it when it starts."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.model.architecture import Condition, Parameter
+from haros_ci.substitutions.files import Files
+from haros_ci.substitutions.names import Text, literal
+from haros_ci.substitutions.yaml import YamlError, YamlValue, read_yaml
+from haros_ci.values.abstract import Known, Opaque, Value
+
+
+@dataclass(frozen=True, slots=True)
+class Perhaps(Opaque):
+    """Not known, and not even whether it is there at all."""
+
+
+class ParameterServer:
+    """Parameters by full name; a namespace is the map of what is below it (wiki.ros.org/Parameter Server).
+
+    A name with ``?`` stands for every name that it may be.
+    """
+
+    def __init__(self, parameters: Iterable[Parameter]) -> None:
+        self._by_name: dict[str, list[Parameter]] = {}
+        self._spaces: set[str] = set()
+        self._vague: list[tuple[list[str], Parameter]] = []
+        for parameter in parameters:
+            if "?" in parameter.name:
+                self._vague.append((parameter.name.split("?"), parameter))
+                continue
+            self._by_name.setdefault(parameter.name, []).append(parameter)
+            space = parameter.name.rpartition("/")[0]
+            while space:
+                self._spaces.add(space)
+                space = space.rpartition("/")[0]
+
+    def get(self, name: str, under: tuple[Condition, ...] = ()) -> Value | None:
+        """The value that *name* has where the conditions *under* hold, as they do for the node that asks.
+
+        None if nothing sets it, Opaque if it is not known, Perhaps if it may not be set.
+        """
+        found = self._by_name.get(name)
+        if found:
+            return _value(found, under)
+        is_space = name in self._spaces
+        for parts, parameter in self._vague:
+            inside, head = f"{name.rstrip('/')}/", parts[0]
+            if _fits(name, parts) or head.startswith(inside) or (is_space and inside.startswith(head)):
+                reason = next((f"it may be set: {why.reason}" for why in parameter.unknowns), "it may be set")
+                return (Opaque if is_space else Perhaps)(reason, parameter.location)
+        if is_space:
+            tree: dict[str, Any] = {}
+            for full, parameters in sorted(self._by_name.items()):
+                if full.startswith(f"{name}/"):
+                    value = _value(parameters, under)
+                    if not isinstance(value, Known):
+                        return value
+                    inner = tree
+                    *path, last = full[len(name) + 1 :].split("/")
+                    for part in path:
+                        inner = inner.setdefault(part, {}) if isinstance(inner, dict) else inner
+                    if not isinstance(inner, dict):
+                        return Opaque(f"{full} lies below a parameter that has a value", parameters[-1].location)
+                    inner[last] = dict(value.value) if isinstance(value.value, dict) else value.value
+            return Known(tree)
+        return self._below(name)
+
+    def _below(self, name: str) -> Value | None:
+        """What is inside a parameter that may be a map."""
+        above = name.rpartition("/")[0]
+        while above:
+            for parameter in self._by_name.get(above, ()):
+                for why in parameter.unknowns:
+                    if why.field == "type":
+                        return Perhaps(f"it may be set: {why.reason}", why.location or parameter.location)
+            above = above.rpartition("/")[0]
+        return None
+
+
+def _fits(name: str, parts: list[str]) -> bool:
+    """Whether *name* may be one of which only *parts* are known, with anything between them."""
+    first, *middle, last = parts
+    if len(name) < len(first) + len(last) or not (name.startswith(first) and name.endswith(last)):
+        return False
+    at, end = len(first), len(name) - len(last)
+    for part in middle:
+        found = name.find(part, at, end)
+        if found < 0:
+            return False
+        at = found + len(part)
+    return True
+
+
+def _value(parameters: list[Parameter], under: tuple[Condition, ...]) -> Value:
+    parameter = parameters[-1]
+    if not set(parameter.conditions) <= set(under):
+        kind = Opaque if any(set(each.conditions) <= set(under) for each in parameters) else Perhaps
+        return kind(f"the parameter {parameter.name} is set under a condition", parameter.location)
+    if parameter.unknowns:
+        return Opaque(parameter.unknowns[0].reason, parameter.unknowns[0].location or parameter.location)
+    return Known(parameter.value)
+
+
+def yaml_reader(files: Files) -> Any:
+    """A function from a path as values have it (or ``"\\n"`` and YAML text itself) to its data; None if not here."""
+
+    def read(path: str) -> Value | None:
+        text = path[1:] if path.startswith("\n") else None
+        if text is None:
+            place = files.place(literal(path.replace("$(find-pkg-share ", "$(find ")))
+            if place.path is None or not files.has(posixpath.normpath(place.path)):
+                return None
+            text = files.workspace.text(place.path)
+        try:
+            return Known(plain(read_yaml(literal(text))))
+        except YamlError as error:
+            return Opaque(f"the YAML cannot be read: {error}")
+
+    return read
+
+
+def plain(value: YamlValue) -> Any:
+    """YAML as plain data; what is not known in it is None."""
+    data = value.data
+    if isinstance(data, YamlValue):
+        return plain(data)
+    if isinstance(data, (list, tuple)):
+        return [plain(item) if isinstance(item, YamlValue) else item for item in data]
+    if isinstance(data, dict):
+        return {
+            str(_plain_key(key)): plain(item) if isinstance(item, YamlValue) else item for key, item in data.items()
+        }
+    if isinstance(data, (str, int, float, bool)) or data is None:
+        return data
+    return None
+
+
+def _plain_key(key: Any) -> Any:
+    return key.raw if isinstance(key, Text) else key

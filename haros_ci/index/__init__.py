@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The cross-file index: what names mean, what code mentions, what can matter."""

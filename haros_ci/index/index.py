@@ -1,0 +1,419 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The cross-file index: which class, function, alias, constant or macro a name means, seen from a file and a scope.
+
+A workspace has many programs, and one name may be defined in several. What is nearer wins: the same file, then the
+headers that it includes, the files of the executable under analysis, the same package, and at last the rest of the
+workspace: of that, only classes and their methods, and what some file of the executable includes a header for.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+from haros_ci import syntax
+from haros_ci.index.trace import Trace, Traced
+from haros_ci.syntax import Alias, Class, Field, Function, Program
+
+Entity = TypeVar("Entity")
+#: Typedefs of typedefs that are looked through.
+ALIASES = 8
+#: Why one of several definitions is not told from the others.
+EITHER = "it is defined more than once"
+#: What macros that declare smart pointers to a class put after its name, the longest first.
+POINTERS = ("ConstUniquePtr", "ConstWeakPtr", "UniquePtr", "WeakPtr", "ConstPtr", "Ptr")
+#: What makes behaviour trees includes this; what is loaded for them is of this base.
+TREES, BEHAVIOR_TREE_NODE = "/bt_factory.h", "TreeNode"
+HEADERS = (".h", ".hh", ".hpp", ".hxx", ".H", ".inl", ".ipp", ".tpp")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Source:
+    """A file as a program: *path* is relative to the root, *module* its dotted Python name."""
+
+    path: str
+    package: str | None
+    program: Program
+    module: str = ""
+
+    @property
+    def separator(self) -> str:
+        return "." if self.program.language == "python" else "::"
+
+
+@dataclass(slots=True)
+class Index:
+    """All names of a language's programs; built once, read only afterwards."""
+
+    classes: dict[str, list[tuple[Source, Class]]] = field(default_factory=lambda: defaultdict(list))
+    functions: dict[str, list[tuple[Source, Function]]] = field(default_factory=lambda: defaultdict(list))
+    variables: dict[str, list[tuple[Source, Field]]] = field(default_factory=lambda: defaultdict(list))
+    aliases: dict[str, list[tuple[Source, Alias]]] = field(default_factory=lambda: defaultdict(list))
+    macros: dict[str, list[tuple[Source, str]]] = field(default_factory=lambda: defaultdict(list))
+    modules: dict[str, list[Source]] = field(default_factory=lambda: defaultdict(list))
+    #: Methods by the last two parts of their name, for those defined under a using-directive.
+    by_tail: dict[str, list[tuple[Source, Function]]] = field(default_factory=lambda: defaultdict(list))
+    #: The workspace's message, service and action types (``pkg/T``), and its packages.
+    interfaces: frozenset[str] = frozenset()
+    packages: frozenset[str] = frozenset()
+    #: The classes and functions that API rows tell of, for using-directives of their namespaces.
+    library: frozenset[str] = frozenset()
+    #: The macros that the build of each package defines.
+    defined: Mapping[str | None, tuple[str, ...]] = field(default_factory=dict)
+    #: What look-ups have found, by the files of the node type that asked and whether every plug-in is followed.
+    caches: dict[Any, dict[Any, Any]] = field(default_factory=dict)
+    #: ``pkg::Type`` for every ``#include "pkg/Type.h"``, by file.
+    included: dict[str, dict[str, str]] = field(default_factory=dict)
+    #: Aliases inside functions, by file and by their own name; None where two functions have one of that name.
+    local: dict[str, dict[str, Alias | None]] = field(default_factory=dict)
+    #: All C++ files, those of each file name, and the files that each includes: by itself, and with what these include.
+    sources: dict[str, Source] = field(default_factory=dict)
+    file_names: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
+    links: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    reached: dict[str, frozenset[str]] = field(default_factory=dict)
+    #: The namespaces that are open in each file, and the messages that it includes.
+    open: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    headers: dict[str, Mapping[str, str]] = field(default_factory=dict)
+    trace: Trace | None = None
+    by_package: dict[str | None, list[str]] = field(default_factory=dict)
+    visible: dict[tuple[str, frozenset[str]], tuple[frozenset[str], frozenset[str | None]]] = field(
+        default_factory=dict
+    )
+
+    def near(
+        self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
+    ) -> list[tuple[Source, Entity]]:
+        """The entities of that name nearest to *source*; several are equally near, and any may be the one."""
+        trace = self.trace
+        if trace is None:
+            return self._near(table, name, source, files)
+        key = (id(table), name, source.path, files)
+        known = trace.near.get(key)
+        if known is None:
+            trace.names.add(name)
+            trace.paths.add(source.path)
+            known = trace.near[key] = self._near(table, name, source, files)
+            trace.paths.update(item[0].path for item in known)
+        return known
+
+    def _near(
+        self, table: Mapping[str, list[tuple[Source, Entity]]], name: str, source: Source, files: frozenset[str]
+    ) -> list[tuple[Source, Entity]]:
+        found = dict.get(table, name)  # type: ignore[call-overload]
+        if not found:
+            return []
+        if len(found) > 1:
+            for fits in (
+                lambda other: other.path == source.path,
+                lambda other: other.path in self.reach(source.path),
+                lambda other: other.path in files,
+                lambda other: other.package == source.package,
+            ):
+                nearest = [item for item in found if fits(item[0])]
+                if nearest:
+                    return nearest
+        if table is self.variables or table is self.macros or table is self.functions:
+            return [item for item in found if self._of_a_class(item[1]) or self.sees(source, item[0], files)]
+        return found
+
+    def _of_a_class(self, entity: object) -> bool:
+        return isinstance(entity, Function) and entity.owner in self.classes
+
+    def traced(self, trace: Trace | None) -> None:
+        """Tell *trace* from now on what is looked up; None to stop."""
+        self.trace = trace
+        for table in (self.classes, self.functions, self.variables, self.aliases, self.macros, self.by_tail):
+            if isinstance(table, Traced):
+                table.follow(trace)
+
+    def sees(self, source: Source, other: Source, files: frozenset[str]) -> bool:
+        """Whether code of *source*, in an executable of *files*, can use what stands in *other*, as far as can be told."""
+        if other.path == source.path or other.path in files or other.package == source.package:
+            return True
+        key = (source.path, files)
+        if key not in self.visible:
+            paths = self.reach(source.path).union(*(self.reach(path) for path in files))
+            self.visible[key] = paths, frozenset(self.sources[path].package for path in paths)
+        paths, packages = self.visible[key]
+        return other.path in paths or (other.package in packages and not other.path.endswith(HEADERS))
+
+    def visible_from(self, files: frozenset[str], plugins: Iterable[tuple[str, frozenset[str]]]) -> frozenset[str]:
+        """The C++ files whose code an executable of *files* may run: what its own can use, and plug-ins if it loads any.
+
+        *plugins* are their bases' names and libraries' files; one counts if its base is visible. Code for tests counts only
+        where it is the executable's own or included.
+        """
+        found = set(files)
+        waiting = list(files)
+        is_loading = False
+        #: A package of which something is linked has nothing else that is used.
+        packages: set[str | None] = {self.sources[path].package for path in files if path in self.sources}
+        while waiting:
+            path = waiting.pop()
+            source = self.sources.get(path)
+            if source is None:
+                continue
+            reached = {path, *self.reach(path)}
+            is_loading = is_loading or any(self._loads(each) for each in reached)
+            found |= reached
+            new = {self.sources[each].package for each in reached if each in self.sources} - packages
+            packages |= new
+            for package in new:
+                more = {each for each in self._sources_of(package) if each not in found}
+                found |= more
+                waiting += sorted(more)
+            if not waiting and is_loading:
+                bases = {BEHAVIOR_TREE_NODE} if any(self._ticks(each) for each in found) else set()
+                bases |= {
+                    each.name.rpartition("::")[2]
+                    for p in found
+                    if p in self.sources
+                    for each in self.sources[p].program.classes
+                }
+                more = {path for base, paths in plugins if base in bases for path in paths} - found
+                packages |= {self.sources[path].package for path in more if path in self.sources}
+                found |= more
+                waiting += sorted(more)
+        return frozenset(found)
+
+    def _sources_of(self, package: str | None) -> list[str]:
+        """The files of a package that are no headers, and not for tests."""
+        if not self.by_package:
+            for source in self.sources.values():
+                if not source.path.endswith(HEADERS) and not is_test(source.path):
+                    self.by_package.setdefault(source.package, []).append(source.path)
+        return self.by_package.get(package, [])
+
+    def _loads(self, path: str) -> bool:
+        source = self.sources.get(path)
+        return source is not None and any("class_loader" in each or TREES in each for each in source.program.includes)
+
+    def _ticks(self, path: str) -> bool:
+        source = self.sources.get(path)
+        return source is not None and any(TREES in each for each in source.program.includes)
+
+    def reach(self, path: str) -> frozenset[str]:
+        """The workspace's files that a C++ file includes, and those that they include."""
+        found = self.reached.get(path)
+        if found is None:
+            seen: set[str] = set()
+            waiting = [path]
+            while waiting:
+                for target in self._links(waiting.pop()):
+                    if target not in seen:
+                        seen.add(target)
+                        waiting.append(target)
+            found = self.reached[path] = frozenset(seen - {path})
+        return found
+
+    def _links(self, path: str) -> tuple[str, ...]:
+        known = self.links.get(path)
+        if known is None:
+            source = self.sources.get(path)
+            found: dict[str, None] = {}
+            for include in source.program.includes if source is not None else ():
+                found.update(dict.fromkeys(self._named_file(include.strip('<>" '), path)))
+            known = self.links[path] = tuple(found)
+        return known
+
+    def _named_file(self, include: str, path: str) -> list[str]:
+        """The files that an include may mean: beside the file that includes it, else by the end of their paths."""
+        beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), include))
+        if beside in self.sources:
+            return [beside]
+        tail = posixpath.normpath(include).lstrip("./")
+        found = [
+            other
+            for other in self.file_names.get(posixpath.basename(tail), ())
+            if other == tail or other.endswith(f"/{tail}")
+        ]
+        package = self.sources[path].package
+        for wanted in (tail.partition("/")[0], package):
+            own = [other for other in found if self.sources[other].package == wanted]
+            if own:
+                return own
+        return found
+
+    def scopes(self, name: str, scope: str, source: Source) -> Iterator[str]:
+        """The qualified names that *name* can have in *scope*: innermost first, then through using-directives."""
+        if name.startswith("::"):
+            yield name[2:]
+            return
+        separator = source.separator
+        prefix = scope
+        while prefix:
+            yield f"{prefix}{separator}{name}"
+            prefix = prefix.rpartition(separator)[0]
+        yield name
+        for namespace in self.opened(source):
+            yield f"{namespace}::{name}"
+
+    def opened(self, source: Source) -> tuple[str, ...]:
+        """The namespaces that using-directives open in a file: its own, then those of the headers that it includes."""
+        found = self.open.get(source.path)
+        if found is None:
+            spaces = [namespace for _, namespace in source.program.scopes]
+            for path in sorted(self.reach(source.path)):
+                spaces += [space for around, space in self.sources[path].program.scopes if not around]
+            found = self.open[source.path] = tuple(dict.fromkeys(spaces))
+        return found
+
+    def messages(self, source: Source) -> Mapping[str, str]:
+        """``pkg::Type`` for every ``#include "pkg/Type.h"`` of a file and of the headers that it includes, by ``Type``.
+
+        Of two packages' types of one name the file's own inclusion counts; else it is left out.
+        """
+        found = self.headers.get(source.path)
+        if found is None:
+            every: dict[str, set[str]] = defaultdict(set)
+            for path in self.reach(source.path):
+                for name, whole in self.included.get(path, {}).items():
+                    every[name].add(whole)
+            single = {name: next(iter(wholes)) for name, wholes in every.items() if len(wholes) == 1}
+            found = self.headers[source.path] = {**single, **self.included.get(source.path, {})}
+        return found
+
+    def includes(self, source: Source, entities: Iterable[tuple[Source, Any]]) -> bool:
+        """Whether one of *entities* stands in a file or in what it includes."""
+        if source.separator == ".":
+            return True
+        return any(where.path == source.path or where.path in self.reach(source.path) for where, _ in entities)
+
+
+def is_test(path: str) -> bool:
+    """Whether a file is in a folder for tests."""
+    return any(part in ("test", "tests") for part in path.split("/"))
+
+
+def build_index(sources: Iterable[Source]) -> Index:
+    """Index *sources*, sorted by path."""
+    index = Index()
+    for source in sources:
+        program = source.program
+        is_cpp = program.language != "python"
+        if is_cpp:
+            index.sources[source.path] = source
+            index.file_names[posixpath.basename(source.path)].append(source.path)
+            index.local[source.path] = _local(program)
+        for definition in program.classes:
+            fields = _told_once(definition.fields) if is_cpp else definition.fields
+            whole = definition if fields is definition.fields else syntax.replace(definition, fields=fields)
+            index.classes[definition.name].append((source, whole))
+        for function in program.functions:
+            if function.kind == "lambda" or not function.name:
+                continue
+            index.functions[function.name].append((source, function))
+            if function.owner and is_cpp:
+                parts = function.name.split("::")
+                index.by_tail["::".join(parts[-2:])].append((source, function))
+        for variable in _told_once(program.variables) if is_cpp else program.variables:
+            index.variables[variable.name].append((source, variable))
+        for alias in program.aliases:
+            index.aliases[alias.name].append((source, alias))
+        for name, parameters, body in program.macros:
+            if parameters is None:
+                index.macros[name].append((source, body))
+        if source.module:
+            index.modules[source.module].append(source)
+        index.included[source.path] = _included(program)
+    for source in index.sources.values():
+        for function in source.program.functions:
+            if function.owner and function.owner not in index.classes and function.owner in index.aliases:
+                _through_alias(index, source, function)
+    for name in ("classes", "functions", "variables", "aliases", "macros", "by_tail"):
+        setattr(index, name, Traced(getattr(index, name)))
+    return index
+
+
+def aliased(index: Index, name: str, source: Source | None = None, depth: int = 0) -> str | None:
+    """The class that a typedef's name stands for, seen from *source* or else from anywhere; None if it is none for sure."""
+    found = index.aliases.get(name, [])
+    if source is not None:
+        found = [item for item in found if index.includes(source, (item,))]
+    targets: set[str | None] = set()
+    for where, alias in found:
+        around = name.rpartition("::")[0]
+        names = [each for each in index.scopes(alias.type.name, around, where) if each != name]
+        target = next((each for each in names if index.classes.get(each)), None)
+        if target is None and depth < ALIASES:
+            deeper = (aliased(index, each, where, depth + 1) for each in names if each in index.aliases)
+            target = next((each for each in deeper if each is not None), None)
+        targets.add(None if alias.type.marks else target)
+    return targets.pop() if len(targets) == 1 else None
+
+
+def pointed_class(index: Index, name: str, scope: str, source: Source) -> str | None:
+    """The class of the workspace that a name of no type ends in ``Ptr`` after: a macro has declared a pointer to it."""
+    for suffix in POINTERS:
+        bare = name.removesuffix(suffix)
+        if bare != name:
+            names = (each for each in index.scopes(bare, scope, source) if index.classes.get(each))
+            return next((each for each in names if index.includes(source, index.classes[each])), None)
+    return None
+
+
+def _through_alias(index: Index, source: Source, function: Function) -> None:
+    """A method that is defined with a typedef's name before its own is the class's."""
+    owner = aliased(index, function.owner, source)
+    if owner is None:
+        return
+    last = function.name.rpartition("::")[2]
+    own = owner.rpartition("::")[2]
+    if last in (own, function.owner.rpartition("::")[2]):
+        function = syntax.replace(function, kind="constructor")
+        last = own
+    found = syntax.replace(function, name=f"{owner}::{last}", owner=owner)
+    index.functions[found.name].append((source, found))
+    index.by_tail[f"{own}::{last}"].append((source, found))
+
+
+def _told_once(fields: tuple[Field, ...]) -> tuple[Field, ...]:
+    """*fields* with one of each name: what two branches of an #if define starts as either says."""
+    if len({each.name for each in fields}) == len(fields):
+        return fields
+    found: dict[str, Field] = {}
+    for each in fields:
+        known = found.get(each.name)
+        if known is None or known.init is None:
+            found[each.name] = each
+        elif each.init is not None and each.init != known.init:
+            either = syntax.Conditional(syntax.Unknown(EITHER), _start(known.init), _start(each.init))
+            found[each.name] = syntax.replace(known, init=syntax.Equals(either))
+    return tuple(found.values())
+
+
+def _start(init: syntax.Init) -> syntax.Expression:
+    """The expression that a variable starts with."""
+    if isinstance(init, syntax.Equals):
+        return init.value
+    return init.arguments[0] if len(init.arguments) == 1 else syntax.Unknown(EITHER)
+
+
+def _local(program: Program) -> dict[str, Alias | None]:
+    functions = {function.name for function in program.functions if function.name}
+    found: dict[str, Alias | None] = {}
+    for alias in program.aliases:
+        around, colons, name = alias.name.rpartition("::")
+        if colons and around in functions:
+            known = found.get(name, alias)
+            is_same = known is not None and known.type == alias.type and _above(known) == _above(alias)
+            found[name] = known if is_same else None
+    return found
+
+
+def _above(alias: Alias) -> str:
+    """What the function of a local alias is in."""
+    return alias.name.rpartition("::")[0].rpartition("::")[0]
+
+
+def _included(program: Program) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for include in program.includes:
+        head, slash, tail = include.strip('<>"').rpartition("/")
+        if slash and head and "/" not in head and tail.endswith((".h", ".hpp")):
+            name = tail.rpartition(".")[0]
+            found.setdefault(name, f"{head}::{name}")
+    return found

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a block of code names: what it calls and constructs, what it assigns to, which variables may hold a function."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from haros_ci import syntax
+from haros_ci.index.index import Index, Source
+from haros_ci.syntax.walk import Part, below, everything
+
+#: Methods that build a list, whose turns are worth following one by one.
+COLLECTING = frozenset(("push_back", "emplace_back", "append", "insert", "emplace", "extend"))
+#: Methods of pluginlib's loaders that give an instance.
+LOADERS = frozenset(
+    "createInstance createUniqueInstance createSharedInstance createUnmanagedInstance createClassInstance".split()
+)
+#: Methods that change a text, as calls of them look.
+EDITING = frozenset((".erase", ".replace", ".pop_back"))
+#: Methods that leave what they are called on as it is.
+READING = frozenset(
+    "size length empty c_str str find rfind substr compare at begin end count get front back data lock expired isValid "
+    "ok now toSec".split()
+)
+#: Methods of containers, texts and pointers: called on an object, they are taken for these.
+CONTAINERS = (
+    READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
+)
+#: Methods of all sorts of classes that are told apart by the number of their arguments.
+COUNTED = frozenset(("publish",))
+#: Stands for an assignment to an element among the names of a block.
+ELEMENT = "[]="
+#: Stands for the call of a variable: what it holds may make something.
+CALLED = "()"
+#: Types of variables that can be called, and Python's expressions that may give a function.
+FUNCTIONS = frozenset(("()", "boost::function", "std::function", "function"))
+#: The method that a call of an object runs.
+CALL = "operator()"
+HELD = (
+    syntax.Lambda,
+    syntax.Name,
+    syntax.Member,
+    syntax.Call,
+    syntax.Subscript,
+    syntax.Conditional,
+    syntax.Operation,
+)
+#: What ``auto`` may take a function from.
+GIVING = (syntax.Lambda, syntax.Name, syntax.Address, syntax.Call, syntax.Conditional)
+
+
+def called_in(item: Part, found: set[str], mentioned: set[str], source: Source) -> None:
+    """Collect what is called or constructed in *item*, and what is mentioned in any other way."""
+    lambdas: set[int] = set()
+    waiting = below((item,))
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, syntax.Call):
+            callee = node.callee
+            if isinstance(callee, syntax.Name):
+                found.add(last(callee.name))
+                found.add("::".join(callee.name.split("::")[-2:]))
+                if callee.name.endswith(("::make_shared", "::make_unique")):
+                    found.add(callee.name.split("::")[-2])
+            elif isinstance(callee, syntax.Member):
+                found.add(callee.name if callee.name in COLLECTING else f".{callee.name.rpartition('::')[2]}")
+                if callee.name in COUNTED:
+                    found.add(f"{callee.name}/{len(node.arguments)}")
+            elif isinstance(callee, syntax.Subscript) and source.separator == ".":
+                found.add(CALLED)
+            elif isinstance(callee, syntax.Subscript) and isinstance(callee.object, (syntax.Name, syntax.Member)):
+                found.add(last(callee.object.name))
+            found.update(last(name) for kind in node.templates for name in type_names(kind))  # make_shared<T>()
+        elif isinstance(node, syntax.Assignment) and isinstance(node.target, syntax.Subscript):
+            found.add(ELEMENT)
+        elif isinstance(node, (syntax.New, syntax.Variable)):
+            found.update(last(name) for name in type_names(node.type))
+        elif isinstance(node, (syntax.Lambda, syntax.NestedFunction)) and node.function not in lambdas:
+            lambdas.add(node.function)
+            if 0 <= node.function < len(source.program.functions):
+                waiting += below(source.program.functions[node.function].body)
+        elif isinstance(node, (syntax.Name, syntax.Member)):
+            mentioned.add(last(node.name))
+        waiting += below(node)
+
+
+def may_be_called(kind: syntax.Type, source: Source, kinds: frozenset[str] = FUNCTIONS) -> bool:
+    """Whether a parameter of the type may be a function, which those of *kinds* are; Python does not say."""
+    return kind.name in kinds or kind.name == "auto" or (kind.name == "" and source.program.language == "python")
+
+
+def function_types(index: Index) -> frozenset[str]:
+    """The names of C++ types that hold functions: of libraries, and the workspace's aliases of them."""
+    named = set(FUNCTIONS)
+    for _ in range(2):  # an alias of an alias
+        for name, aliases in index.aliases.items():
+            if any(not named.isdisjoint(type_names(alias.type)) for _, alias in aliases):
+                named |= {name, last(name)}
+    return frozenset(named)
+
+
+def functors(index: Index) -> frozenset[str]:
+    """The last names of the C++ classes whose objects can be called."""
+    return frozenset(last(name.removesuffix(f"::{CALL}")) for name in index.functions if name.endswith(f"::{CALL}"))
+
+
+def members_of(index: Index, kinds: frozenset[str]) -> frozenset[str]:
+    """The names of C++ members of one of these types."""
+    return frozenset(
+        field.name
+        for classes in index.classes.values()
+        for source, definition in classes
+        for field in definition.fields
+        if source.separator == "::" and any(last(name) in kinds for name in type_names(field.type))
+    )
+
+
+def holding(index: Index) -> frozenset[str]:
+    """The names of members that hold a function.
+
+    C++ says so in the member's type; in Python it is an attribute that is assigned to, and no method of any class.
+    """
+    named = function_types(index)
+    found = {
+        field.name
+        for classes in index.classes.values()
+        for source, definition in classes
+        for field in definition.fields
+        if source.separator == "::" and not named.isdisjoint(type_names(field.type))
+    }
+    attributes = set[str]()
+    methods = set[str]()
+    for functions in index.functions.values():
+        for source, function in functions:
+            if source.separator == ".":
+                methods.add(last(function.name))
+                if function.owner and function.body is not None:
+                    _attributes(function.body, attributes)
+    return frozenset(found | (attributes - methods - CONTAINERS))
+
+
+def _attributes(block: Part, found: set[str]) -> None:
+    """Collect the attributes that Python code may keep a function in."""
+    for node in everything(block):
+        if (
+            isinstance(node, syntax.Assignment)
+            and isinstance(node.target, syntax.Member)
+            and isinstance(node.value, HELD)
+        ):
+            found.add(node.target.name)
+
+
+def callable_variables(block: Part, names: set[str], source: Source, kinds: frozenset[str]) -> None:
+    """Collect the local variables of *block* that a function, lambda or class is assigned to, or of one of *kinds*."""
+    python = source.program.language == "python"
+    for node in everything(block):
+        if isinstance(node, syntax.Variable):
+            value = node.init.value if isinstance(node.init, syntax.Equals) else None
+            if (
+                may_be_called(node.type, source)
+                or any(last(name) in kinds for name in type_names(node.type))
+                or isinstance(value, syntax.Lambda)
+            ):
+                if node.type.name != "auto" or isinstance(value, GIVING):
+                    names.add(node.name)
+        elif isinstance(node, syntax.Assignment):
+            if python and isinstance(node.target, syntax.Name) and isinstance(node.value, HELD):
+                names.add(node.target.name)
+        elif isinstance(node, syntax.Each) and may_be_called(node.type, source):
+            names.add(node.name)
+
+
+def targets(item: Part, found: set[str]) -> None:
+    """The last names of all that is assigned to, read into or built up in a block."""
+    for node in everything(item):
+        target: syntax.Expression | None = None
+        if isinstance(node, syntax.Assignment):
+            target = node.target
+        elif isinstance(node, syntax.Operation) and node.operator in (">>", "<<") and len(node.operands) == 2:
+            target = node.operands[1] if node.operator == ">>" else node.operands[0]
+        elif isinstance(node, syntax.Call) and isinstance(node.callee, syntax.Member):
+            target = node.callee.object if node.callee.name not in READING else None
+        while target is not None:
+            if isinstance(target, (syntax.Name, syntax.Member)):
+                found.add(last(target.name))
+                break
+            if isinstance(target, syntax.Subscript):
+                target = target.object
+            elif isinstance(target, syntax.Call):
+                target = target.callee
+            else:
+                target = target.value if isinstance(target, (syntax.Dereference, syntax.Address, syntax.Cast)) else None
+
+
+def type_names(kind: syntax.Argument) -> Iterable[str]:
+    if isinstance(kind, syntax.Type):
+        yield kind.name
+        for inner in kind.arguments:
+            yield from type_names(inner)
+
+
+def last(name: str) -> str:
+    return name.rpartition("::")[2].rpartition(".")[2]

@@ -1,0 +1,361 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What can make something of interest: code from which an API call is reachable. The rest is followed less closely."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from copy import copy
+from typing import Any
+
+from haros_ci.index import behavior_tree_files
+from haros_ci.index.index import Index, Source
+from haros_ci.index.mentions import (
+    CALL,
+    CALLED,
+    COLLECTING,
+    CONTAINERS,
+    COUNTED,
+    EDITING,
+    ELEMENT,
+    LOADERS,
+    callable_variables,
+    called_in,
+    function_types,
+    functors,
+    holding,
+    last,
+    may_be_called,
+    members_of,
+    targets,
+    type_names,
+)
+from haros_ci.model.api import Entry, Row
+from haros_ci.model.architecture import KINDS
+from haros_ci.syntax import Block, Class, Function, Parameter, Statement
+from haros_ci.syntax.walk import Part, without
+
+#: Stands for the call of a parameter: whether what it holds may make something is seen where an argument is given.
+GIVEN = "(given)"
+#: Words for methods of all sorts of classes.
+EVERYDAY = frozenset("start add call create configure init del search".split())
+
+#: Stands for the view for which loading plug-ins matters.
+_LOADING = frozenset((0,))
+#: Functions of classes that have the names of others in namespaces.
+MAKERS = frozenset(("make_shared", "make_unique"))
+
+
+class Relevance:
+    """For each block of code, whether an API call may be reached from it. Names stand for all functions so called."""
+
+    def __init__(self, index: Index, rows: Iterable[Row]) -> None:
+        rows = tuple(rows)
+        self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row)) | {CALLED}
+        if any("<nodelet/loader.h>" in source.program.includes for source in index.sources.values()):
+            self._api |= {".load"}
+        if behavior_tree_files.users(index):
+            self._api |= behavior_tree_files.CALLS
+        opened = {space for source in index.sources.values() for _, space in source.program.scopes}
+        for space, _, name in (row.call.rpartition("::") for row in rows if _makes(row)):
+            self._api |= {name} if space in opened else set()
+        self._registering = frozenset(name for row in rows if row.calls for name in _spellings(row)) - self._api
+        self._index = index
+        self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
+        for table in (index.functions, index.classes):
+            for name, found in table.items():
+                self._by_name.setdefault(last(name), []).extend(found)
+        self._blocks: dict[tuple[int, int], tuple[Part, frozenset[str]]] = {}
+        self._known: dict[str, bool] = {}
+        #: The files whose functions and classes count; None for all.
+        self._visible: frozenset[str] | None = None
+        self._meant: dict[str, list[tuple[Source, Function | Class]]] = {}
+        self._changes: dict[int, tuple[Function, frozenset[str], set[str]]] = {}
+        self._variables: dict[int, tuple[Function, frozenset[str]]] = {}
+        self._makes: dict[int, tuple[Function, bool]] = {}
+        self._within: dict[frozenset[str], Relevance] = {}
+        #: Functions and classes, by identity, from which no API call is reached, whatever counts.
+        self._barren: set[int] = set()
+        #: Static variables that are made already, by identity; bodies without them, by the identity of the whole body.
+        self.made: frozenset[int] = frozenset()
+        self._rest: dict[int, tuple[Block | None, Block | None]] = {}
+        self._views: dict[frozenset[int], Relevance] = {}
+        #: The last parts of the names of all global variables, module variables and static members.
+        self.shared = frozenset(
+            [last(name) for name, found in index.variables.items() if any("c" not in v.type.marks for _, v in found)]
+            + [
+                f.name
+                for found in index.classes.values()
+                for _, c in found
+                for f in c.fields
+                if f.is_static and "c" not in f.type.marks
+            ]
+        )
+        self._targets: dict[int, tuple[Part, frozenset[str]]] = {}
+        #: The names of members that hold, or may hold, a function; and how calls of them look.
+        self.holding = holding(index)
+        self._function_types = function_types(index)
+        self._functors = functors(index)
+        self._functor_members = members_of(index, self._functors)
+        self._held = self.holding | {f".{name}" for name in self.holding}
+
+    def within(self, visible: frozenset[str]) -> Relevance:
+        """The same for code that can only reach functions and classes of these files."""
+        view = self._within.get(visible)
+        if view is None:
+            view = self._within[visible] = copy(self)
+            view._known, view._changes, view._makes, view._meant, view._views = {}, {}, {}, {}, {}
+            view._visible, view._within, view._barren = visible, {}, set()
+        return view
+
+    def after(self, statement: Statement, function: Function) -> Relevance:
+        """The same once a static variable of *function* is made: it is not made again."""
+        made = self.made | {id(statement)}
+        if made not in self._views:
+            view = self._views[made] = copy(self)
+            view._known, view._makes, view.made = {}, {}, made
+            view._within, view._barren = {}, set()
+            rest = without(self._without_made(function.body), statement)
+            view._rest = {**self._rest, id(function.body): (function.body, rest)}
+        return self._views[made]
+
+    def _without_made(self, body: Block | None) -> Block | None:
+        found = self._rest.get(id(body)) if self._rest else None
+        return body if found is None else found[1]
+
+    def asked(self) -> Iterable[str]:
+        """The names of which it was asked so far whether they matter, before and after static variables were made."""
+        return self._known.keys() | {name for view in self._views.values() for name in view._known}
+
+    def matters(self, block: Part, source: Source, function: Function | None = None) -> bool:
+        """Whether *block* (of a function in *source*) may make something, whatever its arguments are."""
+        return any(name == GIVEN or self._name_matters(name) for name in self.names(block, source, function))
+
+    def collects(self, block: Part, source: Source) -> bool:
+        """Whether *block* puts together a list or map."""
+        names = self.names(block, source)
+        return ELEMENT in names or not COLLECTING.isdisjoint(names)
+
+    def loads(self, block: Part, source: Source) -> bool:
+        """Whether a plug-in may be loaded by *block*."""
+        view = self._views.get(_LOADING)
+        if view is None:
+            view = self._views[_LOADING] = copy(self)
+            view._known, view._makes, view._api = {}, {}, frozenset(f".{name}" for name in LOADERS)
+        return any(map(view._name_matters, self.names(block, source)))
+
+    def edits(self, block: Part, source: Source) -> bool:
+        """Whether *block* may change a text by positions."""
+        return not EDITING.isdisjoint(self.names(block, source))
+
+    def names(self, block: Part, source: Source, function: Function | None = None) -> frozenset[str]:
+        """The last parts of all names that are called or constructed in *block* (of *function*), lambdas included."""
+        key = (id(block), id(function))
+        known = self._blocks.get(key)
+        if known is None:
+            found: set[str] = set()
+            mentioned: set[str] = set()
+            called_in(block, found, mentioned, source)
+            if function is not None:
+                if not found.isdisjoint(self._variables_of(function, source)):
+                    found.add(CALLED)
+                if not found.isdisjoint(self._templates_of(function)):
+                    found.add(CALLED)  # what is made depends on what a template is used for
+                if any(p.name in found and self._is_open(p, function, source) for p in function.parameters):
+                    found.add(GIVEN)
+                if any(p.name in found and last(p.type.name) in self._functors for p in function.parameters):
+                    found.add(CALL)
+            if not self._held.isdisjoint(found):
+                found.add(CALLED)
+            if not self._functor_members.isdisjoint(found):
+                found.add(CALL)
+            if not self._registering.isdisjoint(found):
+                found |= mentioned  # any of them may be what is called back
+            known = self._blocks[key] = (block, frozenset(found))
+        return known[1]
+
+    def _variables_of(self, function: Function, source: Source) -> frozenset[str]:
+        """The names of a function's variables that hold, or may hold, a function or class."""
+        known = self._variables.get(id(function))
+        if known is None:
+            names = set[str]()
+            callable_variables(function.body, names, source, self._function_types | self._functors)
+            known = self._variables[id(function)] = (function, frozenset(names))
+        return known[1]
+
+    def _templates_of(self, function: Function) -> frozenset[str]:
+        """The template parameters of a function and of its class."""
+        owners = dict.get(self._index.classes, function.owner, ()) if function.owner else ()
+        return frozenset(function.templates).union(*(each.templates for _, each in owners))
+
+    def _is_open(self, parameter: Parameter, function: Function, source: Source) -> bool:
+        return may_be_called(parameter.type, source, self._function_types) or parameter.type.name in function.templates
+
+    def named(self, name: str) -> bool:
+        """Whether a function or class of this name, of an API or of the workspace, may make something."""
+        return self._name_matters(last(name))
+
+    def makes(self, function: Function, source: Source) -> bool:
+        """Whether a function may make something by itself; one without a body is not known to."""
+        known = self._makes.get(id(function))
+        if known is None:
+            block = (self._without_made(function.body), function.inits)
+            found = function.body is not None and any(map(self._name_matters, self.names(block, source, function)))
+            known = self._makes[id(function)] = (function, found)
+        return known[1]
+
+    def changes(self, function: Function, source: Source) -> frozenset[str]:
+        """The names that a function, or anything that it calls, assigns to."""
+        trace = self._index.trace
+        if id(function) in self._changes:
+            if trace is not None:
+                trace.names |= self._changes[id(function)][2]
+            return self._changes[id(function)][1]
+        result = frozenset[str]()
+        reached: set[str] = set()
+        if function.body is not None:
+            assigned = set(self._assigned(function.body))
+            waiting = list(self.names(function.body, source))
+            while waiting:
+                name = waiting.pop()
+                if name in reached:
+                    continue
+                reached.add(name)
+                for where, item in self._named(name):
+                    if isinstance(item, Function) and item.body is not None:
+                        assigned |= self._assigned(item.body)
+                        waiting.extend(self.names(item.body, where))
+            result = frozenset(assigned)
+        self._changes[id(function)] = (function, result, reached)
+        if trace is not None:
+            trace.names |= reached
+        return result
+
+    def calls_of(self, function: Function, source: Source) -> frozenset[str]:
+        """The names of all that a function of *source* calls, its initialisers included."""
+        found = self.names(function.body, source, function) if function.body is not None else frozenset[str]()
+        return found | self.names(function.inits, source) if function.inits else found
+
+    def assigned_in(self, function: Function) -> frozenset[str]:
+        """The names that a function assigns to by itself."""
+        return self._assigned(function.body) if function.body is not None else frozenset()
+
+    def called(self, name: str) -> bool:
+        """Whether a call of this spelling, as ``calls_of`` has it, may make something."""
+        return name == GIVEN or self._name_matters(name)
+
+    def reaches(self, function: Function, source: Source, counts: Callable[[Function, Source], bool]) -> bool:
+        """Whether an API call stands in *function* or in anything that it calls, in a function that *counts*."""
+        waiting: list[tuple[Source, Function | Class]] = [(source, function)]
+        seen: set[int] = set()
+        is_barren = True
+        while waiting:
+            where, item = waiting.pop()
+            if id(item) in seen or id(item) in self._barren:
+                continue
+            seen.add(id(item))
+            names = self._of(where, item)
+            if isinstance(item, Function) and any(n in self._api and n != CALLED for n in names):
+                is_barren = False
+                if counts(item, where):
+                    return True
+            waiting += [found for name in names for found in self._named(name)]
+        if is_barren:  # and so is all that it reaches
+            self._barren |= seen
+        return False
+
+    def rules(self) -> tuple[Any, ...]:
+        """What is relevant by itself, whatever is called: a change of it voids all that was followed."""
+        sets = (self._api, self._registering, self.shared, self.holding, self._function_types, self._functors)
+        return tuple(tuple(sorted(each)) for each in (*sets, self._functor_members))
+
+    def _assigned(self, block: Part) -> frozenset[str]:
+        known = self._targets.get(id(block))
+        if known is None:
+            found: set[str] = set()
+            targets(block, found)
+            known = self._targets[id(block)] = (block, frozenset(found))
+        return known[1]
+
+    def _name_matters(self, name: str) -> bool:
+        known = self._known.get(name)
+        if known is not None:
+            return known
+        if name in self._api:
+            self._known[name] = True
+            return True
+        # All names that are reachable from this one, without recursion.
+        reached = {name}
+        waiting = [name]
+        result = False
+        while waiting and not result:
+            for source, item in self._named(waiting.pop()):
+                for inner in self._of(source, item):
+                    if inner in self._api or self._known.get(inner):
+                        result = True
+                    elif inner not in reached and self._known.get(inner) is None:
+                        reached.add(inner)
+                        waiting.append(inner)
+        if result:
+            self._known[name] = True
+        else:
+            self._known.update(dict.fromkeys(reached, False))
+        return result
+
+    def _named(self, name: str) -> list[tuple[Source, Function | Class]]:
+        """What a name may mean; a method of containers and pointers (``.clear``) means theirs."""
+        if name.startswith("."):
+            if name[1:] in CONTAINERS:
+                return []
+            name = name[1:]
+        found = self._by_name.get(name, [])
+        visible = self._visible
+        if visible is None or not found:
+            return found
+        known = self._meant.get(name)
+        if known is None:
+            known = self._meant[name] = [item for item in found if item[0].path in visible]
+        return known
+
+    def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
+        if isinstance(item, Class):
+            found = [last(kind) for f in item.fields for kind in type_names(f.type)] + [
+                last(b.name) for b in item.bases
+            ]
+            if dict.get(self._index.functions, f"{item.name}::{CALL}"):  # untraced: kept.py compares what is called
+                found.append(CALL)
+            for where, function in dict.get(self._index.functions, f"{item.name}.__init__", ()):
+                if where.path == source.path and function.body is not None:
+                    found += self.names(function.body, where)
+            return found
+        body = self._without_made(item.body)
+        names = self.names(body, source, item) if body is not None else frozenset[str]()
+        return names | self.names(item.inits, source) if item.inits else names
+
+
+def _spellings(row: Row) -> Iterable[str]:
+    """How a call of the row's function looks: a class by its name, a method after a dot, a function with its namespace.
+
+    Words that any class may have as a method are left out: what they make is callbacks at most.
+    """
+    name = row.call
+    parts = name.replace(".", "::").split("::")
+    last = parts[-1]
+    if last in COUNTED:
+        return tuple(f"{last}/{count}" for count in row.args)
+    if last[:1].isupper() or len(parts) == 1:
+        return (last, f".{last}")
+    if parts[-2][:1].isupper() and last in MAKERS:
+        return ("::".join(parts[-2:]),)
+    if parts[-2][:1].isupper():
+        return () if last in CONTAINERS or last in EVERYDAY else (last, f".{last}")
+    # A function of a namespace or module: Python's are called on the module.
+    return ("::".join(parts[-2:]), f".{last}") if "." in name else ("::".join(parts[-2:]),)
+
+
+def _makes(row: Row) -> bool:
+    return bool(row.entry or row.unseen) or any(entry.kind in KINDS or _is_node(entry) for entry in row.makes)
+
+
+def _is_node(entry: Entry) -> bool:
+    """Whether an object becomes a node of a ROS 2 process."""
+    return entry.kind == "node" and "anonymous" not in entry.values

@@ -1,0 +1,374 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Types as names: aliases resolved, smart pointers looked through, message, service and parameter types told apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.index.common_messages import COMMON
+from haros_ci.index.index import Index, Source, pointed_class
+from haros_ci.index.macros import class_named
+from haros_ci.syntax import Argument, Type
+from haros_ci.syntax.codec import plain
+
+NO_TYPE = syntax.NOTHING
+SMART_POINTERS = frozenset(
+    f"{space}::{name}"
+    for space in ("boost", "std")
+    for name in ("shared_ptr", "scoped_ptr", "unique_ptr", "auto_ptr", "weak_ptr", "intrusive_ptr", "optional")
+)
+SMART_POINTERS = SMART_POINTERS | {"cv::Ptr"}
+SEQUENCES = frozenset(
+    ("std::vector", "std::list", "std::deque", "std::array", "std::set", "boost::ptr_vector", "boost::array")
+)
+MAPS = frozenset(("std::map", "std::unordered_map", "boost::unordered_map"))
+STRINGS = frozenset(("std::string", "string", "std::basic_string", "str", "boost::filesystem::path"))
+INTEGERS = frozenset(
+    "int long short char unsigned size_t std::size_t ssize_t uint signed byte".split()
+    + [
+        f"{space}{sign}int{bits}_t"
+        for space in ("", "std::", "boost::")
+        for sign in ("", "u")
+        for bits in (8, 16, 32, 64)
+    ]
+)
+REALS = frozenset(("double", "float", "long double"))
+WRAPPERS = frozenset(
+    f"{space}::{name}"
+    for space, names in (
+        ("ros", ("MessageEvent", "ServiceEvent")),
+        ("message_filters", ("MessageEvent",)),
+        ("std", ("reference_wrapper",)),
+        ("boost", ("reference_wrapper",)),
+    )
+    for name in names
+)
+#: What RCLCPP_SMART_PTR_DEFINITIONS and the message generator add to a class (rclcpp/macros.hpp, rosidl_generator_cpp).
+ROS2_POINTERS = frozenset(
+    f"{const}{kind}{last}"
+    for const in ("", "Const")
+    for kind in ("Shared", "Unique", "Weak")
+    for last in ("Ptr", "PtrWithInfo")
+)
+#: What an action is made of, by its name inside of ``Impl`` (rosidl_generator_cpp and rosidl_generator_py: action templates).
+INSIDE_ACTIONS = {
+    "SendGoalService": "_SendGoal",
+    "GetResultService": "_GetResult",
+    "FeedbackMessage": "_FeedbackMessage",
+    "CancelGoalService": "action_msgs/srv/CancelGoal",
+    "GoalStatusMessage": "action_msgs/msg/GoalStatusArray",
+}
+#: The ROS 2 parameter types of lists, by that of their elements (rcl_interfaces/msg/ParameterType).
+_ARRAYS = {"bool": "bool[]", "int": "int[]", "double": "double[]", "str": "str[]"}
+_BYTES = frozenset(("uint8_t", "std::uint8_t", "unsigned char", "std::byte"))
+#: Members of traits and containers, which are not types by themselves.
+DEPENDENT = frozenset(("type", "value_type", "element_type", "mapped_type", "key_type"))
+#: Names of ``std`` that something is known of, for ``using namespace std``.
+STANDARD = frozenset(
+    "string vector map list set deque array pair unordered_map shared_ptr unique_ptr weak_ptr optional function "
+    "stringstream ostringstream istringstream ifstream ofstream fstream reference_wrapper numeric_limits to_string "
+    "make_shared make_unique make_pair move forward ref cref bind getline swap find find_if static_pointer_cast "
+    "dynamic_pointer_cast const_pointer_cast".split()
+)
+#: What publishes as another message (pcl_ros, pcl_conversions and tf give them ros::message_traits).
+SERIALISED = {
+    "pcl/PointCloud": "sensor_msgs/PointCloud2",
+    "pcl/PCLPointCloud2": "sensor_msgs/PointCloud2",
+    "tf/tfMessage": "tf2_msgs/TFMessage",
+}
+
+
+_STRING: Type = syntax.Type("std::string")
+#: Type definitions of ros/datatypes.h and nodelet/nodelet.h.
+_TYPEDEFS: dict[str, tuple[str, tuple[Type, ...]]] = {
+    f"{space}::{short}": target
+    for space in ("ros", "nodelet")
+    for short, target in (("V_string", ("std::vector", (_STRING,))), ("M_string", ("std::map", (_STRING, _STRING))))
+}
+
+
+def resolve_type(
+    index: Index,
+    kind: Type,
+    scope: str,
+    source: Source,
+    files: frozenset[str],
+    templates: Mapping[str, Argument],
+    depth: int = 0,
+) -> Type:
+    """*kind* with its aliases and template parameters replaced, all names qualified as far as the workspace tells."""
+    name, arguments, marks = kind.name, kind.arguments, kind.marks
+    if not name or depth > 20:
+        return syntax.Type(name, (), marks)
+    pointer, of_pointer, rest = name.partition("::element_type")
+    held = kind.of(0)
+    if of_pointer and pointer in SMART_POINTERS and held is not None and rest[:2] in ("", "::"):
+        pointed = resolve_type(index, held, scope, source, files, templates, depth + 1)
+        if not rest:
+            return pointed.marked(marks)
+        member = syntax.Type(pointed.name + rest, pointed.arguments, marks)
+        return resolve_type(index, member, scope, source, files, {}, depth + 1)
+
+    def inner(item: Argument) -> Argument:
+        if isinstance(item, Type):
+            return resolve_type(index, item, scope, source, files, templates, depth + 1)
+        return item
+
+    resolved = tuple(inner(item) for item in arguments)
+    bound = templates.get(name)
+    if bound is not None and not isinstance(bound, Type):
+        return syntax.Type(name, resolved, marks)
+    if bound is not None:
+        return bound.marked(marks)
+    head, colons, tail = name.partition("::")
+    around_it = templates.get(head) if colons else None
+    if isinstance(around_it, Type):
+        member = syntax.Type(f"{around_it.name}::{tail}", resolved or around_it.arguments, marks)
+        return resolve_type(index, member, scope, source, files, {}, depth + 1)
+    hidden: Type | None = None
+    for candidate in index.scopes(name, scope, source):
+        if index.classes.get(candidate):
+            if index.includes(source, index.classes[candidate]):
+                return syntax.Type(candidate, resolved, marks)
+            hidden = hidden or syntax.Type(candidate, resolved, marks)
+            continue
+        targets = []
+        for where, alias in index.near(index.aliases, candidate, source, files):
+            if alias.type.name in (name, candidate):  # typedef struct X X
+                continue
+            around = candidate.rpartition("::")[0]
+            bindings: Mapping[str, Argument] = dict(zip(alias.templates, resolved, strict=False))
+            if not alias.templates and (owners := index.classes.get(around)) and owners[0][1].templates:
+                of_class = dict(zip(owners[0][1].templates, resolved, strict=False))
+                bindings = of_class if colons else templates
+            targets.append(resolve_type(index, alias.type, around, where, files, bindings, depth + 1))
+        if targets:
+            target = targets[0]
+            if any(plain(pointee(other)) != plain(pointee(target)) for other in targets):
+                target = syntax.Type(candidate, resolved)  # one of several, under an #if
+            if index.includes(source, index.aliases[candidate]):
+                return target.marked(marks)
+            hidden = hidden or target.marked(marks)
+    if not colons and hidden is None and (macro := class_named(index, name, source, files)) is not None:
+        target = resolve_type(index, syntax.Type(macro[1]), scope, macro[0], files, {}, depth + 1)
+        return target.marked(marks)
+    if colons:
+        for candidate in index.scopes(head, scope, source):
+            for where, alias in index.near(index.aliases, candidate, source, files)[:1]:
+                around = candidate.rpartition("::")[0]
+                target = resolve_type(index, alias.type.bare(), around, where, files, {}, depth + 1)
+                if target.name not in (head, name):
+                    member = syntax.Type(f"{target.name}::{tail}", resolved or target.arguments, marks)
+                    return resolve_type(index, member, scope, source, files, {}, depth + 1)
+    if source.program.language != "python":
+        owner = pointed_class(index, name, scope, source) if hidden is None else None
+        if owner is not None:
+            return syntax.Type("std::shared_ptr", (syntax.Type(owner, resolved),), marks)
+        local = index.local.get(source.path, {}).get(name) if not colons and not _foreign(index, source) else None
+        if local is not None:
+            around = local.name.rpartition("::")[0].rpartition("::")[0]
+            target = resolve_type(index, local.type, around, source, files, templates, depth + 1)
+            return target.marked(marks)
+        if not colons:
+            found = _by_include(index, name, source, scope)
+            if hidden is not None and found == name:
+                return hidden
+            name = found
+        elif hidden is not None:
+            return hidden
+        else:
+            spaces = {*index.opened(source)}
+            whole = _by_include(index, head, source, scope) if head[:1].isupper() else head
+            if whole == head and head not in spaces:
+                name = _of_library(index, name, spaces, scope)
+            name = f"{whole}::{tail}" if whole != head else name
+        if name in _TYPEDEFS:
+            name, resolved = _TYPEDEFS[name]
+        return _pointer(name, resolved, marks)
+    return hidden or syntax.Type(name, resolved, marks)
+
+
+def _foreign(index: Index, source: Source) -> bool:
+    """Whether names may come out of namespaces that the workspace does not define."""
+    return any(space.partition("::")[0] not in ("std", "ros", "boost") for space in index.opened(source))
+
+
+def _pointer(name: str, arguments: tuple[Argument, ...], marks: str) -> Type:
+    """``ros::NodeHandlePtr``, ``pkg::Message::ConstPtr``: the smart pointers that ROS packages give their classes."""
+    head, _, last = name.rpartition("::")
+    if last in ROS2_POINTERS and "::" in head:
+        return syntax.Type("std::shared_ptr", (syntax.Type(head, arguments),), marks)
+    for suffix in ("ConstPtr", "Ptr"):
+        if last == suffix and "::" in head:
+            return syntax.Type("boost::shared_ptr", (syntax.Type(head, arguments),), marks)
+        if last.endswith(suffix) and last != suffix and head and head != "cv":
+            pointed = syntax.Type(f"{head}::{last.removesuffix(suffix)}", arguments)
+            return syntax.Type("boost::shared_ptr", (pointed,), marks)
+    return syntax.Type(name, arguments, marks)
+
+
+def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
+    """An unqualified name of an open namespace: the header of that name says which one it is from."""
+    spaces = {*index.opened(source)} | {scope.partition("::")[0]} - {""}
+    if not spaces:
+        return name
+    included = index.messages(source) if name[:1].isupper() else {}
+    for suffix in ("", "ConstPtr", "Ptr"):
+        found = included.get(name.removesuffix(suffix))
+        if found and found.partition("::")[0] in spaces:
+            return found + (suffix if name.endswith(suffix) else "")
+    bare = name.removesuffix("ConstPtr") if name.endswith("ConstPtr") else name.removesuffix("Ptr")
+    homes = [space for space in sorted(spaces) if bare in COMMON.get(space, ())]
+    if len(homes) == 1:
+        return f"{homes[0]}::{name}"
+    return _of_library(index, name, spaces, scope)
+
+
+def _of_library(index: Index, name: str, spaces: set[str], scope: str) -> str:
+    """A name that is not of the workspace, qualified with the one open namespace that is known to have it."""
+    if "std" in spaces and name.partition("::")[0] in STANDARD:
+        return f"std::{name}"
+    bare = name.removesuffix("Ptr")
+    either = {space: {f"{space}::{name}", f"{space}::{bare}"} for space in sorted(spaces)}
+    homes = [space for space, names in either.items() if not names.isdisjoint(index.library)]
+    is_inherited = name[:1].islower() and any(each.bases for _, each in index.classes.get(scope, ()))
+    return f"{homes[0]}::{name}" if len(homes) == 1 and not is_inherited else name
+
+
+def pointee(kind: Type) -> Type:
+    """What a pointer or smart pointer points to; the type itself otherwise. Const, references and pointers are dropped."""
+    while kind.name in SMART_POINTERS and (inner := kind.of(0)) is not None:
+        kind = inner
+    return kind.bare()
+
+
+def is_smart_pointer(kind: Type | None) -> bool:
+    return kind is not None and kind.name in SMART_POINTERS
+
+
+def message_type(kind: Type | None) -> str | None:
+    """``pkg/T`` of a message, service or action type, pointers and events looked through; None if it is no such type.
+
+    Python's ``pkg.msg.T`` is the same; a service's ``::Request`` and ``::Response`` are the service.
+    """
+    if kind is None:
+        return None
+    kind = pointee(kind)
+    while kind.name in WRAPPERS and (inner := kind.of(0)) is not None:
+        kind = pointee(inner)
+    name = kind.name
+    if "." in name:
+        parts = name.split(".")
+        if len(parts) >= 3 and parts[-2].strip("_") in ("msg", "srv", "action"):
+            return f"{parts[-3]}/{parts[-1].removeprefix('_')}"
+        if len(parts) >= 4 and parts[-3] in ("msg", "srv", "action"):
+            return f"{parts[-4]}/{parts[-1]}"
+        return None
+    parts = [part for part in name.split("::") if part]
+    if parts and parts[-1] in ("Ptr", "ConstPtr", "SharedPtr", "ConstSharedPtr"):
+        parts.pop()
+    if len(parts) == 3 and parts[-1] in ("Request", "Response"):
+        parts.pop()
+    if len(parts) == 3 and parts[1] == "msg":
+        parts.pop(1)
+    if len(parts) != 2 or parts[1] in DEPENDENT or parts[0] in ("std", "boost", "ros", "ecl", "Eigen"):
+        return None
+    last = parts[1]
+    for suffix in ("ConstPtr", "Ptr"):
+        if last.endswith(suffix) and last != suffix:
+            last = last.removesuffix(suffix)
+            break
+    found = f"{parts[0]}/{last.removesuffix('_')}"
+    return SERIALISED.get(found, found)
+
+
+def parameter_type(kind: Type | None) -> str | None:
+    """The ROS 1 parameter type that a C++ or Python type stands for: bool, int, double, str or yaml; None if unknown."""
+    if kind is None or not kind.name:
+        return None
+    name = kind.name.removeprefix("::")
+    if name == "bool":
+        return "bool"
+    if name in STRINGS or (name == "char" and "*" in kind.marks):
+        return "str"
+    if name in REALS:
+        return "double"
+    if name in INTEGERS or set(name.split()) <= INTEGERS:
+        return "int"
+    if name in SEQUENCES or name in MAPS or name == "XmlRpc::XmlRpcValue" or name in ("list", "dict"):
+        return "yaml"
+    return name if name in ("int", "double", "str", "yaml") else None
+
+
+def data_type(value: Any) -> str | None:
+    """The ROS 1 parameter type of plain data."""
+    for kind, name in ((bool, "bool"), (int, "int"), (float, "double"), (str, "str"), (list, "yaml"), (dict, "yaml")):
+        if isinstance(value, kind):
+            return name
+    return None
+
+
+def ros2_type(kind: Type | None) -> str | None:
+    """``pkg/msg/T``, ``pkg/srv/T`` or ``pkg/action/T`` of an interface's C++ or Python type; None if it is no such type.
+
+    Pointers, message events and type adapters are looked through; a service's ``::Request`` is the service.
+    """
+    if kind is None:
+        return None
+    kind = pointee(kind)
+    while kind.name in WRAPPERS and (inner := kind.of(0)) is not None:
+        kind = pointee(inner)
+    name = kind.name
+    if name.startswith("rclcpp::TypeAdapter") and (adapted := kind.of(1)) is not None:
+        return ros2_type(adapted)
+    if name.startswith("rclcpp::adapt_type") and (last := kind.of(len(kind.arguments) - 1)) is not None:
+        return ros2_type(last)
+    parts = [part for part in name.replace(".", "::").split("::") if part]
+    for index in range(1, len(parts) - 1):
+        if parts[index] in ("msg", "srv", "action"):
+            rest = parts[index + 1 :]
+            if rest[0].startswith("_") and len(rest) > 1:  # Python's pkg.msg._string.String
+                rest = rest[1:]
+            if parts[index] == "action" and rest[1:2] == ["Impl"]:
+                return _of_action(f"{parts[index - 1]}/action/{rest[0]}", rest[2:])
+            if rest[1:] and rest[1] not in ROS2_POINTERS | {"Request", "Response", "Goal", "Result", "Feedback"}:
+                return None
+            return f"{parts[index - 1]}/{parts[index]}/{rest[0].removesuffix('_')}"
+    return None
+
+
+def _of_action(action: str, inner: list[str]) -> str | None:
+    """The interface behind an action's ``Impl::FeedbackMessage`` and its kin; None if it is none of these."""
+    last = INSIDE_ACTIONS.get(inner[0]) if inner and set(inner[1:]) <= ROS2_POINTERS | {"Request", "Response"} else None
+    return last if last is None or "/" in last else f"{action}{last}"
+
+
+def ros2_parameter_type(kind: Type | None) -> str | None:
+    """bool, int, double, str, bytes or a list of these (``int[]``) for a C++ or Python type; None if it is none of them."""
+    if kind is None or not kind.name:
+        return None
+    kind = pointee(kind)
+    if kind.name in SEQUENCES:
+        inner = kind.of(0)
+        if inner is not None and inner.name in _BYTES:
+            return "bytes"
+        return _ARRAYS.get(ros2_parameter_type(inner) or "")
+    found = parameter_type(kind)
+    if found == "yaml":
+        return None
+    return found if found is not None else kind.name if kind.name in ("bytes", *_ARRAYS.values()) else None
+
+
+def ros2_data_type(value: Any) -> str | None:
+    """The ROS 2 parameter type of plain data; None for an empty or mixed list."""
+    if isinstance(value, (list, tuple)):
+        kinds = {data_type(item) for item in value}
+        if kinds == {"int", "double"}:
+            kinds = {"double"}
+        return _ARRAYS.get(kinds.pop() or "") if len(kinds) == 1 else None
+    if isinstance(value, bytes):
+        return "bytes"
+    found = data_type(value)
+    return None if found == "yaml" else found

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What following a node gave, as JSON for the cache; what comes back is checked, as anybody may have written it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields
+from typing import Any
+
+from haros_ci.follow.run import Made
+from haros_ci.graph.parameters import Perhaps
+from haros_ci.graph.ros2_process import RosNode, Rule
+from haros_ci.model.architecture import KINDS, Condition, Qos
+from haros_ci.model.location import Location
+from haros_ci.values.abstract import Known, Opaque
+
+#: Containers in containers that are kept.
+DEEPEST = 40
+
+
+class Unfit(Exception):
+    """The value cannot be kept, or is not what was written."""
+
+
+Check = Callable[[Any], bool]
+
+
+def _is(*kinds: type) -> Check:
+    return lambda value: value.__class__ in kinds
+
+
+def _optional(check: Check) -> Check:
+    return lambda value: value is None or check(value)
+
+
+def _every(check: Check) -> Check:
+    return lambda value: value.__class__ is tuple and all(check(item) for item in value)
+
+
+def _plain(value: Any, depth: int = 0) -> bool:
+    if value is None or value.__class__ in (bool, int, float, str):
+        return True
+    if depth > DEEPEST:
+        return False
+    if isinstance(value, (list, tuple)):
+        return all(_plain(item, depth + 1) for item in value)
+    return isinstance(value, dict) and all(isinstance(k, str) and _plain(v, depth + 1) for k, v in value.items())
+
+
+def _said(value: Any) -> bool:
+    return (
+        value.__class__ is tuple
+        and len(value) == 3
+        and isinstance(value[0], str)
+        and isinstance(value[1], str)
+        and (value[2] is None or value[2].__class__ is Location)
+    )
+
+
+_text, _flag, _line = _is(str), _is(bool), _optional(_is(int))
+_place = _optional(_is(Location))
+_measure = _optional(_is(int, float, str))
+_conditions, _rules = _every(_is(Condition)), _every(_is(Rule))
+#: The classes that are kept: the attributes in order, each with what it may be.
+CLASSES: dict[type, dict[str, Check]] = {
+    Location: {"path": _text, "line": _line, "column": _line, "end_line": _line, "end_column": _line},
+    Condition: {"statement": _text, "condition": _text, "location": _is(Location)},
+    Qos: {
+        "history": _optional(_text),
+        "depth": _measure,
+        "reliability": _optional(_text),
+        "durability": _optional(_text),
+        "deadline": _measure,
+        "lifespan": _measure,
+        "liveliness": _optional(_text),
+        "lease": _measure,
+    },
+    Rule: {"node": _text, "source": _text, "target": _text},
+    RosNode: {
+        "name": _text,
+        "own": _text,
+        "space": _text,
+        "kind": _text,
+        "class_name": _text,
+        "location": _is(Location),
+        "conditions": _conditions,
+        "rules": _rules,
+        "given": lambda value: value == {},
+        "why": lambda value: value is None or _said(("", *value)),
+        "main": lambda value: value is None,
+        "options": lambda value: isinstance(value, dict) and all(map(_flag, value.values())),
+    },
+    Made: {
+        "kind": lambda value: value in KINDS,
+        "name": _text,
+        "type": _optional(_text),
+        "location": _is(Location),
+        "conditions": _conditions,
+        "queue_size": _optional(_is(int)),
+        "latched": _optional(_flag),
+        "value": _plain,
+        "implicit": _flag,
+        "qos": _optional(_is(Qos)),
+        "effective": _plain,
+        "read_only": _optional(_flag),
+        "range": _optional(_every(_optional(_is(int, float)))),
+        "is_dynamic": _flag,
+        "is_strict": _flag,
+        "node": _optional(_is(RosNode)),
+        "is_exact": _flag,
+        "dead": _is(int),
+        "unknowns": _every(_said),
+        "written": _optional(_text),
+    },
+    Opaque: {"reason": _text, "location": _place, "type": lambda value: value is None},
+    Perhaps: {"reason": _text, "location": _place, "type": lambda value: value is None},
+    Known: {"value": _plain},
+}
+_NAMES = {kind.__name__: kind for kind in CLASSES}
+_SEQUENCES = {"t": tuple, "l": list}
+
+
+def to_json(value: Any, depth: int = 0) -> Any:
+    """*value* as JSON; Unfit where it holds what is not kept."""
+    kind = value.__class__
+    if value is None or kind in (bool, int, float, str):
+        return value
+    if depth > DEEPEST:
+        raise Unfit
+    if kind is tuple or kind is list:
+        return ["t" if kind is tuple else "l", *(to_json(item, depth + 1) for item in value)]
+    if kind is dict:
+        if not all(isinstance(key, str) for key in value):
+            raise Unfit
+        return ["d", *([key, to_json(item, depth + 1)] for key, item in value.items())]
+    if kind in CLASSES:
+        held = [getattr(value, name) for name in CLASSES[kind]]
+        if kind is RosNode:
+            held[list(CLASSES[kind]).index("given")] = {}
+        if kind in (Opaque, Perhaps) and value.type is not None:
+            raise Unfit
+        return [kind.__name__, *(to_json(item, depth + 1) for item in held)]
+    raise Unfit
+
+
+def from_json(data: Any, depth: int = 0) -> Any:
+    """What ``to_json`` has written; Unfit for anything else."""
+    if data is None or data.__class__ in (bool, int, float, str):
+        return data
+    if data.__class__ is not list or not data or depth > DEEPEST:
+        raise Unfit
+    head, *rest = data
+    if head in ("t", "l"):
+        items = [from_json(item, depth + 1) for item in rest]
+        return tuple(items) if head == "t" else items
+    if head == "d":
+        if not all(item.__class__ is list and len(item) == 2 and isinstance(item[0], str) for item in rest):
+            raise Unfit
+        return {key: from_json(item, depth + 1) for key, item in rest}
+    kind = _NAMES.get(head) if isinstance(head, str) else None
+    if kind is None or len(rest) != len(CLASSES[kind]):
+        raise Unfit
+    held = [from_json(item, depth + 1) for item in rest]
+    if not all(check(item) for check, item in zip(CLASSES[kind].values(), held, strict=True)):
+        raise Unfit
+    return kind(**dict(zip(CLASSES[kind], held, strict=True)))
+
+
+assert all(set(CLASSES[kind]) == {each.name for each in fields(kind)} for kind in CLASSES)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the programs, components and nodelets are there that launch files start: built or installed by their packages."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
+
+from haros_ci.launch.facts.files import Finder
+from haros_ci.model.build import Build
+from haros_ci.model.launch_facts import ProgramUse
+
+#: Commands of CMake that make programs under names of their own.
+_MAKERS = re.compile(
+    r"^\s*(\w*(?:add_executable|add_node|register_node\w*|python_install\w*|add_program)\w*)\s*\(", re.M
+)
+_KNOWN_MAKERS = frozenset(
+    (
+        "add_executable",
+        "ament_auto_add_executable",
+        "rclcpp_components_register_node",
+        "rclcpp_components_register_nodes",
+    )
+)
+_KNOWN_MAKERS |= {"ament_python_install_package", "ament_python_install_module", "catkin_install_python"}
+_LOADED = ("rclcpp_components::NodeFactory", "rclcpp_components::NodeFactoryTemplate")
+_NODELET = "nodelet::Nodelet"
+
+
+@dataclass(slots=True)
+class Programs:
+    """Programs by package; *known* are those that the code of the workspace has, by package and name."""
+
+    finder: Finder
+    builds: Mapping[str, Build]
+    known: Collection[tuple[str, str]]
+    _found: dict[tuple[str, str, str, int], tuple[bool | None, tuple[str, ...], bool]] = field(default_factory=dict)
+
+    def completed(self, use: ProgramUse) -> ProgramUse:
+        key = (use.kind, use.package, use.program, use.ros)
+        if key not in self._found:
+            self._found[key] = self._look_up(use)
+        is_found, similar, is_library = self._found[key]
+        return replace(use, is_found=is_found, similar=similar, is_library=is_library)
+
+    def _look_up(self, use: ProgramUse) -> tuple[bool | None, tuple[str, ...], bool]:
+        build = self.builds.get(use.package)
+        start = self.finder.files.directories.get(use.package)
+        if start is None or build is None:
+            return None, (), False
+        if (use.package, use.program) in self.known:
+            return True, (), False
+        names = self._classes(build, use) if use.kind != "executable" else self._executables(build)
+        if use.program in names:
+            return True, (), False
+        if use.kind == "executable" and self._is_library(use, build, start):
+            return False, _running(build, use.program), True
+        if self._may_be_made(use, start):
+            return None, (), False
+        return False, tuple(get_close_matches(use.program, sorted(names), 3, 0.6)), False
+
+    def _is_library(self, use: ProgramUse, build: Build, start: str) -> bool:
+        """Whether the package builds a library of this name, and nothing else of it: targets of CMake have one kind (add_library(7))."""
+        targets = [each for each in build.targets if use.program in (each.name, each.output)]
+        if not targets or any(each.kind != "library" or each.is_conditional for each in targets):
+            return False
+        if self.finder.steps < 0 or self.finder.is_doubled(use.package):
+            return False
+        text = self.finder.script(use.package, start)
+        if any(match[1].lower() not in _KNOWN_MAKERS for match in _MAKERS.finditer(text)):
+            return False
+        if re.search(rf"(?i)\b(?:RENAME|OUTPUT_NAME)\s+\"?{re.escape(use.program)}\b", text):
+            return False
+        prefix = "" if start == "." else f"{start}/"
+        return all(posixpath.basename(path) != use.program for path in self.finder.below(prefix))
+
+    def _classes(self, build: Build, use: ProgramUse) -> set[str]:
+        if use.kind == "nodelet":
+            return {each.name for each in build.plugins if each.base == _NODELET}
+        return {each.type for each in build.plugins if each.base in _LOADED or "NodeFactory" in each.base}
+
+    def _executables(self, build: Build) -> set[str]:
+        names = {each.output or each.name for each in build.targets if each.kind == "executable"}
+        names |= {each.name or posixpath.basename(each.path) for each in build.installed if each.kind == "program"}
+        return names | {each.name for each in build.entry_points} | {posixpath.basename(path) for path in build.scripts}
+
+    def _may_be_made(self, use: ProgramUse, start: str) -> bool:
+        """Whether the package may have it in a way that is not known: its build or a file names it, or makes names."""
+        if self.finder.steps < 0 or self.finder.is_doubled(use.package):
+            return True
+        last = use.program.rpartition("::")[2].rpartition("/")[2]
+        text = self.finder.script(use.package, start)
+        if not text or re.search(rf"(?<!\w){re.escape(last)}(?!\w)", text):
+            return True
+        if any(match[1].lower() not in _KNOWN_MAKERS for match in _MAKERS.finditer(text)):
+            return True
+        prefix = "" if start == "." else f"{start}/"
+        stem = last.partition(".")[0]
+        if use.kind == "executable":
+            return any(posixpath.basename(path) in (last, stem) for path in self.finder.below(prefix))
+        suffixes = (".cpp", ".cc", ".cxx", ".hpp", ".h", *((".xml",) if use.kind == "nodelet" else ()))
+        paths = (p for p in self.finder.below(prefix) if p.endswith(suffixes) and ".launch" not in p)
+        return any(last in self.finder.workspace.text(path) for path in paths)
+
+
+def _running(build: Build, library: str) -> tuple[str, ...]:
+    """The programs of the package that are linked with *library*, or that a component of it is registered as."""
+    programs = [each for each in build.targets if each.kind == "executable" and not each.is_test]
+    classes = {each.type for each in build.plugins if each.library == library}
+    linked = [each for each in programs if library in each.links or (each.component and each.component in classes)]
+    return tuple(sorted({each.output or each.name for each in linked}))[:3]

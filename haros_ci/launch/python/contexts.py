@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What an OpaqueFunction asks of its launch context."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.values import (
+    Call,
+    Configurations,
+    Context,
+    Library,
+    Maybe,
+    Native,
+    Sub,
+    Text,
+    Unknown,
+    Value,
+    merged,
+    mystery,
+    phrase,
+    text_of,
+    why,
+)
+from haros_ci.model.launch_actions import PREFIX, SHARE, Performed, Phrase, Substitution, Test
+from haros_ci.model.location import Location
+
+
+def perform(run: Run, context: Value, text: Phrase, place: Location) -> Value:
+    """*text* in *context* as a str value; the parts that are not known are so in it."""
+    if not isinstance(context, Context):
+        reason = why(context) if isinstance(context, Unknown) else "the launch context is not known"
+        return run.unknown(reason, place)
+    parts: list[Any] = []
+    for part in text:
+        run.budget.step()
+        if isinstance(part, str):
+            parts.append(part)
+            continue
+        if part.kind == "?":
+            parts.append(part)
+            continue
+        done = context.launch.perform((part,))
+        parts.append(done.text if done.known else mystery(done.reason, done.location or place))
+    return run.made(text_of(merged(parts)), place)
+
+
+def configuration(run: Run, context: Context, name: Value, place: Location) -> Value:
+    """``context.launch_configurations[name]``."""
+    if not isinstance(name, str):
+        return run.unknown(why(name), place)
+    found = context.launch.configuration(name)
+    if found is None:
+        return run.unknown(f"the launch configuration {name} is not set", place)
+    return found.text if found.known else Text((mystery(found.reason, found.location or place),))
+
+
+def set_configuration(run: Run, context: Context, name: Value, value: Value) -> None:
+    """``context.launch_configurations[name] = value``; under a condition that is not known the value is not known."""
+    if not isinstance(name, str):
+        return
+    text = phrase(value)
+    if len(run.heap.journals) > context.depth:
+        done = Performed("?", "depends on a condition")
+    elif not text:
+        done = Performed("")
+    elif len(text) == 1 and isinstance(text[0], str):
+        done = Performed(text[0])
+    else:
+        done = context.launch.perform(text)
+    context.launch.set_configuration(name, done)
+
+
+def holds(run: Run, context: Value, tests: tuple[Test, ...], place: Location) -> Value:
+    """``condition.evaluate(context)``."""
+    if not isinstance(context, Context):
+        return run.unknown("the launch context is not known", place)
+    for test in tests:
+        known = None if test.kind == "?" else context.launch.test(test)
+        if known is None:
+            return run.unknown(test.reason or f"whether {test.text} holds is not known", test.location or place)
+        if not known:
+            return False
+    return True
+
+
+def context_attribute(run: Run, context: Context, name: str, place: Location) -> Value:
+    """An attribute or a method of the context."""
+    if name == "launch_configurations":
+        return Configurations(context)
+    if name == "perform_substitution":
+        return Native(
+            name, lambda run, call: perform(run, context, phrase(call.args[0] if call.args else ""), call.location)
+        )
+    if name == "environment":
+        return Library("os.environ")
+    return run.unknown(f"context.{name} is not followed", place)
+
+
+def configurations_attribute(run: Run, value: Configurations, name: str, place: Location) -> Value:
+    """``get`` of the launch configurations; what else there is to ask is not followed."""
+    if name == "get":
+        return Native(name, lambda run, call: get(run, value.context, call))
+    return run.unknown(f"launch_configurations.{name} is not followed", place)
+
+
+def get(run: Run, context: Context, call: Call) -> Value:
+    bound = call.bind("key default")
+    name = bound.get("key")
+    if isinstance(name, str) and context.launch.configuration(name) is None:
+        return bound.get("default")
+    return configuration(run, context, name, call.location)
+
+
+def perform_substitutions(run: Run, call: Call) -> Value:
+    """``launch.utilities.perform_substitutions(context, subs)``."""
+    bound = call.bind("context subs")
+    return perform(run, bound.get("context"), phrase(bound.get("subs")), call.location)
+
+
+def normalized(run: Run, call: Call) -> Value:
+    """``normalize_to_list_of_substitutions``."""
+    value = call.args[0] if call.args else None
+    if isinstance(value, (Unknown, Maybe)):
+        return run.unknown(why(value), call.location)
+    return [Sub((part,), "TextSubstitution" if isinstance(part, str) else "Substitution") for part in phrase(value)]
+
+
+def sub_attribute(run: Run, value: Sub, name: str, place: Location) -> Value:
+    """An attribute or a method of a substitution."""
+    if name == "perform":
+        return Native(
+            name, lambda run, call: perform(run, call.bind("context").get("context"), value.phrase, call.location)
+        )
+    if name == "find" and value.name.startswith("FindPackage"):
+        return Native(name, lambda run, call: found_package(run, value, call))
+    if name == "text" and all(isinstance(part, str) for part in value.phrase):
+        return text_of(value.phrase)
+    if name == "variable_name" and len(value.phrase) == 1 and isinstance(value.phrase[0], Substitution):
+        return [Sub(value.phrase[0].arguments[0], "TextSubstitution")] if value.phrase[0].arguments else []
+    return run.unknown(f"{value.name}.{name} is not followed", place)
+
+
+def found_package(run: Run, value: Sub, call: Call) -> Value:
+    """``FindPackageShare(…).find(package)``: the directory of the package that is asked for."""
+    package = call.bind("package_name").get("package_name")
+    marker = SHARE if value.name == "FindPackageShare" else PREFIX
+    return marker.format(package) if isinstance(package, str) else run.unknown(why(package), call.location)

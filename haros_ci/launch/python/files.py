@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files of the workspace that a launch file reads: texts, YAML and JSON as data."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from haros_ci.launch.python.heap import LARGEST
+from haros_ci.launch.python.paths import readable
+from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.values import Call, Opened, PathValue, Text, Unknown, Value, why
+
+DEEPEST = 40
+NODES = 50_000
+
+
+def file_text(run: Run, path: str) -> str | None:
+    """The text of a file by a path that ``readable`` gave; each is read once."""
+    if path not in run.texts:
+        text = run.read(path)
+        if text is not None:
+            run.budget.take(min(len(text), LARGEST) // 16)
+            text = text if len(text) <= LARGEST * 5 else None
+        run.texts[path] = text
+    return run.texts[path]
+
+
+def text_in(run: Run, value: Value, call: Call) -> str | Unknown:
+    """The text of an opened file, or a text itself."""
+    if isinstance(value, Opened):
+        path = readable(value.path)
+        if isinstance(path, Unknown):
+            return run.unknown(path.reason, call.location)
+        text = file_text(run, path)
+        return run.unknown(f"{path} is not in the workspace", call.location) if text is None else text
+    if isinstance(value, str):
+        return value
+    return run.unknown(why(value), call.location)
+
+
+def yaml_load(run: Run, call: Call) -> Value:
+    """``yaml.safe_load`` of a file or a text, as data; what only Python can make of it is not known."""
+    text = text_in(run, call.args[0] if call.args else call.keywords.get("stream"), call)
+    if isinstance(text, Unknown):
+        return text
+    return yaml_data(run, text, call)
+
+
+def yaml_file(run: Run, path: Value, call: Call) -> Value:
+    """The data of a YAML file by its path."""
+    text = text_in(run, Opened(path), call)
+    return text if isinstance(text, Unknown) else yaml_data(run, text, call)
+
+
+def yaml_data(run: Run, text: str, call: Call) -> Value:
+    import yaml
+
+    depth = count = 0
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    try:
+        for event in yaml.parse(text, Loader=loader):
+            count += 1
+            if isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
+                depth += 1
+            elif isinstance(event, (yaml.MappingEndEvent, yaml.SequenceEndEvent)):
+                depth -= 1
+            if depth > DEEPEST or count > NODES:
+                return run.unknown("the YAML is too large", call.location)
+        return own(run, yaml.load(text, Loader=loader), call, 0)
+    except (yaml.YAMLError, ValueError, TypeError, OverflowError, RecursionError, AttributeError, KeyError):
+        return run.unknown("the YAML is not well-formed", call.location)
+
+
+def own(run: Run, data: Any, call: Call, depth: int) -> Value:
+    """A copy of *data* of the kinds that values have."""
+    run.budget.take(1)
+    if depth > DEEPEST:
+        return run.unknown("the data is nested too deep", call.location)
+    if isinstance(data, dict):
+        return {
+            (key if isinstance(key, (str, bool, int, float, type(None))) else str(key)): own(run, item, call, depth + 1)
+            for key, item in data.items()
+        }
+    if isinstance(data, list):
+        return [own(run, item, call, depth + 1) for item in data]
+    if data is None or isinstance(data, (bool, int, float, str)):
+        return run.made(data, call.location)
+    return run.unknown(f"a {type(data).__name__} in YAML is not supported", call.location)
+
+
+def json_load(run: Run, call: Call) -> Value:
+    """``json.load`` and ``json.loads``."""
+    text = text_in(run, call.args[0] if call.args else None, call)
+    if isinstance(text, Unknown):
+        return text
+    try:
+        return own(run, json.loads(text), call, 0)
+    except (ValueError, RecursionError):
+        return run.unknown("the JSON is not well-formed", call.location)
+
+
+def open_file(run: Run, call: Call) -> Value:
+    """``open``: for reading a file that can be read, or Unknown."""
+    bound = call.bind("file mode")
+    if bound.get("mode", "r") not in ("r", "rt", "rb"):
+        return run.unknown("a file that is written", call.location)
+    path = bound.get("file")
+    if isinstance(path, (str, Text, PathValue)):
+        return Opened(path)
+    return run.unknown(f"the path is not known: {why(path)}", call.location)

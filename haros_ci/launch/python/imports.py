@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""``import``: a module of the workspace is interpreted, any other is a library's name."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+
+from haros_ci.launch.python.assignments import set_name
+from haros_ci.launch.python.forks import settle
+from haros_ci.launch.python.run import Frame, Run
+from haros_ci.launch.python.values import Library, Module, Scope, Source, Value
+from haros_ci.model.launch_actions import WORKSPACE
+
+#: Libraries with summaries: never interpreted, even if they are in the workspace.
+SUMMARISED = frozenset(
+    """launch launch_ros launch_xml launch_yaml launch_testing launch_testing_ros launch_testing_ament_cmake nav2_common
+    moveit_configs_utils launch_param_builder ament_index_python xacro os sys pathlib yaml json copy math itertools
+    functools collections typing re logging tempfile time random shutil subprocess glob platform dataclasses enum abc
+    unittest pytest rclpy numpy string textwrap datetime threading socket argparse contextlib operator""".split()
+)
+MODULES = 40
+
+
+def import_names(run: Run, scope: Scope, node: ast.Import) -> None:
+    for alias in node.names:
+        if alias.asname:
+            set_name(run, scope, alias.asname, module(run, alias.name))
+        else:
+            root = alias.name.split(".")[0]
+            set_name(run, scope, root, module(run, root))
+
+
+def import_from(run: Run, scope: Scope, node: ast.ImportFrom) -> None:
+    origin = node.module or ""
+    if node.level:
+        package = scope.source.package.split(".")
+        origin = ".".join([*package[: len(package) - node.level + 1], *([origin] if origin else [])])
+    found = module(run, origin)
+    for alias in node.names:
+        if alias.name == "*":
+            star(run, scope, found, origin)
+            continue
+        set_name(run, scope, alias.asname or alias.name, member(run, found, origin, alias.name))
+
+
+def star(run: Run, scope: Scope, found: Value, origin: str) -> None:
+    if isinstance(found, Module):
+        for name, value in list(found.variables.items()):
+            if not name.startswith("_") and name != "*":
+                set_name(run, scope, name, value)
+    else:
+        set_name(run, scope.module, "*", (*scope.module.variables.get("*", ()), origin))
+
+
+def member(run: Run, found: Value, origin: str, name: str) -> Value:
+    if isinstance(found, Module):
+        if name in found.variables:
+            return found.variables[name]
+        inner = module(run, f"{origin}.{name}")
+        return inner if isinstance(inner, Module) else run.unknown(f"`{name}` is not in {origin}", None)
+    return Library(f"{origin}.{name}")
+
+
+def module(run: Run, dotted: str) -> Value:
+    """The module *dotted*: of the workspace, interpreted once; else a library."""
+    if dotted in run.modules:
+        return run.modules[dotted]
+    if dotted.split(".")[0] in SUMMARISED or not dotted or len(run.modules) >= MODULES:
+        return Library(dotted)
+    found = run.module(dotted)
+    if found is None:
+        return Library(dotted)
+    path, text = found
+    tree = parse(text)
+    if tree is None:
+        return Library(dotted)
+    package = dotted if path.endswith("__init__.py") else dotted.rpartition(".")[0]
+    source = Source(path, tuple(text.splitlines()), package)
+    scope = Scope({}, None, source)
+    scope.variables.update({"__file__": file_marker(path), "__name__": dotted})
+    run.modules[dotted] = made = Module(dotted, path, scope.variables)
+    module_body(run, scope, tree)
+    return made
+
+
+def module_body(run: Run, scope: Scope, tree: ast.Module) -> None:
+    """Do the statements of a module."""
+    frame = Frame()
+    run.frames.append(frame)
+    run.block(run, scope, tree.body)
+    settle(run, frame, 0)
+    run.frames.pop()
+
+
+def file_marker(path: str) -> str:
+    """``__file__`` of a file of the workspace."""
+    folder, _, name = path.rpartition("/")
+    return f"{WORKSPACE.format(folder or '.')}/{name}"
+
+
+def parse(text: str) -> ast.Module | None:
+    """The syntax of *text*; None if it has none."""
+    if len(text) > 1_000_000:
+        return None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None

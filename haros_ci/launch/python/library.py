@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls: of the functions of a file, of methods, and of the libraries that have summaries."""
+
+from __future__ import annotations
+
+from haros_ci.launch.python.assignments import forget_items
+from haros_ci.launch.python.builtin_functions import HARMLESS, Summary
+from haros_ci.launch.python.builtin_functions import SUMMARIES as PYTHON
+from haros_ci.launch.python.controller_launches import SUMMARIES as CONTROLLERS
+from haros_ci.launch.python.definitions import bound, call_function, instantiate
+from haros_ci.launch.python.imports import SUMMARISED
+from haros_ci.launch.python.launch_actions import SUMMARIES as LAUNCH
+from haros_ci.launch.python.launch_events import SUMMARIES as EVENTS
+from haros_ci.launch.python.moveit import SUMMARIES as MOVEIT
+from haros_ci.launch.python.moveit_launches import SUMMARIES as MOVEIT_LAUNCHES
+from haros_ci.launch.python.path_methods import SUMMARIES as PATHS
+from haros_ci.launch.python.ros_actions import SUMMARIES as ROS
+from haros_ci.launch.python.run import Run
+from haros_ci.launch.python.substitutions import SUMMARIES as SUBSTITUTIONS
+from haros_ci.launch.python.values import (
+    Bound,
+    Call,
+    Class,
+    Function,
+    Instance,
+    Library,
+    Made,
+    Native,
+    Unknown,
+    Value,
+    describe,
+)
+
+SUMMARIES: dict[str, Summary] = {
+    **PYTHON,
+    **PATHS,
+    **SUBSTITUTIONS,
+    **LAUNCH,
+    **EVENTS,
+    **ROS,
+    **MOVEIT,
+    **MOVEIT_LAUNCHES,
+    **CONTROLLERS,
+}
+
+
+def summary_of(dotted: str) -> Summary | None:
+    """The summary of a name, wherever in its package it comes from (``launch.actions.group_action.GroupAction``)."""
+    parts = dotted.split(".")
+    for name in (dotted, ".".join([*parts[:2], parts[-1]]), f"{parts[0]}.{parts[-1]}"):
+        if name in SUMMARIES:
+            return SUMMARIES[name]
+    return None
+
+
+def call_value(run: Run, function: Value, call: Call) -> Value:
+    """The value of a call of *function*."""
+    run.budget.step()
+    if isinstance(function, Library):
+        return call_library(run, function, call)
+    if isinstance(function, Function):
+        return call_function(run, function, call)
+    if isinstance(function, Bound):
+        return bound(run, function.function, function.owner, call)
+    if isinstance(function, Class):
+        return instantiate(run, function, call)
+    if isinstance(function, Native):
+        try:
+            return function.call(run, call)
+        except (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError) as error:
+            return run.unknown(f"`{function.name}` raises {type(error).__name__}", call.location)
+    if isinstance(function, Instance) and isinstance(method := function.type.find("__call__"), Function):
+        return bound(run, method, function, call)
+    if isinstance(function, Unknown):
+        havoc(run, call, function.reason)
+        return Unknown(function.reason, function.location or call.location)
+    return run.unknown(f"{describe(function)} cannot be called here", call.location)
+
+
+def call_library(run: Run, function: Library, call: Call) -> Value:
+    dotted = function.dotted
+    summary = summary_of(dotted)
+    if summary is not None:
+        named = Call(
+            name=dotted,
+            location=call.location,
+            args=call.args,
+            keywords=call.keywords,
+            unknown=call.unknown,
+            text=call.text,
+        )
+        try:
+            return summary(run, named)
+        except (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError) as error:
+            return run.unknown(f"{dotted} raises {type(error).__name__}", call.location)
+    if dotted.startswith(HARMLESS):
+        return run.unknown(f"what {dotted} gives is not followed", call.location)
+    reason = f"{dotted} is not known"
+    if dotted.split(".")[0] not in SUMMARISED or dotted.startswith("random."):
+        havoc(run, call, reason)
+    return run.unknown(reason, call.location)
+
+
+def havoc(run: Run, call: Call, reason: str) -> None:
+    """A function that is not known may change the lists and dictionaries that it is given, and those in them."""
+    todo = [(value, 0) for value in (*call.args, *call.keywords.values())]
+    while todo:
+        value, depth = todo.pop()
+        run.budget.step()
+        if depth < 6 and isinstance(value, (list, tuple)):
+            todo.extend((item, depth + 1) for item in value)
+        elif depth < 6 and isinstance(value, dict):
+            todo.extend((item, depth + 1) for item in value.values())
+        target = value.fields.get("entities") if isinstance(value, Made) else value
+        if isinstance(target, (list, dict, set)):
+            run.heap.touch(target)
+            if isinstance(target, list) and isinstance(value, Made):
+                target.append(Unknown(reason, call.location))
+            else:
+                forget_items(target, reason, call.location)
+        elif isinstance(value, Instance):
+            run.heap.touch(value.variables)
+            for name in value.variables:
+                value.variables[name] = Unknown(reason, call.location)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which launch files a workspace is started by: those that no other one includes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from haros_ci.launch.ros1.arg import arg
+from haros_ci.launch.ros1.dialect import is_ros1
+from haros_ci.launch.ros1.state import Scope, State
+from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.model.workspace import Workspace
+from haros_ci.substitutions.files import Files, files_of
+from haros_ci.substitutions.names import Text
+
+
+def entry_files(workspace: Workspace, load: Callable[[str], LaunchFile | None]) -> tuple[str, ...]:
+    """The ROS 1 launch files in packages that no other ROS 1 launch file includes, sorted (design: configurations).
+
+    Paths of includes are followed with the args' defaults and without an environment, whether or not their conditions
+    hold; those that stay unknown do not count.
+    """
+    files = files_of(workspace)
+    ros = {package.name: package.ros for package in workspace.packages}
+    launches: dict[str, LaunchFile] = {}
+    for file in workspace.files:
+        if file.language == "launch" and file.package is not None and not file.path.endswith((".yaml", ".yml", ".py")):
+            launch = load(file.path)
+            if launch is not None and is_ros1(launch, ros.get(file.package)):
+                launches[file.path] = launch
+    included = {
+        target for path, launch in launches.items() for target in _includes(files, load, path, launch) if target != path
+    }
+    return tuple(sorted(path for path in launches if path not in included))
+
+
+def _includes(files: Files, load: Callable[[str], LaunchFile | None], path: str, launch: LaunchFile) -> Iterator[str]:
+    """The files that *launch* itself includes."""
+    state = State(files=files, load=load, environment={})
+    top = Scope(path=path, namespace=Text("/"), directory=files.directory_of(path))
+    todo: list[tuple[Scope, LaunchElement]] = []
+    if launch.root is not None:
+        todo = [(top, child) for child in reversed(launch.root.children)]
+    while todo:
+        scope, tag = todo.pop()
+        if tag.tag == "arg":
+            conditions = state.conditions(scope, tag)
+            if conditions is not None:
+                arg(state, scope, tag, conditions)
+        elif tag.tag == "group":
+            inner = scope.child(scope.namespace, ())
+            todo.extend((inner, child) for child in reversed(tag.children))
+        elif tag.tag == "include":
+            file = state.attribute(scope, tag, "file")
+            place = files.place(file) if file is not None else None
+            if place is not None and place.path is not None:
+                yield place.path

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Launch files of ROS 2 in any dialect: XML, YAML or Python, by what they are called and what they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from haros_ci.launch.ros1.dialect import foreign_constructs, is_ros1
+from haros_ci.model.launch import LaunchFile
+from haros_ci.model.launch_actions import Description
+from haros_ci.model.workspace import Workspace
+
+
+def description_reader(
+    workspace: Workspace,
+    read_python: Callable[[str], Description | None],
+    read_launch: Callable[[str], LaunchFile | None],
+    read_xml: Callable[[LaunchFile, str], Description],
+    read_yaml: Callable[[str, str], Description],
+) -> Callable[[str], Description | None]:
+    """A function from a root-relative path to the description of the launch file there; None if it is no ROS 2 one.
+
+    *read_launch* gives the tags of an XML file, *read_xml* and *read_yaml* make descriptions of tags and text,
+    *read_python* interprets the Python file at a path. Each file is read once.
+    """
+    packages = {package.name: package.ros for package in workspace.packages}
+    ros = {file.path: packages.get(file.package or "") for file in workspace.files}
+    known: dict[str, Description | None] = {}
+
+    def read(path: str) -> Description | None:
+        if path.endswith(".py"):
+            return read_python(path)
+        text = workspace.text(path)
+        if path.endswith((".yaml", ".yml")) or (not path.endswith(".xml") and not text.lstrip().startswith("<")):
+            return read_yaml(text, path) if text else None
+        launch = read_launch(path)
+        if launch is None or is_ros1(launch, ros.get(path)):
+            return None
+        return replace(read_xml(launch, path), foreign=tuple(foreign_constructs(launch, path, 2)))
+
+    def load(path: str) -> Description | None:
+        if path not in known:
+            known[path] = read(path)
+        return known[path]
+
+    return load
+
+
+def is_ros2_file(workspace: Workspace) -> Callable[[str], bool]:
+    """Whether a launch file may be one of ROS 2: one in a package that is not of ROS 1 alone."""
+    packages = {package.name: package.ros for package in workspace.packages}
+    owners = {file.path: packages.get(file.package or "") for file in workspace.files}
+    return lambda path: owners.get(path) != 1

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which ROS 2 launch files a workspace is started by: those that no other one includes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from haros_ci.launch.ros2.evaluate import Memo, launch_system
+from haros_ci.launch.ros2.places import Places
+from haros_ci.model.launch_actions import Description
+from haros_ci.model.workspace import Workspace
+
+_NAMES = tuple(f"{mark}launch.{kind}" for mark in (".", "_") for kind in ("xml", "yaml", "yml", "py"))
+
+
+def entry_files(
+    workspace: Workspace,
+    load: Callable[[str], Description | None],
+    places: Places,
+    is_ros2: Callable[[str], bool],
+    memo: Memo | None = None,
+    environment: Mapping[str, str] | None = None,
+) -> tuple[str, ...]:
+    """The ROS 2 launch files in packages that no other one includes with its default arguments, sorted.
+
+    They are called ``*.launch.xml``, ``*_launch.py`` and the like, or lie in a directory ``launch`` and describe
+    something; *is_ros2* says of a path whether it is for ROS 2. Those below ``test``, those called ``test_…`` and those of
+    packages called ``…_tests`` are descriptions of tests. Each file is launched once, in *environment*; with a *memo*
+    ``launch_system`` does not do it again.
+    """
+    found: list[str] = []
+    for file in workspace.files:
+        if file.package is None or not is_ros2(file.path):
+            continue
+        parts = file.path.split("/")
+        if any(part in ("test", "tests") for part in parts[:-1]):
+            continue
+        if parts[-1].startswith("test_") or file.package.endswith(("_test", "_tests")):
+            continue
+        if file.path.endswith(_NAMES) or parts[-1] in ("launch.xml", "launch.yaml", "launch.py"):
+            found.append(file.path)
+        elif parts[-2:-1] == ["launch"] and file.path.endswith((".xml", ".py", ".launch")):
+            description = load(file.path)
+            if description is not None and any(action.kind != "?" for action in description.actions):
+                found.append(file.path)
+    kept = memo if memo is not None else {}
+    included: set[str] = set()
+    entries: list[str] = []
+    for path in found:
+        if load(path) is None:
+            continue
+        entries.append(path)
+        system = launch_system((path,), workspace, load, {}, environment or {}, places, kept)
+        included.update(other for other in system.includes if other != path)
+    return tuple(sorted(path for path in entries if path not in included))

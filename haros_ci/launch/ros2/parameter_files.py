@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ROS 2 parameter files: ``node: {ros__parameters: ...}`` unfolded into rules for the nodes that they name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from haros_ci.launch.facts import ros2
+from haros_ci.launch.facts.sections import sections_of
+from haros_ci.launch.ros2.context import Context, Exhausted
+from haros_ci.launch.ros2.parameter_yaml import (
+    Items,
+    Map,
+    Scalar,
+    Tree,
+    YamlError,
+    python_value,
+    rcl_value,
+    read_trees,
+    size_of,
+)
+from haros_ci.launch.ros2.places import Places
+from haros_ci.launch.ros2.rewritten import rewrite, rewritten_names
+from haros_ci.launch.ros2.substitutions import perform
+from haros_ci.model.architecture import Unknown
+from haros_ci.model.launch import ParameterRule
+from haros_ci.model.launch_phrases import read_phrase
+from haros_ci.model.location import Location
+from haros_ci.substitutions.names import MARK, Text, literal, quoted
+
+SECTION = "ros__parameters"
+
+
+class _Missing(Exception):
+    """The file is not known, or no parameter file."""
+
+
+@dataclass(frozen=True, slots=True)
+class Component:
+    """Whose parameters launch itself picks from the file (``to_parameters_list``): a composable node's full *name*."""
+
+    name: str
+
+
+def file_rules(
+    context: Context, path: Text, substitutes: bool, location: Location, component: Component | None = None
+) -> tuple[ParameterRule, ...]:
+    """The parameters that the file at *path* gives; of a *component* those that launch sends to it.
+
+    A file that is not known is one rule with the name ``?``. Each rule has the line of YAML as origin.
+    """
+    try:
+        file, trees = _trees(context, path, substitutes, location, 0)
+    except _Missing as err:
+        ros2.parameter_file(context, path, location, None, None)
+        return (missing(str(err), location),)
+    patterns = sections_of(context.places, file, trees, component.name if component is not None else None)
+    ros2.parameter_file(context, path, location, file, patterns)
+    found: list[ParameterRule] = []
+    for tree in trees:
+        sections, reason = _for_nodes(tree) if component is None else _for_component(tree, component)
+        if reason:
+            found.append(missing(f"in {file} {reason}", location))
+        for pattern, leaves in sections:
+            for name, value in _leaves(leaves, ""):
+                context.spend(1)
+                found.append(_rule(pattern, name, value, location, file, component is not None))
+    return tuple(found)
+
+
+def parameter_file(places: Places, path: str, location: Location) -> tuple[ParameterRule, ...]:
+    """``file_rules`` of the file at *path*, as arguments that a launch file performs have it."""
+    try:
+        return file_rules(Context(places, {}), literal(path), False, location)
+    except Exhausted:
+        return (missing(f"parameter file {quoted(path)}: it is too large", location),)
+
+
+def values_in(text: str, path: str) -> tuple[ParameterRule, ...]:
+    """What the parameter file with *text* gives as it stands, no substitution performed; () if it is not YAML."""
+    try:
+        trees = read_trees(literal(text))
+    except YamlError:
+        return ()
+    place = Location(path)
+    return tuple(
+        _rule(pattern, name, value, place, path, False)
+        for tree in trees
+        for pattern, leaves in _for_nodes(tree)[0]
+        for name, value in _leaves(leaves, "")
+    )
+
+
+def _for_nodes(tree: Tree) -> tuple[list[tuple[str, Tree]], str]:
+    """The sections under their keys as rcl joins them; ``n`` and ``/n`` are two, though both are for one node."""
+    found: list[tuple[str, Tree]] = []
+    reason = ""
+    for keys, leaves in _below(tree, ()):
+        joined = ""
+        for key in keys:
+            joined += key if not joined or joined.endswith("/") else f"/{key}"
+        if MARK in joined:
+            reason = "it is not known which nodes a section is for"
+        else:
+            found.append((joined, leaves))
+    return found, reason
+
+
+def _for_component(tree: Tree, component: Component) -> tuple[list[tuple[str, Tree]], str]:
+    """What launch sends to a component: ``/**``, with the component's own section over it, key by key at the top.
+
+    A file without sections is sent as a whole; of several sources the later counts, whatever its section was.
+    """
+    sections = {"/".join(key.lstrip("/") for key in keys): leaves for keys, leaves in _below(tree, ())}
+    if not sections:
+        return ([("/**", tree)] if isinstance(tree, Map) else []), ""
+    own = component.name.lstrip("/")
+    reason = "it is not known which section is for this component" if "?" in own and set(sections) - {"**"} else ""
+    if any(MARK in key for key in sections):
+        reason = "it is not known which nodes a section is for"
+    parts = [part for key in ("**", own) if isinstance(part := sections.get(key), Map)]
+    entries = {key: value for part in parts for key, value in part.entries.items()}
+    return ([("/**", Map(entries, parts[0].line))] if parts else []), reason
+
+
+def missing(reason: str, location: Location) -> ParameterRule:
+    """Parameters of which nothing is known."""
+    return ParameterRule(
+        node="/**", name="?", type=None, value=None, location=location, unknowns=(Unknown("name", reason, location),)
+    )
+
+
+def _trees(
+    context: Context, path: Text, substitutes: bool, location: Location, depth: int
+) -> tuple[str, tuple[Tree, ...]]:
+    """The root-relative path of the file and its documents."""
+    if not path.known:
+        raise _Missing(f"parameter file {quoted(path.raw)}: {path.reasons[0]}")
+    how = context.rewritten.get(path.raw)
+    if how is not None:
+        if depth > 10:
+            raise _Missing("a file is rewritten too often")
+        again = context.rewritten_trees.get(path.raw)
+        if again is not None:
+            return again[0], _performed(context, again[1]) if substitutes else again[1]
+        file, trees = _trees(context, how["source"], False, location, depth + 1)
+        for text in rewritten_names(how):
+            if not text.known:
+                raise _Missing(f"it is not known what is rewritten in the file: {text.reasons[0]}")
+        context.spend(20 + sum(size_of(tree) for tree in trees) // 4)
+        trees = rewrite(trees, how)
+        context.rewritten_trees[path.raw] = (file, trees)
+        return file, _performed(context, trees) if substitutes else trees
+    found, content, reason = context.places.read(path.raw)
+    ros2.named(context, path, location, "parameters")
+    if found is None:
+        if not context.places.find(path.raw).outside:
+            context.problem(location, f"parameter file {quoted(path.raw)}: {reason}")
+        raise _Missing(f"parameter file {quoted(path.raw)}: {reason}")
+    context.files.add(found)
+    context.spend(20 + len(content) // 100)
+    text = literal(content)
+    if substitutes and ("$(" in content or "\\" in content):
+        phrase, problem = read_phrase(content, Location(found))
+        if problem:
+            context.problem(Location(found), f"substitutions are allowed in this file, but {problem}")
+            raise _Missing(f"parameter file {quoted(found)}: {problem}")
+        text = perform(context, phrase, 0)
+    key = (found, text)
+    trees_ = context.places.parsed.get(key)
+    if trees_ is None:
+        try:
+            trees_ = read_trees(text)
+        except YamlError as err:
+            context.problem(Location(found, err.line), str(err))
+            raise _Missing(f"parameter file {quoted(found)}: {err}") from err
+        context.places.parsed[key] = trees_
+    return found, trees_
+
+
+def _performed(context: Context, trees: tuple[Tree, ...]) -> tuple[Tree, ...]:
+    """Substitutions inside the scalars of a file that has been rewritten."""
+
+    def done(tree: Tree) -> Tree:
+        if isinstance(tree, Map):
+            return Map({key: done(value) for key, value in tree.entries.items()}, tree.line)
+        if isinstance(tree, Items):
+            return Items([done(item) for item in tree.items], tree.line)
+        if "$(" not in tree.text or tree.reasons:
+            return tree
+        phrase, problem = read_phrase(tree.text)
+        if problem:
+            return replace(tree, reasons=(problem,))
+        made = perform(context, phrase, 0)
+        if made.known and tree.is_plain:
+            again = read_trees(made)
+            if len(again) == 1 and isinstance(again[0], Scalar):
+                return replace(again[0], line=tree.line)
+        return replace(tree, text=made.raw, reasons=made.reasons)
+
+    return tuple(done(tree) for tree in trees)
+
+
+def _below(tree: Tree, keys: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Tree]]:
+    if isinstance(tree, Map):
+        for key, value in tree.entries.items():
+            if key == SECTION:
+                yield keys, value
+            else:
+                yield from _below(value, (*keys, key))
+
+
+def _leaves(tree: Tree, prefix: str) -> Iterator[tuple[str, Tree]]:
+    if not isinstance(tree, Map):
+        if prefix:
+            yield prefix, tree
+        return
+    for key, value in tree.entries.items():
+        yield from _leaves(value, f"{prefix}.{key}" if prefix else key)
+
+
+def _rule(pattern: str, name: str, tree: Tree, location: Location, file: str, is_component: bool) -> ParameterRule:
+    origin = Location(file, tree.line)
+    kind, value, reason = tree_value(tree, is_component)
+    unknowns: tuple[Unknown, ...] = (Unknown("value", reason, origin),) if reason else ()
+    if MARK in name:
+        name = name.replace(MARK, "?")
+        unknowns += (Unknown("name", "a part of the key is not known", origin),)
+    if reason and kind is None:
+        unknowns += (Unknown("type", reason, origin),)
+    return ParameterRule(
+        node=pattern, name=name, type=kind, value=value, location=location, origin=origin, unknowns=unknowns
+    )
+
+
+def tree_value(tree: Tree, is_component: bool) -> tuple[str | None, Any, str]:
+    """Type, value and, where it is not known, the reason, of a scalar or a list of scalars of one type."""
+    if isinstance(tree, Scalar):
+        return python_value(tree) if is_component else rcl_value(tree)
+    if isinstance(tree, Map):
+        return None, None, "a map is no parameter value"
+    if not tree.items:
+        return None, [], "an empty list has no type"
+    read = python_value if is_component else rcl_value
+    made = [read(item) for item in tree.items if isinstance(item, Scalar)]
+    if len(made) < len(tree.items):
+        return None, None, "a list of lists or maps is no parameter value"
+    kinds = {kind for kind, _, _ in made}
+    if is_component and kinds == {"int", "double"}:
+        made = [("double", None if value is None else float(value), reason) for _, value, reason in made]
+        kinds = {"double"}
+    if len(kinds) > 1 and None not in kinds:
+        return None, None, f"the list mixes {', '.join(sorted(kind for kind in kinds if kind))}"
+    kind = next(iter(kinds)) if len(kinds) == 1 else None
+    reason = next((reason for _, _, reason in made if reason), "")
+    typed = None if kind is None else f"{kind}[]"
+    return (typed, None, reason) if reason else (typed, [value for _, value, _ in made], "")

@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: Apache-2.0
-"""The cross-file part: from facts and launch files to configurations."""

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every value of every metric of a workspace; docs/metrics.md defines them."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+
+from haros_ci.analysis.architecture import programs
+from haros_ci.code.codebase import codebase
+from haros_ci.config.settings import Settings
+from haros_ci.forks import shared
+from haros_ci.linters import values
+from haros_ci.linters.linter import LintOptions
+from haros_ci.linters.run import lint
+from haros_ci.measuring.classes import Classes, Measured, measure_classes
+from haros_ci.measuring.facts import FileFacts, FunctionFacts, from_json, to_json
+from haros_ci.measuring.totals import of_files, of_packages
+from haros_ci.model.measurement import Measurement
+from haros_ci.model.package import SourceFile
+from haros_ci.model.workspace import Store, Workspace
+from haros_ci.own_sources import OF_MEASURES, digest
+from haros_ci.results.result import Notification, Run
+from haros_ci.results.rule import Level
+from haros_ci.workspace.build import builds
+
+Progress = Callable[[str], None]
+#: What has these metrics.
+TOOL = "metrics"
+
+
+@dataclass(frozen=True, slots=True)
+class Measures:
+    """The values, sorted; what could not be measured and why; and the tools that failed, so that values are missing."""
+
+    values: tuple[Measurement, ...]
+    notifications: tuple[Notification, ...] = ()
+    failed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Structure:
+    """What the syntax tells: facts by file, and the classes of the whole workspace."""
+
+    facts: Mapping[str, FileFacts]
+    classes: Classes
+
+    def title(self, path: str, function: FunctionFacts) -> tuple[str, str]:
+        """The class of a function ("" for none) and its name without that."""
+        owner = self.classes.of_function.get((path, function.line, function.column))
+        if owner is None:
+            return "", function.name
+        separator = owner.source.separator
+        return owner.facts.name, function.name.rpartition(separator)[2]
+
+
+def measured(
+    workspace: Workspace, settings: Settings, store: Store, progress: Progress | None = None
+) -> tuple[Measurement, ...]:
+    """The metrics of functions, classes, files and packages, sorted."""
+    return measure(workspace, settings, store, progress).values
+
+
+def measure(workspace: Workspace, settings: Settings, store: Store, progress: Progress | None = None) -> Measures:
+    """The same, with what went wrong."""
+    options = LintOptions(timeout=settings.linter_timeout, jobs=settings.jobs, root=settings.root)
+    runs = lint(workspace, values.ADAPTERS, options, store, lambda tool, rule, path: True, progress)
+    if progress is not None:
+        progress("structure")
+    found = structure(workspace, store, settings.jobs)
+    packages = {file.path: file.package or "" for file in workspace.files}
+    single = [*_of_runs(runs, packages, found), *_of_structure(found, workspace, packages)]
+    single += of_files(single)
+    partly = {packages[file.path] for file in workspace.files if not workspace.reports_on(file.path)}
+    whole = (each for each in single if each.package not in partly)
+    notes = (*(_named(note) for run in runs for note in run.notifications), *problems(found, workspace))
+    return Measures(
+        tuple(sorted([*single, *of_packages(whole)])),
+        tuple(dict.fromkeys(notes)),
+        tuple(run.tool.name.removesuffix(values.SUFFIX) for run in runs if not run.successful),
+    )
+
+
+def _named(note: Notification) -> Notification:
+    """A note of one of our adapters as one of the tool that it starts."""
+    tool = (note.tool or "").removesuffix(values.SUFFIX)
+    return replace(note, tool=tool, message=note.message.replace(note.tool or tool, tool, 1))
+
+
+def structure(workspace: Workspace, store: Store, processes: int) -> Structure:
+    """Functions and classes, from *store* as far as the bytes of files are known there."""
+    files = [file for file in workspace.files if file.language in ("cpp", "python")]
+    kept = {file.path: from_json(store.get(*_place(file))) for file in files}
+    new = [file for file in files if kept[file.path] is None]
+    jobs = [partial(_read, workspace, file.path, file.language) for file in new]
+    for file, data in zip(new, shared(jobs, [file.path for file in new], processes), strict=True):
+        store.put(*_place(file), data)
+        kept[file.path] = from_json(data)
+    facts = {path: each for path, each in kept.items() if each is not None}
+    code = codebase(programs(workspace, builds(workspace), store, [], processes), workspace.text)
+    return Structure(facts, measure_classes(code, facts))
+
+
+def _place(file: SourceFile) -> tuple[str, str, str]:
+    """Where the facts of a file are kept: their kind, the path, and all that they depend on."""
+    return f"measured-{file.language}", file.path, f"{digest(OF_MEASURES)} {file.digest}"
+
+
+def _read(workspace: Workspace, path: str, language: str) -> object:
+    if language == "cpp":
+        from haros_ci.measuring.cpp import read_cpp as read
+    else:
+        from haros_ci.measuring.python import read_python as read
+    return to_json(read(workspace.text(path)))
+
+
+def function_values(function: FunctionFacts) -> dict[str, int]:
+    """A function's metrics by name, those of its syntax."""
+    return {
+        "nested-control": function.nesting,
+        "function-calls": function.calls,
+        "unique-function-calls": function.distinct,
+        "static-path-count": function.paths,
+    }
+
+
+def class_values(each: Measured) -> dict[str, int]:
+    """A class's metrics by name; one without methods has no weight and nothing available."""
+    found = {"coupling": len(each.coupled), "depth-in-tree": each.depth, "number-of-children": each.children}
+    if each.facts.methods:
+        found |= {"weighted-methods": each.weighted_methods, "methods-available": each.facts.available}
+    return found
+
+
+def _of_structure(found: Structure, workspace: Workspace, packages: Mapping[str, str]) -> Iterator[Measurement]:
+    for path, facts in found.facts.items():
+        if not workspace.reports_on(path):
+            continue
+        for function in facts.functions:
+            title = found.title(path, function)
+            for metric, value in function_values(function).items():
+                yield Measurement(packages[path], path, function.line, *title, metric, value)
+    for each in found.classes.every:
+        path = each.source.path
+        for metric, value in class_values(each).items() if workspace.reports_on(path) else ():
+            yield Measurement(packages[path], path, each.facts.line, each.facts.name, "", metric, value)
+
+
+def _of_runs(runs: Iterable[Run], packages: Mapping[str, str], found: Structure) -> Iterator[Measurement]:
+    """What lizard and radon measured, under the names that the syntax has for the functions at the same places."""
+    at: dict[tuple[str, int], list[FunctionFacts]] = defaultdict(list)
+    for path, facts in found.facts.items():
+        for function in facts.functions:
+            at[path, function.line].append(function)
+    for run in runs:
+        for result in run.results:
+            path, line, scope = result.location.path, result.location.line or 0, result.scope
+            here = at.get((path, line), ())
+            same = here if len(here) == 1 else [each for each in here if _last(each.name) == _last(scope)]
+            title = found.title(path, same[0]) if scope and same else ("", scope)
+            if result.value is not None:
+                yield Measurement(packages.get(path, ""), path, line, *title, result.rule, result.value)
+
+
+def _last(name: str) -> str:
+    """The last part of a name in either language."""
+    return name.rpartition("::")[2].rpartition(".")[2]
+
+
+def problems(found: Structure, workspace: Workspace) -> Iterator[Notification]:
+    """What the syntax does not tell: files and functions that cannot be read."""
+    for path, facts in found.facts.items():
+        for line, message in facts.problems if workspace.reports_on(path) else ():
+            yield Notification(Level.WARNING, message, TOOL, path, line)

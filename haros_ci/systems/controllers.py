@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Controllers of ros2_control: nodes in a controller manager's process, loaded because a ``spawner`` asks for them.
+
+What counts is controller_manager/spawner.py and controller_manager.cpp of ros-controls/ros2_control: a controller is called as the
+spawner says, in the manager's namespace, and its class is the manager's parameter ``<name>.type``, which the spawner sets
+from the parameter files that it is given.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+
+from haros_ci.graph.names import clean
+from haros_ci.graph.ros2_process import Parameters
+from haros_ci.graph.words import shell_words
+from haros_ci.model.architecture import Unknown
+from haros_ci.model.launch import LaunchedNode, ParameterRule
+from haros_ci.model.location import Location
+from haros_ci.values.abstract import Known, Opaque
+
+PACKAGE = "controller_manager"
+MANAGER, SPAWNERS = "ros2_control_node", ("spawner", "spawner.py")
+#: What the manager is called unless something says otherwise.
+DEFAULT = "controller_manager"
+#: Options of a spawner that a value follows, by what they are short for.
+TAKING = {
+    "-c": "--controller-manager",
+    "-n": "--namespace",
+    "-p": "--param-file",
+    "-t": "--controller-type",
+    **{
+        name: name
+        for name in (
+            "--controller-manager",
+            "--namespace",
+            "--param-file",
+            "--controller-type",
+            "--controller-ros-args",
+            "--controller-manager-timeout",
+            "--switch-timeout",
+            "--service-call-timeout",
+        )
+    },
+}
+
+
+@dataclass(slots=True)
+class _Asked:
+    """A controller that a spawner asks for, and what it is given there."""
+
+    name: str
+    files: list[str]
+    ros_arguments: list[str]
+
+
+def with_controllers(
+    nodes: tuple[LaunchedNode, ...], rules_of: Callable[[str, Location], Iterable[ParameterRule]]
+) -> tuple[LaunchedNode, ...]:
+    """*nodes*, each spawner of them under its own name, and the controllers that they bring; each controller once.
+
+    A controller is of kind ``node``; its container is the manager. *rules_of* reads a parameter file that is named at a place.
+    """
+    if not any(_is_spawner(node) for node in nodes):
+        return nodes
+    managers = {
+        clean(f"{node.namespace or '/'}/{node.name or DEFAULT}"): node
+        for node in nodes
+        if node.package == PACKAGE and node.type == MANAGER
+    }
+    found: list[LaunchedNode] = []
+    for node in nodes:
+        if not _is_spawner(node):
+            found.append(node)
+            continue
+        options, asked = _asked(_words(node.arguments))
+        if node.name is None and asked and "?" not in asked[0].name:
+            node = replace(node, name=f"spawner_{asked[0].name}")
+        found.append(node)
+        for item in asked:
+            made = _controller(node, item, options, managers, rules_of)
+            known = next((n for n, each in enumerate(found) if _is_same(each, made)), None)
+            if known is None:
+                found.append(made)
+            elif len(made.conditions) < len(found[known].conditions):
+                found[known] = made
+    return tuple(found)
+
+
+def _is_spawner(node: LaunchedNode) -> bool:
+    return node.package == PACKAGE and node.type in SPAWNERS
+
+
+def _is_same(one: LaunchedNode, other: LaunchedNode) -> bool:
+    ours = (one.name, one.namespace, one.container)
+    return other.name is not None and ours == (other.name, other.namespace, other.container)
+
+
+def _words(text: str) -> list[str]:
+    words = shell_words(text)
+    return words[: words.index("--ros-args")] if "--ros-args" in words else words
+
+
+def _asked(words: Iterable[str]) -> tuple[dict[str, str], list[_Asked]]:
+    """The options of a spawner with one value each, and the controllers in order (``parse_native_args``)."""
+    options: dict[str, str] = {}
+    files: list[str] = []
+    arguments: list[str] = []
+    found: list[_Asked] = []
+    option, one = "", None
+    for word in words:
+        if option:
+            option, name = "", option
+            if name == "--controller":
+                one = _Asked(word, [], [])
+                found.append(one)
+            elif name == "--param-file":
+                (files if one is None else one.files).append(word)
+            elif name == "--controller-ros-args":
+                (arguments if one is None else one.ros_arguments).append(word)
+            else:
+                options[name] = word
+            continue
+        head, sign, rest = word.partition("=")
+        if word == "--controller":
+            option = word
+        elif word.startswith("-") and head in TAKING and sign:
+            if TAKING[head] == "--param-file":
+                (files if one is None else one.files).append(rest)
+            elif TAKING[head] == "--controller-ros-args":
+                (arguments if one is None else one.ros_arguments).append(rest)
+            else:
+                options[TAKING[head]] = rest
+        elif word in TAKING:
+            option = TAKING[word]
+        elif word and not word.startswith("-"):
+            found.append(_Asked(word, [], []))
+    for each in found:
+        each.files[:0] = files
+        each.ros_arguments[:0] = arguments
+    return options, found
+
+
+def _controller(
+    spawner: LaunchedNode,
+    asked: _Asked,
+    options: dict[str, str],
+    managers: dict[str, LaunchedNode],
+    rules_of: Callable[[str, Location], Iterable[ParameterRule]],
+) -> LaunchedNode:
+    called = options.get("--controller-manager", DEFAULT)
+    space = options.get("--namespace", spawner.namespace or "/")
+    full = clean(called if called.startswith("/") else f"/{space}/{called}")
+    manager = managers.get(full)
+    namespace = full.rpartition("/")[0] or "/"
+    own = clean(f"{namespace}/{asked.name}")
+    rules = [*(manager.parameters if manager is not None else ()), *spawner.parameters]
+    for path in asked.files:
+        rules += rules_of(path, spawner.location)
+    given = Parameters(rules)
+    kind, why = _type(asked.name, own, full, options, given, manager is not None)
+    unknowns: list[Unknown] = []
+    if why is not None:
+        unknowns.append(Unknown("type", why.reason, why.location or spawner.location))
+    if "?" in own:
+        unknowns.append(Unknown("name", "what the spawner is told is not known", spawner.location))
+    return LaunchedNode(
+        kind="node",
+        package=kind.partition("/")[0],
+        type=kind,
+        location=spawner.location,
+        name=asked.name,
+        namespace=namespace,
+        container=full,
+        parameters=tuple(rules),
+        remaps=manager.remaps if manager is not None else (),
+        ros_arguments=" ".join(asked.ros_arguments),
+        conditions=spawner.conditions,
+        presence=spawner.presence,
+        unknowns=tuple(unknowns),
+    )
+
+
+def _type(
+    name: str, own: str, manager: str, options: dict[str, str], given: Parameters, is_started: bool
+) -> tuple[str, Opaque | None]:
+    """``package/Class`` of a controller, ``?`` with the reason if it is not known."""
+    if "?" in name:
+        return "?", None
+    if "--controller-type" in options:
+        return options["--controller-type"], None
+    values = (given.get(own, "type"), given.get(manager, f"{name}.type"))
+    for value in values:
+        if isinstance(value, Known) and isinstance(value.value, str) and "/" in value.value:
+            return value.value, None
+    for value in values:
+        if isinstance(value, Opaque):
+            return "?", value
+    what = f"nothing sets the parameter {name}.type of {manager}"
+    return "?", Opaque(what if is_started else f"{what}, which no launch file starts")

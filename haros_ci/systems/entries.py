@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where node types begin: an executable's ``main``, a nodelet's class, a Python script; and the files they are made of."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from haros_ci.follow.follow import Entry
+from haros_ci.index.index import Index, Source, aliased, is_test
+from haros_ci.model.build import Build, PluginClass, Target
+from haros_ci.syntax import Class
+
+#: The base class that a plug-in needs to be a nodelet.
+NODELET = "nodelet::Nodelet"
+
+#: Targets by name, and by package and name.
+Linkable = tuple[dict[str, Target], dict[str, dict[str, Target]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Programs:
+    """The workspace's programs by language and path, with their indexes and what the packages build."""
+
+    cpp: Index
+    python: Index
+    sources: Mapping[str, Source]
+    builds: Mapping[str, Build]
+
+    def index_of(self, entry: Entry) -> Index:
+        return self.python if entry.source.program.language == "python" else self.cpp
+
+
+def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
+    """All node types that can be started, by package and executable: where each begins, and its files.
+
+    Those that are built for tests only come with *tests*.
+    """
+    found: dict[tuple[str, str], tuple[Entry, frozenset[str]]] = {}
+    named = linkable(programs)
+    for package, build in sorted(programs.builds.items()):
+        for target in build.targets:
+            if target.kind != "executable" or (target.is_test and not tests):
+                continue
+            files = files_of(programs, target, named)
+            entry = _main(programs, (*target.sources, *target.conditional_sources))
+            if entry is not None:
+                found.setdefault((package, target.output), (entry, files))
+        for path in build.scripts:
+            source = programs.sources.get(path)
+            if source is not None and source.program.language == "python":
+                found.setdefault((package, posixpath.basename(path)), (Entry(source), frozenset((path,))))
+        for installed in build.installed:
+            source = programs.sources.get(installed.path)
+            if installed.kind == "program" and source is not None and source.program.language == "python":
+                name = installed.name or posixpath.basename(installed.path)
+                found.setdefault((package, name), (Entry(source), frozenset((installed.path,))))
+    return found
+
+
+def plugins(programs: Programs) -> dict[str, tuple[Source, Class]]:
+    """All classes that plug-in descriptions name, by look-up name and by type: where they are defined."""
+    found: dict[str, tuple[Source, Class]] = {}
+    for described, source, definition, _ in described_classes(programs):
+        found.setdefault(described.name, (source, definition))
+        found.setdefault(described.type.strip(), (source, definition))
+    return found
+
+
+def plugins_of_base(programs: Programs) -> dict[str, tuple[tuple[Source, Class], ...]]:
+    """The classes that plug-in descriptions name by their base class, in the order of their names, but for tests' own."""
+    found: dict[str, dict[str, tuple[Source, Class]]] = {}
+    for described, source, definition, _ in described_classes(programs):
+        if is_test(source.path):
+            continue
+        base = described.base.replace(" ", "").removeprefix("::")
+        found.setdefault(base, {}).setdefault(definition.name, (source, definition))
+    return {base: tuple(each for _, each in sorted(classes.items())) for base, classes in found.items()}
+
+
+def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozenset[str]]]:
+    """All nodelet classes by look-up name: the description, where each begins, and its library's files."""
+    found: dict[str, tuple[PluginClass, Entry, frozenset[str]]] = {}
+    for described, source, definition, files in described_classes(programs):
+        if described.base.replace(" ", "") == NODELET:
+            entry = Entry(source, definition=definition)
+            found.setdefault(described.name, (described, entry, files))
+            found.setdefault(described.type.strip().replace("::", "/"), (described, entry, files))
+    return found
+
+
+def plugin_files(programs: Programs) -> list[tuple[str, frozenset[str]]]:
+    """For each class that a plug-in description names, the last part of its base's name, and the files of its library."""
+    return [
+        (plugin.base.replace(" ", "").rpartition("::")[2], files | {source.path})
+        for plugin, source, _, files in described_classes(programs)
+    ]
+
+
+def described_classes(programs: Programs) -> Iterator[tuple[PluginClass, Source, Class, frozenset[str]]]:
+    """Each described class with its definition and the files of its library."""
+    for _, build in sorted(programs.builds.items()):
+        for plugin in build.plugins:
+            library = posixpath.basename(plugin.library).removeprefix("lib")
+            targets = [t for t in build.targets if t.kind == "library" and library in (t.output, t.name)]
+            files = files_of(programs, targets[0]) if targets else frozenset[str]()
+            name = plugin.type.strip().partition("<")[0]
+            name = name if name in programs.cpp.classes else aliased(programs.cpp, name) or name
+            candidates = sorted(
+                (item for item in programs.cpp.classes.get(name, ()) if item[1].bases or item[1].fields),
+                key=lambda item: (item[0].path not in files, item[0].package != plugin.package, item[0].path),
+            )
+            if candidates:
+                yield plugin, *candidates[0], files
+
+
+def files_of(programs: Programs, target: Target, named: Linkable | None = None) -> frozenset[str]:
+    """The sources of a target and of all workspace libraries that it links, transitively; *named* is ``linkable``, made once for many."""
+    if not target.links:
+        return frozenset((*target.sources, *target.conditional_sources))
+    by_name, in_packages = named or linkable(programs)
+    local = in_packages.get(target.package, {})
+    files: set[str] = set()
+    seen: set[str] = set()
+    waiting = [target]
+    while waiting:
+        current = waiting.pop()
+        files.update(current.sources)
+        files.update(current.conditional_sources)
+        for link in current.links:
+            linked = local.get(link) or by_name.get(link)
+            if linked is not None and linked.name not in seen:
+                seen.add(linked.name)
+                waiting.append(linked)
+    return frozenset(files)
+
+
+def linkable(programs: Programs) -> Linkable:
+    """What can be linked by name: from anywhere, and within each package."""
+    every = [t for build in programs.builds.values() for t in build.targets if t.kind != "executable"]
+    by_name = {t.name: t for t in every} | {f"{t.package}::{t.name}": t for t in every}
+    return by_name, {name: {t.name: t for t in build.targets} for name, build in programs.builds.items()}
+
+
+def _main(programs: Programs, paths: Iterable[str]) -> Entry | None:
+    for path in paths:
+        source = programs.sources.get(path)
+        if source is None:
+            continue
+        for function in source.program.functions:
+            if function.name == "main" and function.body is not None:
+                return Entry(source, function)
+        for macro, arguments, _, _ in source.program.registered:  # a main that a macro writes
+            if macro.endswith("MAIN") and arguments:
+                return None
+    return None

@@ -1,0 +1,330 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From facts to the architecture: every configuration that is asked for, or that the launch files suggest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import islice
+from typing import Any
+
+from haros_ci.follow.libraries import yaml as library_yaml
+from haros_ci.follow.ros import behavior_trees
+from haros_ci.follow.run import Exact
+from haros_ci.graph.names import clean
+from haros_ci.graph.parameters import ParameterServer
+from haros_ci.index.index import Source
+from haros_ci.keeping.kept import Followed
+from haros_ci.launch.ros1.entry import entry_files
+from haros_ci.launch.ros1.roslaunch import evaluate
+from haros_ci.launch.ros2.dialect import is_ros2_file
+from haros_ci.launch.ros2.entry import entry_files as ros2_entry_files
+from haros_ci.launch.ros2.evaluate import launch_system
+from haros_ci.launch.ros2.parameter_files import parameter_file
+from haros_ci.launch.ros2.places import Places
+from haros_ci.model.api import Row
+from haros_ci.model.architecture import LIBRARY, Architecture, Configuration, Node, Parameter
+from haros_ci.model.build import Build
+from haros_ci.model.launch import LaunchFile
+from haros_ci.model.launch_actions import Description
+from haros_ci.model.launch_facts import LaunchFact
+from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.systems import (
+    controllers,
+    keeping,
+    present,
+    ros2_hosts,
+    ros2_library,
+    ros2_library_classes,
+    ros2_library_modules,
+    ros2_system,
+    system,
+)
+from haros_ci.systems.keeping import Keeper
+from haros_ci.systems.launch_facts import Completion
+from haros_ci.systems.node_types import path_name, types_of
+from haros_ci.systems.ros2_library import Library, Seen
+from haros_ci.systems.system import Job, KnownNodes, Types
+
+#: A node with its endpoints, and what went wrong.
+Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
+#: Does jobs, each of a group that has work in common, and gives their results in order.
+Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
+
+
+def in_turn(jobs: Sequence[Callable[[], Any]], groups: Sequence[Hashable]) -> Sequence[Any]:
+    """Do the jobs here, one after the other."""
+    return [job() for job in jobs]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wanted:
+    """A configuration that a project file or the command line names. *launch* are root-relative paths."""
+
+    name: str
+    launch: tuple[str, ...]
+    arguments: Mapping[str, str] = field(default_factory=dict)
+    environment: Mapping[str, str] = field(default_factory=dict)
+    user_data: Any = None
+    closed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Ros2Launch:
+    """Launch files of ROS 2: *load* gives the description of one in any dialect, None if it is none; *places* finds files."""
+
+    load: Callable[[str], Description | None]
+    places: Places
+    memo: dict[tuple[object, ...], Any] = field(default_factory=dict)
+
+    def entries(self, workspace: Workspace, environment: Mapping[str, str]) -> tuple[str, ...]:
+        """The launch files that a workspace is started by."""
+        is_ros2 = is_ros2_file(workspace)
+        return ros2_entry_files(workspace, self.load, self.places, is_ros2, self.memo, environment)
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """What the launch files of a configuration start, as jobs; and what else they say.
+
+    *others* and *other_parameters* are there with other launch arguments only.
+    """
+
+    jobs: tuple[Job, ...]
+    parameters: tuple[Parameter, ...]
+    arguments: tuple[tuple[str, Any], ...]
+    problems: tuple[Problem, ...]
+    others: tuple[Job, ...] = ()
+    other_parameters: tuple[Parameter, ...] = ()
+    facts: tuple[LaunchFact, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Linked:
+    """An architecture; *under* gives a configuration of it by its name, with some launch arguments set otherwise.
+
+    It is linked as any other, with what has been followed before; None if no launch file starts it. *builds* and *sources* are what was
+    linked.
+    """
+
+    architecture: Architecture
+    under: Callable[[str, Mapping[str, str]], Configuration | None]
+    builds: Mapping[str, Build]
+    sources: tuple[Source, ...]
+
+
+def open_(
+    types: Types,
+    workspace: Workspace,
+    load: Callable[[str], LaunchFile | None],
+    ros2: Ros2Launch | None,
+    wanted: Wanted,
+    environment: Mapping[str, str],
+    alternatives: bool = False,
+) -> Opened:
+    """Evaluate the launch files of a configuration, each in its own dialect; perhaps with what other arguments start."""
+    newer = tuple(path for path in wanted.launch if ros2 is not None and ros2.load(path) is not None)
+    older = tuple(path for path in wanted.launch if path not in newer)
+    jobs: list[Job] = []
+    parameters: tuple[Parameter, ...] = ()
+    arguments: list[tuple[str, Any]] = []
+    problems: list[Problem] = []
+    others: list[Job] = []
+    other_parameters: tuple[Parameter, ...] = ()
+    facts: list[LaunchFact] = []
+    if older or not newer:
+        launched = evaluate(older, workspace, load, wanted.arguments, environment, alternatives)
+        server = ParameterServer(launched.parameters)
+        jobs += [system.launched(types, each, server) for each in launched.nodes if not each.is_test]
+        others += present.launched(types, launched)
+        parameters, other_parameters = launched.parameters, launched.alternative_parameters
+        arguments += launched.arguments
+        problems += launched.problems
+        facts += launched.facts
+    if newer and ros2 is not None:
+        found = launch_system(
+            newer, workspace, ros2.load, wanted.arguments, environment, ros2.places, ros2.memo, alternatives
+        )
+        nodes = controllers.with_controllers(found.nodes, partial(parameter_file, ros2.places))
+        containers = {clean(f"{each.namespace or '/'}/{each.name}"): each for each in nodes if each.name is not None}
+        jobs += [ros2_system.launched(types, each, containers) for each in nodes]
+        others += present.ros2_launched(types, found, partial(parameter_file, ros2.places))
+        arguments += found.arguments
+        problems += found.problems
+        facts += found.facts
+    return Opened(
+        tuple(jobs), parameters, tuple(arguments), tuple(problems), tuple(others), other_parameters, tuple(facts)
+    )
+
+
+def linked(
+    workspace: Workspace,
+    sources: tuple[Source, ...],
+    load: Callable[[str], LaunchFile | None],
+    builds: Mapping[str, Build],
+    rows: Mapping[tuple[str, int], Iterable[Row]],
+    *,
+    wanted: tuple[Wanted, ...] | None = None,
+    environment: Mapping[str, str] | None = None,
+    known: KnownNodes | None = None,
+    exact: Exact | None = None,
+    share: Share = in_turn,
+    keeper: Keeper | None = None,
+    ros2: Ros2Launch | None = None,
+    alternatives: bool = False,
+) -> Linked:
+    """The architecture of *workspace*.
+
+    *sources* are its C++ and Python programs, *load* gives a launch file's facts, *rows* the API rows by language. Without
+    *wanted*, every launch file that no other includes is a configuration, and every node type that none of them starts
+    is one alone. *known* tells what is known of node types that are not of the workspace, *exact* what the exact
+    tier knows of calls. *share* does the jobs of following nodes; it may do them in other processes. *keeper* has what
+    earlier runs followed, *ros2* reads launch files of ROS 2. With *alternatives* each configuration has the nodes that
+    are there with other launch arguments, too.
+    """
+    types = types_of(workspace, sources, builds, rows, known or (lambda package, name, ros: None), exact, load)
+    problems: dict[Problem, None] = {}
+    configurations: list[Configuration] = []
+    if wanted is None:
+        paths = (
+            *entry_files(workspace, load),
+            *(ros2.entries(workspace, environment or {}) if ros2 is not None else ()),
+        )
+        chosen = tuple(Wanted(name=path_name(workspace, path), launch=(path,)) for path in sorted(paths))
+    else:
+        chosen = wanted
+    jobs: list[Job] = []
+    others: list[Job] = []
+    started: set[tuple[str, str]] = set()
+    opened: list[tuple[Wanted, Opened]] = []
+    for item in chosen:
+        seen = {**item.environment, **(environment or {})}
+        each = open_(types, workspace, load, ros2, item, seen, alternatives)
+        problems.update(dict.fromkeys(each.problems))
+        started.update((job.node.package, job.node.type) for job in each.jobs)
+        opened.append((item, each))
+        jobs += each.jobs
+        others += each.others
+    if wanted is None:
+        linked_to = started & types.startable.keys() - types.executables.keys()
+        behind_links = {types.startable[each][1] for each in linked_to}
+        for package, name in sorted(types.executables):
+            if (package, name) not in started and types.executables[package, name][1] not in behind_links:
+                jobs.append(system.alone(types, package, name))
+        jobs += ros2_alone(types, started)
+        jobs += ros2_hosts.hosts(types)
+        for described, _, _ in dict.fromkeys(types.nodelets.values()):
+            if system.type_of(described.name, described) not in started:
+                jobs.append(system.standalone(types, described.name))
+    key = keeping.key_of(types, rows) if keeper is not None else ""
+    old = keeping.take_up(types, keeper, key) if keeper is not None else []
+    every = (*jobs, *others)
+    order = sorted(
+        range(len(every)), key=lambda number: -every[number].size
+    )  # large ones first: nobody waits at the end
+    work = [partial(_worked, types, every[number]) for number in order]
+    done = dict(zip(order, share(work, [every[number].group for number in order]), strict=True))
+    made = ros2_library.seen_in(node for number in range(len(jobs)) for node in done[number][0][0])
+    more = [ros2_library.job(types, each) for each in _libraries(types, made)] if wanted is None else []
+    brought = share([partial(_worked, types, job) for job in more], [job.group for job in more])
+    if keeper is not None:
+        keeping.hand_on(keeper, key, old, [each for _, fresh in (*done.values(), *brought) for each in fresh])
+    present.remember(types, (fresh for _, fresh in (*done.values(), *brought)))
+    results = (done[number][0] for number in range(len(jobs)))
+    other_results = (done[number][0] for number in range(len(jobs), len(every)))
+    completion = Completion(workspace, builds, types)
+    for item, each in opened:
+        followed = list(islice(results, len(each.jobs)))
+        problems.update(dict.fromkeys(problem for _, said in followed for problem in said))
+        configurations.append(
+            _configuration(completion, item, each, followed, list(islice(other_results, len(each.others))))
+        )
+    for (nodes, said), job in zip(results, jobs[sum(len(each.jobs) for _, each in opened) :], strict=True):
+        node = nodes[0]
+        if job.label:
+            reason = library_yaml.ANY if job.label == ros2_system.PLUGINS else behavior_trees.ANY
+            if any(unknown.reason == reason for unknown in node.unknowns):
+                configurations.append(Configuration(name=f"{node.package}/{node.type} ({job.label})", nodes=nodes))
+        elif node.kind != system.PROGRAM:
+            problems.update(dict.fromkeys(said))
+            name = f"{node.package}/{node.type}"
+            taken = node.kind == "nodelet" and any(c.name == name for c in configurations)
+            configurations.append(Configuration(name=f"{name} (nodelet)" if taken else name, nodes=nodes))
+    for (nodes, _), _ in brought:
+        if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
+            name = f"{nodes[0].package}/{nodes[0].type} ({LIBRARY})"
+            configurations.append(Configuration(name=name, nodes=nodes))
+    for build in builds.values():
+        problems.update(dict.fromkeys(build.problems))
+    items = {item.name: item for item, _ in opened}
+
+    def under(name: str, assignment: Mapping[str, str]) -> Configuration | None:
+        if name not in items:
+            return None
+        item = replace(items[name], arguments={**items[name].arguments, **assignment})
+        each = open_(types, workspace, load, ros2, item, {**item.environment, **(environment or {})})
+        return _configuration(completion, item, each, [job.follow() for job in each.jobs], ())
+
+    found = Architecture(
+        configurations=tuple(configurations),
+        packages=workspace.packages,
+        problems=tuple(sorted(problems, key=lambda p: (p.path, p.line or 0, p.message))),
+    )
+    return Linked(found, under, builds, sources)
+
+
+def _configuration(
+    completion: Completion, item: Wanted, each: Opened, followed: Sequence[Result], others: Sequence[Result]
+) -> Configuration:
+    """The configuration *item* of what its jobs have given."""
+    done = (*zip(each.jobs, followed, strict=True), *zip(each.others, others, strict=True))
+    files = dict.fromkeys(fact for job, (nodes, _) in done for fact in completion.given(job, nodes))
+    return Configuration(
+        name=item.name,
+        launch=tuple(path_name(completion.workspace, path) for path in item.launch),
+        nodes=tuple(node for nodes, _ in followed for node in nodes),
+        parameters=(*each.parameters, *_given(each.jobs, followed)),
+        arguments=tuple((name, str(value)) for name, value in each.arguments),
+        user_data=item.user_data,
+        closed=item.closed,
+        launch_facts=(*completion.completed(each.facts), *files),
+        alternatives=tuple(node for nodes, _ in others for node in nodes),
+        alternative_parameters=(*each.other_parameters, *_given(each.others, others)),
+    )
+
+
+def _given(jobs: Sequence[Job], results: Sequence[Result]) -> tuple[Parameter, ...]:
+    return ros2_system.given_parameters(
+        (node, job.parameters)
+        for job, (nodes, _) in zip(jobs, results, strict=True)
+        for node in nodes
+        if job.parameters is not None
+    )
+
+
+def _worked(types: Types, job: Job) -> tuple[Result, list[tuple[Any, Followed]]]:
+    """What a job gives, and all that was followed for it."""
+    before = len(types.fresh)
+    return job.follow(), types.fresh[before:]
+
+
+def _libraries(types: Types, made: Seen) -> Iterator[Library]:
+    yield from ros2_library_classes.libraries(types, made)
+    yield from ros2_library_modules.libraries(types, made)
+
+
+def ros2_alone(types: Types, started: set[tuple[str, str]]) -> Iterator[Job]:
+    """The ROS 2 node types that nothing starts: executables, and components that no executable runs."""
+    tables = (types.components, types.ros2_programs)
+    running = {id(table[each][0]) for table in tables for each in started if each in table}
+    for package, name in sorted(types.ros2_programs):
+        entry = types.ros2_programs[package, name][0]
+        if (package, name) not in started and id(entry) not in running:
+            running.add(id(entry))
+            yield ros2_system.alone(types, package, name)
+    for package, name in sorted(types.components):
+        if id(types.components[package, name][0]) not in running:
+            yield ros2_system.alone(types, package, name, is_component=True)
+    for package, name in sorted(types.hosted):
+        yield ros2_system.plugin(types, package, name)

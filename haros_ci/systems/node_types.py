@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The node types of a workspace: where each begins, and all that following them needs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+
+from haros_ci.follow.follow import Entry
+from haros_ci.follow.ros import api_rows
+from haros_ci.follow.run import Exact
+from haros_ci.graph.parameters import yaml_reader
+from haros_ci.index import behavior_tree_files
+from haros_ci.index.behavior_tree_files import TreeFiles
+from haros_ci.index.index import BEHAVIOR_TREE_NODE, Source, build_index
+from haros_ci.index.relevance import Relevance
+from haros_ci.index.xml_files import Reader
+from haros_ci.model.api import Row
+from haros_ci.model.build import Build
+from haros_ci.model.launch import LaunchFile
+from haros_ci.model.workspace import Workspace
+from haros_ci.substitutions.files import files_of
+from haros_ci.systems import ros2_entries
+from haros_ci.systems.entries import Programs, executables, nodelets, plugin_files, plugins, plugins_of_base
+from haros_ci.systems.system import KnownNodes, Types
+
+
+def types_of(
+    workspace: Workspace,
+    sources: Iterable[Source],
+    builds: Mapping[str, Build],
+    rows: Mapping[tuple[str, int], Iterable[Row]],
+    known: KnownNodes,
+    exact: Exact | None = None,
+    load: Callable[[str], LaunchFile | None] = lambda path: None,
+) -> Types:
+    """The node types of a workspace, ready to be followed."""
+    by_path = {source.path: source for source in sorted(sources, key=lambda s: s.path)}
+    cpp = build_index(s for s in by_path.values() if s.program.language != "python")
+    python = build_index(s for s in by_path.values() if s.program.language == "python")
+    python.interfaces = frozenset(each.name for build in builds.values() for each in build.interfaces)
+    cpp.defined = {build.package: build.defined for build in builds.values() if build.defined}
+    python.packages = frozenset(package.name for package in workspace.packages)
+    programs = Programs(cpp, python, by_path, builds)
+    tables: dict[tuple[str, int], dict[str, tuple[Row, ...]]] = {}
+    for version, items in rows.items():
+        table: dict[str, list[Row]] = {}
+        for row in items:
+            table.setdefault(row.call, []).append(row)
+        tables[version] = {name: tuple(found) for name, found in table.items()}
+    libraries = (row for version, items in rows.items() if version[0] == "cpp" for row in items)
+    cpp.library = frozenset(name for row in libraries for name in api_rows.names_of(row))
+    configs = {
+        f"{config.package}::{config.name}Config": config
+        for _, build in sorted(builds.items())
+        for config in build.configs
+    }
+    relevance = {
+        version: Relevance(
+            python if version[0] == "python" else cpp, [row for found in table.values() for row in found]
+        )
+        for version, table in tables.items()
+    }
+    files = files_of(workspace)
+    reader, xml = yaml_reader(files), Reader(load, files)
+    tree_libraries = behavior_tree_files.library_files(cpp, builds)
+    versions = {package.name: package.ros for package in workspace.packages}
+    ordinary = of_version(executables(programs), versions, 1)
+    every = of_version({**linked(workspace, programs), **executables(programs, tests=True)}, versions, 1)
+    startable = {**every, **ordinary}
+    loadable = of_version(ros2_entries.components(programs), versions, 2)
+    return Types(
+        programs,
+        ordinary,
+        startable,
+        nodelets(programs),
+        tables,
+        plugins(programs),
+        [*plugin_files(programs), *((BEHAVIOR_TREE_NODE, found) for found in tree_libraries)],
+        relevance,
+        configs,
+        reader,
+        known,
+        exact=exact,
+        of_base=plugins_of_base(programs),
+        ros2_programs=of_version(ros2_entries.programs_of(programs, loadable), versions, 2),
+        components=loadable,
+        hosted=of_version(ros2_entries.hosted(programs, tables.get(("cpp", 2), {})), versions, 2),
+        trees=TreeFiles(xml, cpp, builds) if behavior_tree_files.users(cpp) else None,
+        xml=xml,
+        versions=versions,
+    )
+
+
+def of_version(
+    found: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]], versions: Mapping[str, int | None], ros: int
+) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
+    """Of node types those in packages of that ROS version; packages that do not tell are of ROS 1."""
+    return {key: entry for key, entry in found.items() if (versions.get(key[0]) == 2) == (ros == 2)}
+
+
+def linked(workspace: Workspace, programs: Programs) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
+    """The Python scripts that can be started by the names of symbolic links to them, as ``executables`` has them."""
+    scripts = {path for build in programs.builds.values() for path in build.scripts}
+    found = {}
+    for path, target in workspace.links:
+        package = path_name(workspace, path).partition("/")[0]
+        if target in scripts and target in programs.sources and package in programs.builds:
+            found[package, path.rpartition("/")[2]] = Entry(programs.sources[target]), frozenset((target,))
+    return found
+
+
+def path_name(workspace: Workspace, path: str) -> str:
+    """``package/path`` as HAROS project files name launch files; the path itself outside any package."""
+    best = None
+    for package in workspace.packages:
+        inside = package.path == "." or path.startswith(f"{package.path}/")
+        if inside and (best is None or len(package.path) > len(best.path)):
+            best = package
+    if best is None:
+        return path
+    rest = path if best.path == "." else path[len(best.path) + 1 :]
+    return f"{best.name}/{rest}"

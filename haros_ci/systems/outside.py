@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Nodes that cannot be followed: what is known of their type, else why there is nothing to follow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from haros_ci.graph.names import clean
+from haros_ci.graph.parameters import Perhaps
+from haros_ci.graph.ros2_process import RosNode
+from haros_ci.graph.ros2_process import reason as reason_of
+from haros_ci.graph.words import split as words_of
+from haros_ci.model.architecture import Node, Unknown
+from haros_ci.model.location import Location
+from haros_ci.systems.entries import Programs
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.ros2_implicit import implicit
+from haros_ci.values.abstract import Known, Value, data_of, opaque_of
+
+if TYPE_CHECKING:
+    from haros_ci.graph.ros2_process import Parameters, Rule
+    from haros_ci.model.launch import LaunchedNode
+    from haros_ci.systems.system import Types
+
+#: Why the name of a ROS 2 node is not known.
+UNNAMED = "the program names itself, and its code is not in the workspace"
+
+
+def described(
+    node: Node,
+    programs: Programs,
+    known: KnownNode | None,
+    namespace: str,
+    arguments: tuple[str, ...],
+    parameter: Callable[[str], Value | None],
+    remaps: Mapping[str, str],
+) -> Node:
+    """*node* with what is *known* of its type, if anything is; else with an unknown in place of endpoints."""
+    if known is None:
+        reason = why(programs, node.package, node.type, look_up(node) if node.kind == "nodelet" else None)
+        return replace(node, unknowns=(*node.unknowns, Unknown("endpoints", reason, node.location)))
+
+    def data(full: str) -> object | None:
+        value = parameter(full)
+        if value is None:
+            return None
+        held, plain = data_of(value)
+        if held:
+            given: object = plain
+            return given
+        reason = opaque_of(value)
+        field = "presence" if isinstance(value, Perhaps) else "value"
+        said = reason.reason if reason else "it is not plain data"
+        return Unknown(field, said, reason.location if reason else None)
+
+    ends = instantiate(
+        known,
+        name=node.name,
+        namespace=namespace,
+        arguments=arguments,
+        parameter=data,
+        remap=lambda full: remaps.get(full, full),
+    )
+    return replace(node, endpoints=ends)
+
+
+def look_up(node: Node) -> str:
+    """What a node type goes by: the name that a nodelet is loaded by, else the executable."""
+    return f"{node.package}/{node.type}" if node.kind == "nodelet" and node.package else node.type
+
+
+def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str:
+    """Why a node that a launch file starts is not followed; *nodelet* is a nodelet's look-up name, None for a node."""
+    what = nodelet or f"{package}/{name}"
+    if "?" in what:
+        return "which program it is, is not known"
+    build = programs.builds.get(package)
+    if nodelet is None and name.startswith(f"{package}/"):  # a plug-in, such as a controller
+        if build is None:
+            return f"the code of {name} is not in the workspace"
+        return f"{name} is in the workspace, but what calls it is not: it is not followed"
+    if nodelet is not None:
+        described_ones = (each for made in programs.builds.values() for each in made.plugins)
+        types = [each.type.strip() for each in described_ones if each.name == nodelet]
+        if types:
+            return f"the class {types[0]} of the nodelet {what} was not found in the workspace"
+        if build is None:
+            return f"the code of {what} is not in the workspace"
+        return f"no plug-in description of the workspace names the nodelet {what}"
+    if build is None:
+        return f"the code of {what} is not in the workspace"
+    for target in build.targets:
+        if target.kind == "executable" and target.output == name:
+            where = f"{target.location.path}:{target.location.line}"
+            return f"no main function was found in the sources of {what} ({where})"
+    return f"package {package} is in the workspace, but no C++ or Python program called {name} was found in it"
+
+
+def ros2_described(node: Node, types: Types, started: LaunchedNode, rules: tuple[Rule, ...], given: Parameters) -> Node:
+    """A ROS 2 *node* whose code is not in the workspace: with what is known of its type, if anything is."""
+    known = types.known(node.package, node.type, 2)
+    if known is None:
+        reason = why(types.programs, node.package, node.type, None)
+        unknowns = [*node.unknowns, Unknown("endpoints", reason, node.location)]
+        if "?" in node.name and not any(each.field == "name" for each in unknowns):
+            unknowns.append(Unknown("name", UNNAMED, node.location))
+        return replace(node, unknowns=tuple(unknowns))
+    last = started.name or known.node_name or "?"
+    space = started.namespace or "/"
+    full = clean(f"{space}/{last}")
+    kind = "lifecycle" if known.lifecycle else node.kind
+    itself = RosNode(full, space, space, kind, "", node.location or Location(""), rules=rules)
+
+    def data(name: str) -> object | None:
+        own, _, inner = name.partition(":")
+        value = given.get(own, inner, under=node.conditions)
+        if value is None:
+            return None
+        held, plain = data_of(value)
+        if held:
+            found: object = plain
+            return found
+        reason = opaque_of(value)
+        field = "presence" if isinstance(value, Perhaps) else "value"
+        return Unknown(field, reason.reason if reason else "it is not plain data", reason.location if reason else None)
+
+    def below(prefix: str) -> tuple[str, ...] | Unknown:
+        if given.unread is not None:
+            return Unknown("presence", reason_of(given.unread), given.unread.location)
+        return tuple(name for name in given.of(full) if name.startswith(prefix))
+
+    def file(path: str) -> object | None:
+        value = types.read_yaml(path)
+        held, plain = data_of(value) if value is not None else (False, None)
+        return plain if held else None
+
+    ends = instantiate(
+        known,
+        name=full,
+        namespace=space,
+        arguments=started_words(started),
+        parameter=data,
+        remap=itself.remap,
+        ros=2,
+        below=below,
+        file=file,
+    )
+    sim = given.get(full, "use_sim_time")
+    added = implicit(full, kind, {}, sim.value if isinstance(sim, Known) else None, node.location, ())
+    there = {(end.kind, end.name) for end in ends}
+    extra = tuple(replace(end, source="known-node") for end in added if (end.kind, end.name) not in there)
+    unknowns = list(node.unknowns)
+    if "?" in full and not any(each.field == "name" for each in unknowns):
+        unknowns.append(Unknown("name", UNNAMED, node.location))
+    return replace(
+        node, name=full, kind=kind, process=node.container or full, endpoints=(*ends, *extra), unknowns=tuple(unknowns)
+    )
+
+
+def started_words(started: LaunchedNode) -> tuple[str, ...]:
+    """The words of a launched node's arguments."""
+    return words_of(started.arguments).rest

@@ -1,0 +1,339 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A ROS 2 configuration: what launch files start, each process followed; every node of it with its own endpoints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from haros_ci.follow.follow import Entry
+from haros_ci.follow.ros.ends import endpoints
+from haros_ci.follow.ros.ros2_nodes import ALONE, SIM_TIME, UNDECLARED
+from haros_ci.follow.run import Context, Made
+from haros_ci.graph.names import clean
+from haros_ci.graph.parameters import ParameterServer
+from haros_ci.graph.remap_rules import of_ros2_node, ros2_rules
+from haros_ci.graph.ros2_process import InContainer, Parameters, Process, RosNode, Rule, ros_arguments, rule_of, schemed
+from haros_ci.graph.words import shell_words
+from haros_ci.keeping.kept import Followed
+from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, RemapRule, Unknown
+from haros_ci.model.launch import LaunchedNode
+from haros_ci.model.location import Location
+from haros_ci.model.presence import together
+from haros_ci.model.workspace import Problem
+from haros_ci.systems import outside
+from haros_ci.systems.ros2_implicit import implicit
+from haros_ci.systems.system import PROGRAM, Job, Types, files_key, followed_in, incomplete, same
+from haros_ci.values.abstract import Known, Opaque, Value
+
+NOTHING = ParameterServer(())
+#: Kinds of endpoints that rules for services rename.
+SERVICES = ("servers", "clients")
+#: What a configuration is called besides in which a node is followed with every plug-in.
+PLUGINS = "plug-ins"
+#: And in which it is followed with the nodes of every behaviour tree.
+TREES = "behaviour trees"
+
+
+@dataclass(frozen=True, slots=True)
+class Started:
+    """A process or component as it is started: its remapping rules, parameters, words of its command line."""
+
+    rules: tuple[Rule, ...]
+    parameters: Parameters
+    words: tuple[str, ...]
+    is_component: bool
+    #: The remapping rules of launch files, with the places they stand at.
+    written: tuple[RemapRule, ...] = ()
+    #: The rules of the container that a component is loaded into.
+    around: tuple[Rule, ...] = ()
+    #: Whether every plug-in that it could load is followed.
+    has_plugins: bool = False
+    #: Whether, of a behaviour tree that is not known, the nodes of every tree of the workspace are.
+    has_trees: bool = False
+
+
+def launched(types: Types, node: LaunchedNode, containers: Mapping[str, LaunchedNode]) -> Job:
+    """What a launch file starts: a process with its nodes, or a component of one of *containers* (by full name)."""
+    started = started_by(node)
+    container = containers.get(node.container or "")
+    if node.kind == "component" and container is not None:
+        whole = clean(f"{node.namespace or '/'}/{node.name}") if node.name is not None else None
+        around = started_by(container).parameters
+        started = replace(started, parameters=InContainer(started.parameters, whole, around))
+    key = (node.package, node.type)
+    found = types.components.get(key) if node.kind == "component" else types.ros2_programs.get(key)
+    name = clean(f"{node.namespace or '/'}/{node.name or '?'}")
+    basic = Node(
+        name=name,
+        kind="node" if node.kind == "container" else node.kind,
+        package=node.package,
+        type=node.type,
+        arguments=node.arguments,
+        conditions=node.conditions,
+        presence=node.presence,
+        location=node.location,
+        container=node.container,
+        process=node.container or name,
+        source="launch",
+        unknowns=node.unknowns,
+        class_name=node.type if node.kind == "component" else None,
+        ros=2,
+    )
+    if found is None:
+        outside_it = lambda: (_not_followed(types, node, basic, started), ())  # noqa: E731
+        return Job(basic, None, outside_it, parameters=started.parameters, files=node.files)
+    entry, files = found
+    return Job(
+        basic,
+        (id(entry), name),
+        lambda: nodes_of(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
+        _size(types, files),
+        started.parameters,
+        node.files,
+    )
+
+
+def started_by(node: LaunchedNode) -> Started:
+    """The rules, parameters and words that a launched node begins with."""
+    said = ros_arguments(_words(node.ros_arguments, "--ros-args"))
+    more = ros_arguments(_words(node.arguments))
+    naming: list[Rule] = []
+    if node.name is not None:
+        naming.append(Rule("", "__node", node.name))
+    if node.namespace is not None:
+        naming.append(Rule("", "__ns", node.namespace))
+    remaps = [rule for source, target, _ in node.remaps if (rule := rule_of(f"{source}:={target}")) is not None]
+    rules = (*more.rules, *said.rules, *naming, *remaps)
+    around: tuple[Rule, ...] = ()
+    if node.kind == "component" and node.container is not None and "?" not in node.container:
+        space, _, name = node.container.rpartition("/")
+        around = (Rule("", "__node", name), Rule("", "__ns", space or "/"))
+    written = ros2_rules((*more.rules, *said.rules), node.rules, node.location)
+    return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component", written, around)
+
+
+def _words(text: str, first: str = "") -> list[str]:
+    words = shell_words(text)
+    return [first, *words] if first and words and words[0] != first else words
+
+
+def alone(types: Types, package: str, name: str, is_component: bool = False, label: str = "") -> Job:
+    """A node type started by itself, under the name that it gives itself; perhaps with every plug-in of the workspace.
+
+    *label* is ``PLUGINS`` then, or ``TREES``.
+    """
+    entry, files = (types.components if is_component else types.ros2_programs)[package, name]
+    line = entry.function.line if entry.function else entry.definition.line if entry.definition else 1
+    chosen = f"/{name.rpartition('::')[2]}"
+    node = Node(
+        name=chosen,
+        kind="component" if is_component else "node",
+        package=package,
+        type=name,
+        location=Location(entry.source.path, line),
+        process=chosen,
+        class_name=name if is_component else None,
+        ros=2,
+    )
+    started = Started((), Parameters(()), (), is_component, has_plugins=label == PLUGINS, has_trees=label == TREES)
+    return Job(
+        node,
+        (id(entry), name),
+        lambda: nodes_of(types, entry, files, node, started, False),
+        _size(types, files),
+        label=label,
+    )
+
+
+def plugin(types: Types, package: str, name: str) -> Job:
+    """A plug-in of a program outside the workspace by itself, on the node that this program has by default."""
+    entry, files = types.hosted[package, name]
+    assert entry.definition is not None
+    place = Location(entry.source.path, entry.definition.line)
+    node = Node(
+        name="/?", kind="node", package=package, type=name, location=place, process="/?", class_name=name, ros=2
+    )
+    started = Started((), Parameters(()), (), False)
+
+    def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
+        nodes, problems = nodes_of(types, entry, files, node, started, False)
+        makes = any(not end.implicit for each in nodes for end in each.endpoints)
+        return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
+
+    return Job(node, (id(entry), name), follow, _size(types, files))
+
+
+def _size(types: Types, files: frozenset[str]) -> int:
+    sources = types.programs.sources
+    return sum(len(sources[path].program.functions) for path in files if path in sources)
+
+
+def nodes_of(
+    types: Types, entry: Entry, files: frozenset[str], node: Node, started: Started, is_named: bool
+) -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
+    """The nodes of a process with what each has."""
+    followed = run_process(types, entry, files, started, node)
+    unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
+    if not followed.nodes:
+        kind = node.kind if is_named or followed.made or node.source == "launch" else PROGRAM
+        ends = endpoints(followed.made, lambda item: item.name, NOTHING)
+        return (_with_rules(replace(node, kind=kind, endpoints=ends, unknowns=unknowns), started),), followed.problems
+    found: list[Node] = []
+    groups = grouped(followed)
+    main = followed.nodes[0]
+    twins = {twin.name: (twin.first, twin.second) for twin in followed.twins}
+    for each in followed.nodes:
+        made = groups.get(each.name, ())
+        if each is not main and each.name in (other.name for other in found):
+            continue  # the same node on another way
+        own = [] if each is not main else list(unknowns)
+        if each.why is not None:
+            own.append(Unknown("name", each.why[0], each.why[1] or each.location))
+        kind = "lifecycle" if each.kind == "lifecycle" else node.kind if each is main else "node"
+        ends = endpoints(made, final, NOTHING)
+        found.append(
+            replace(
+                node,
+                name=each.name,
+                kind=kind,
+                process=node.container or main.name,
+                class_name=node.class_name if each is main and node.class_name else _class_name(each),
+                remaps=_remaps(each, ends),
+                rules=of_ros2_node(started.written, each.whole),
+                conditions=(*node.conditions, *each.conditions),
+                location=node.location if node.source == "launch" and each is main else each.location,
+                source=node.source if each is main else "source",
+                unknowns=tuple(own),
+                twins=twins.get(each.name, ()),
+                takes_undeclared=each.options.get(UNDECLARED, False),
+                endpoints=_sorted((*ends, *_implicit(each, kind, started, ends))),
+            )
+        )
+    return tuple(found), followed.problems
+
+
+def _class_name(node: RosNode) -> str | None:
+    return None if node.class_name in ("rclcpp::Node", "rclpy.node.Node") else node.class_name
+
+
+def _implicit(node: RosNode, kind: str, started: Started, ends: tuple[Endpoint, ...]) -> Iterable[Endpoint]:
+    sim = None if node.options.get(ALONE) else started.parameters.get(node.name, SIM_TIME)
+    value = node.options.get(SIM_TIME, sim.value if isinstance(sim, Known) else None)
+    there = {(end.kind, end.name) for end in ends}
+    for end in implicit(node.name, kind, node.options, value, node.location):
+        final_name = end.name if end.kind == "parameters" else node.remap(end.name, end.kind in SERVICES)
+        if isinstance(sim, Opaque) and value is None and end.kind == "parameters":
+            end = replace(end, effective=None, unknowns=(Unknown("value", sim.reason, sim.location),))
+        if (end.kind, final_name) not in there:
+            yield replace(end, name=final_name)
+
+
+def _sorted(ends: Iterable[Endpoint]) -> tuple[Endpoint, ...]:
+    return tuple(
+        sorted(
+            ends, key=lambda e: (KINDS.index(e.kind), e.location.sort_key if e.location else (), e.name, e.type or "")
+        )
+    )
+
+
+def grouped(followed: Followed) -> Mapping[str, tuple[Made, ...]]:
+    """What was made, by the full name of the node that has it; what has none is the first node's."""
+    first = followed.nodes[0].name
+    found: dict[str, list[Made]] = {}
+    for item in followed.made:
+        found.setdefault(item.node.name if item.node is not None else first, []).append(item)
+    return {name: tuple(items) for name, items in found.items()}
+
+
+def final(item: Made) -> str:
+    """The name of what is made after remapping; parameters are not remapped."""
+    if item.node is None or item.kind in ("getters", "setters", "parameters") or "?" in item.name:
+        return item.name
+    return item.node.remap(item.name, item.kind in SERVICES)
+
+
+def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str], ...]:
+    rules = {
+        node.expand(schemed(rule.source)[1]): node.target(rule)
+        for rule in reversed(node.rules)
+        if not rule.source.startswith("__")
+        and "?" not in rule.source
+        and rule.node in ("", node.name.rpartition("/")[2])
+    }
+    return tuple(sorted(rules.items()))
+
+
+def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
+    """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again."""
+    kinds = (started.is_component, started.has_plugins, started.has_trees, started.around)
+    key = (2, entry.key, files_key(files), started.rules, started.words, *kinds)
+    earlier = types.followed.setdefault(key, [])
+
+    def parameter(full: str) -> Value | None:
+        name, _, inner = full.partition(":")
+        return started.parameters.get(name, inner, node.conditions)
+
+    for done in earlier:
+        if all(same(parameter(name), value) for name, value in done.asked.items()):
+            return done
+    asked: dict[str, Value | None] = {}
+
+    def ask(name: str) -> Value | None:
+        value = asked[name] = parameter(name)
+        return value
+
+    is_component = started.is_component
+    words = None if any("?" in word for word in started.words) else started.words
+    context = Context(
+        name="",
+        namespace="/",
+        arguments=words,
+        plugins=types.plugins,
+        of_base=types.of_base if started.has_plugins else None,
+        trees=types.trees,
+        any_tree=started.has_trees,
+        xml=types.xml,
+        parameter=ask,
+        read_yaml=types.read_yaml,
+        process=Process(
+            rules=started.around if is_component else started.rules, component=started.rules if is_component else None
+        ),
+    )
+    earlier.append(followed_in(types, entry, files, context, asked, key))
+    return earlier[-1]
+
+
+def _not_followed(types: Types, launched_node: LaunchedNode, node: Node, started: Started) -> tuple[Node, ...]:
+    """A node whose code is not in the workspace: with what is known of its type."""
+    made = outside.ros2_described(node, types, launched_node, started.rules, started.parameters)
+    return (_with_rules(made, started),)
+
+
+def _with_rules(node: Node, started: Started) -> Node:
+    """*node* with the rules of launch files by the names that they have there."""
+    space = node.name.rpartition("/")[0] or "/"
+    itself = RosNode(node.name, space, space, node.kind, "", node.location or Location(""))
+    return replace(node, rules=of_ros2_node(started.written, itself))
+
+
+def given_parameters(nodes: Iterable[tuple[Node, Parameters]]) -> tuple[Parameter, ...]:
+    """The parameters that each node is given from outside, by full name of node and parameter."""
+    found: dict[tuple[str, Location, Location | None], Parameter] = {}
+    for node, parameters in nodes:
+        for name, rule in sorted(parameters.of(node.name).items()):
+            made = Parameter(
+                name=f"{node.name}:{name}",
+                type=rule.type,
+                value=rule.value,
+                conditions=(*node.conditions, *rule.conditions),
+                presence=together(node.presence, rule.presence) or node.presence,
+                location=rule.location,
+                origin=rule.origin,
+                unknowns=rule.unknowns,
+            )
+            found[made.name, rule.location, rule.origin] = made
+    return tuple(found.values())
+
+
+Followable = Callable[[], tuple[tuple[Node, ...], tuple[Problem, ...]]]

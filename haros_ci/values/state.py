@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one mutable thing of link: what cells hold, with a log, so that branches are tried, undone and joined."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from haros_ci.values.abstract import NONE, Cell, Opaque, Partial, Value, join
+
+#: What ``join`` does not know: contents of sequences and maps.
+CONTENTS = frozenset((tuple, dict, Partial))
+#: Elements of a sequence on some paths that are kept; the latest count.
+OTHERS = 16
+#: What cells held (or hold), by cell.
+Writes = dict[Cell, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """The value of a parameter that a ROS 2 node has declared or set; not *is_certain* if it has on some paths only."""
+
+    value: Value
+    is_certain: bool = True
+
+
+class State:
+    """Writes to cells, each with what it replaced."""
+
+    def __init__(self) -> None:
+        self._log: list[tuple[Cell, Any]] = []
+
+    def write(self, cell: Cell, value: Any) -> None:
+        self._log.append((cell, cell.value))
+        cell.value = value
+
+    def mark(self) -> int:
+        """A point to come back to."""
+        return len(self._log)
+
+    def since(self, mark: int) -> Writes:
+        """The cells written since *mark*, with what they hold now."""
+        return {cell: cell.value for cell, _ in self._log[mark:]}
+
+    def undo(self, mark: int) -> Writes:
+        """Go back to *mark*; what was written since is returned."""
+        writes = self.since(mark)
+        while len(self._log) > mark:
+            cell, old = self._log.pop()
+            cell.value = old
+        return writes
+
+    def merge(self, branches: list[Writes]) -> None:
+        """Let each cell hold the join of what it holds after each branch; a branch that leaves it alone counts, too."""
+        if len(branches) == 1:
+            for cell, value in branches[0].items():
+                self.write(cell, value)
+            return
+        first, *rest = branches
+        for cell in dict.fromkeys(cell for branch in branches for cell in branch):
+            held = cell.value
+            value = first.get(cell, held)
+            if value.__class__ is tuple or value.__class__ is Partial:
+                value = _content(branches, cell)
+            else:
+                for branch in rest:
+                    other = branch.get(cell, held)
+                    if other is not value:
+                        value = joined(value, other)
+            self._log.append((cell, held))
+            cell.value = value
+
+
+def _content(branches: list[Writes], cell: Cell) -> Any:
+    """The content of a sequence after one branch or another; where all have added an element, that is one or the other."""
+    contents = [branch.get(cell, cell.value) for branch in branches]
+    if all(content is contents[0] for content in contents):
+        return contents[0]
+    if all(isinstance(content, tuple) and len(content) == len(contents[0]) for content in contents):
+        return tuple(_element(branches, cells) for cells in zip(*contents, strict=True))
+    value = contents[0]
+    for content in contents[1:]:
+        value = joined(value, content)
+    ends = [end for content in contents if (end := last(content)) is not None]
+    if isinstance(value, Opaque) and len(ends) == len(contents) and not set(certain(value)) & set(ends):
+        end = _element(branches, ends)
+        return Partial(value.reason, value.location, value.type, (*certain(value), end), possible(value), end)
+    return value
+
+
+def _element(branches: list[Writes], cells: Iterable[Cell]) -> Cell:
+    """An element that is another cell after each branch: one that holds what any of these do."""
+    every = tuple(cells)
+    if all(cell is every[0] for cell in every):
+        return every[0]
+    value = branches[0].get(every[0], every[0].value)
+    for branch, cell in zip(branches[1:], every[1:], strict=True):
+        value = joined(value, branch.get(cell, cell.value))
+    return Cell(value, every[0].type)
+
+
+def joined(one: Any, other: Any) -> Any:
+    """``join``, also for the contents of sequences and maps (element by element, where they have the same shape)."""
+    if one is other:
+        return one
+    if one.__class__ not in CONTENTS and other.__class__ not in CONTENTS:
+        return join(one, other)
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        if len(one) == len(other) and all(a is b for a, b in zip(one, other, strict=True)):
+            return one
+        return partial("the list has other elements on other paths", one, other)
+    if isinstance(one, dict) and isinstance(other, dict):
+        if one.keys() == other.keys() and all(one[k] is other[k] for k in one):
+            return one
+        if not any(isinstance(value, Cell) for value in (*one.values(), *other.values())):
+            missing = Opaque("it is set on some paths only")
+            return {k: _entry(one.get(k, missing), other.get(k, missing)) for k in {**one, **other}}
+        return Opaque("the map has other entries on other paths")
+    if isinstance(one, (tuple, dict)) or isinstance(other, (tuple, dict)):
+        return partial("its elements are not known on every path", one, other)
+    if isinstance(one, Partial) or isinstance(other, Partial):
+        return partial(one.reason if isinstance(one, Opaque) else other.reason, one, other)
+    return join(one, other)
+
+
+def _entry(one: Any, other: Any) -> Any:
+    """What is held under one key: of what a ROS 2 node declares, the value stays known where only one way has it."""
+    held = [each for each in (one, other) if isinstance(each, Held)]
+    if not held:
+        return join(one, other)
+    told = [each for each in held if each.value != NONE]
+    if len(told) < 2:
+        return Held(told[0].value, False) if told else held[0]
+    return Held(join(told[0].value, told[1].value), told[0].is_certain and told[1].is_certain)
+
+
+def certain(content: Any) -> tuple[Cell, ...]:
+    """The elements that a sequence of that content has for sure."""
+    return content if isinstance(content, tuple) else content.some if isinstance(content, Partial) else ()
+
+
+def possible(content: Any) -> tuple[Cell, ...]:
+    """Elements that a sequence of that content has on some paths."""
+    return content.others if isinstance(content, Partial) else ()
+
+
+def last(content: Any) -> Cell | None:
+    """The last element of a sequence of that content, as far as that is known."""
+    if isinstance(content, tuple):
+        return content[-1] if content else None
+    return content.last if isinstance(content, Partial) else None
+
+
+def partial(reason: str, one: Any, other: Any) -> Opaque:
+    """The content of a sequence that has one or the other: what both have is in it, what one has may be."""
+    first, second = certain(one), certain(other)
+    some = tuple(cell for cell in first if any(cell is each for each in second))
+    rest = dict.fromkeys((*first, *possible(one), *second, *possible(other)))
+    others = tuple(cell for cell in rest if isinstance(cell, Cell) and cell not in some)[-OTHERS:]
+    return Partial(reason, some=some, others=others) if some or others else Opaque(reason)
