@@ -132,7 +132,8 @@ def doubles(description: Description, project: Project) -> Iterator[Finding]:
     for several in repeated.values():
         several.sort(key=lambda double: double[1].location.line or 0)
         names = [about for about, _, _ in several]
-        listed = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+        shown = [*names[:3], f"{len(names) - 3} more"] if len(names) > 3 else names
+        listed = " and ".join(filter(None, (", ".join(shown[:-1]), shown[-1])))
         about, thing, before = several[0]
         are, them = ("are", "them") if len(names) > 1 else ("is", "it")
         yield finding(
