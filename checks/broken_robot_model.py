@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project
@@ -10,6 +11,12 @@ from haros_ci.api.robots import Description, Joint, RobotLink, descriptions, lea
 
 #: Joints that urdfdom refuses without a <limit> (parseJoint).
 _LIMITED = ("revolute", "prismatic")
+#: The start tag of an element, and whether that is all of it.
+_START = re.compile(r"\s*<([\w:.-]+)(?:\s[^<>]*?)?(/)?>")
+#: Blanks around what they mean nothing around.
+_AROUND = re.compile(r"(?<!\s)\s*(=|>)\s*")
+#: Lines of an element that are compared.
+MAX_LINES = 200
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -20,7 +27,7 @@ def check(project: Project) -> Iterator[Finding]:
         for joint in robot.joints:
             if joint.certain:
                 yield from limits(description, joint)
-        twice = list(doubles(description))
+        twice = list(doubles(description, project))
         yield from twice
         is_part = not description.is_named and not robot.path.endswith(".urdf")
         if robot.is_whole and robot.links and not (twice or is_part) and all(link.name for link in robot.links):
@@ -102,16 +109,41 @@ def number(text: str | None) -> float | None:
         return None
 
 
-def doubles(description: Description) -> Iterator[Finding]:
-    """Links, or joints, of one name; a macro called twice makes many, which are one finding."""
-    found: dict[Location, list[tuple[str, Joint | RobotLink, Joint | RobotLink]]] = {}
+#: A thing, and the one that has its name already, with what it is.
+Double = tuple[str, Joint | RobotLink, Joint | RobotLink]
+
+
+def doubles(description: Description, project: Project) -> Iterator[Finding]:
+    """Links, or joints, of one name; a macro called twice, or a block that is repeated, makes many, which are one finding."""
+    found: dict[Location, list[Double]] = {}
+    repeated: dict[tuple[str, str], list[Double]] = {}
     for kind, things in (("link", description.robot.links), ("joint", description.robot.joints)):
         first: dict[str, Joint | RobotLink] = {}
         for thing in things:
             if thing.certain and thing.name:
                 before = first.setdefault(thing.name, thing)
-                if before is not thing:
-                    found.setdefault(place_of(thing, before), []).append((f"{kind} {thing.name!r}", thing, before))
+                if before is thing:
+                    continue
+                double = (f"{kind} {thing.name!r}", thing, before)
+                if is_repeated(thing.location, before.location, project):
+                    repeated.setdefault((thing.location.path, before.location.path), []).append(double)
+                else:
+                    found.setdefault(place_of(thing, before), []).append(double)
+    for several in repeated.values():
+        several.sort(key=lambda double: double[1].location.line or 0)
+        names = [about for about, _, _ in several]
+        shown = [*names[:3], f"{len(names) - 3} more"] if len(names) > 3 else names
+        listed = " and ".join(filter(None, (", ".join(shown[:-1]), shown[-1])))
+        about, thing, before = several[0]
+        are, them = ("are", "them") if len(names) > 1 else ("is", "it")
+        yield finding(
+            description,
+            thing.location,
+            f"{listed} {are} repeated word by word in one robot: urdfdom rejects the robot; delete {them} here",
+            about.replace("'", ""),
+            thing,
+            related=tuple((one.location, f"the first {name}") for name, _, one in several[:3]),
+        )
     for at, several in found.items():
         about, thing, before = several[0]
         more = f" (and {len(several) - 1} more duplicates)" if len(several) > 1 else ""
@@ -123,6 +155,23 @@ def doubles(description: Description) -> Iterator[Finding]:
             thing,
             related=((place_of(before, thing), f"the first {about}"),),
         )
+
+
+def is_repeated(second: Location, first: Location, project: Project) -> bool:
+    """Whether the elements at both places are the same, word by word, and nothing in them depends on where they are."""
+    words = element(project, second) if second != first else []
+    return bool(words) and not any("${" in word or "$(" in word for word in words) and words == element(project, first)
+
+
+def element(project: Project, at: Location) -> list[str]:
+    """The words of the element that begins at *at*; none where it is not found, or too long."""
+    lines = project.workspace.text(at.path).split("\n")[max((at.line or 1) - 1, 0) :][:MAX_LINES]
+    text = "\n".join(lines)[max((at.column or 1) - 1, 0) :]
+    start = _START.match(text)
+    if start is None:
+        return []
+    end = start.end() if start[2] else text.find(f"</{start[1]}>")
+    return _AROUND.sub(r"\1", text[:end]).replace("/>", " />").split() if end > 0 else []
 
 
 def tree(description: Description) -> Iterator[Finding]:

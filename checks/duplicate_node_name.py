@@ -26,7 +26,7 @@ def check(system: System) -> Iterator[Finding]:
     for nodes in by_name.values():
         pair = _pair(nodes)
         if pair is not None:
-            yield _finding(*pair)
+            yield _finding(*pair, is_one=len(system.launch) == 1)
     for node in system.nodes:
         if len(node.raw.twins) == 2:
             yield _of_one_process(node, *node.raw.twins)
@@ -49,9 +49,12 @@ def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:
     return None
 
 
-def _finding(first: SystemNode, second: SystemNode) -> Finding:
-    if second.ros == 1:
+def _finding(first: SystemNode, second: SystemNode, *, is_one: bool) -> Finding:
+    """The finding about both; *is_one* if one roslaunch starts them: it looks at names before it starts anything (add_node)."""
+    if second.ros == 1 and not is_one:
         effect = "the node that starts later shuts the other one down"
+    elif second.ros == 1:
+        effect = 'roslaunch refuses to start ("multiple nodes named")'
     else:
         effect = "their parameters and services have the same names"
     kinds = f" ({first.type} and {second.type})" if first.type != second.type else f" ({first.type})"

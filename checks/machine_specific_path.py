@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import ArgumentDeclaration, PathUse, included_by
 
 #: Files that must not be installed with a package, where everybody reads them: keys, certificates and other credentials.
@@ -25,6 +25,8 @@ _MAKES = re.compile(r"^[ \t]*(WORKDIR|VOLUME|COPY|ADD|RUN)\b((?:[^\n]*\\[ \t]*\n
 _MADE = re.compile(r"\b(?:mkdir|git\s+clone)\b([^&;|\n]*)")
 _ABSOLUTE = re.compile(r"(?<![\w./$}:-])/[\w.-]+(?:/[\w.-]+)*")
 _MAX_TEXT = 200_000
+#: Arguments with paths of which others may be made, in one launch.
+_MAX_ORIGINS = 100
 
 
 def _is_dockerfile(path: str) -> bool:
@@ -54,21 +56,54 @@ def _is_below(path: str, directories: frozenset[str]) -> bool:
     return any("/".join(parts[:count]) in directories for count in range(2, len(parts)))
 
 
+def _is_written(system: System, use: PathUse) -> bool:
+    """Whether the path stands in the file as it is: else it is made of arguments."""
+    return system.workspace is None or use.text in system.workspace.text(use.location.path)
+
+
+def _has_value(system: System, use: PathUse) -> bool:
+    """Whether the argument there is an ``<arg>`` of ROS 1 with a value, which nobody can give another one."""
+    if use.ros != 1 or system.workspace is None or not use.location.line:
+        return False
+    lines = system.workspace.text(use.location.path).split("\n")[use.location.line - 1 :][:8]
+    tag = "\n".join(lines)[(use.location.column or 1) - 1 :].partition(">")[0]
+    return re.search(r"\svalue\s*=", tag) is not None and re.search(r"\sdefault\s*=", tag) is None
+
+
+def _derived(system: System, uses: tuple[PathUse, ...], origins: list[PathUse]) -> dict[PathUse, PathUse]:
+    """The uses whose path is made of what another argument holds, each with the one that holds it."""
+    found: dict[PathUse, PathUse] = {}
+    for use in uses:
+        path = use.text.rstrip("/")
+        holders = [each for each in origins if path.startswith(each.text.rstrip("/") + "/")]
+        if holders and not _is_written(system, use):
+            found[use] = holders[0]
+    return found
+
+
+def _places(derived: dict[PathUse, PathUse], use: PathUse) -> list[Location]:
+    """The first places of the paths that are made of *use*."""
+    places = (each.location for each, holder in derived.items() if holder is use and each.location != use.location)
+    return list(dict.fromkeys(places))[:3]
+
+
 def check(system: System) -> Iterator[Finding]:
     said: set[str] = set()
-    uses = system.facts(PathUse)
+    uses = tuple(system.facts(PathUse))
     if not uses:
         return
-    defaults = {(each.location, each.name): each.default or "" for each in system.facts(ArgumentDeclaration)}
+    defaults = {(each.location, each.name) for each in system.facts(ArgumentDeclaration) if each.default}
+    origins = [use for use in uses if (use.location, use.name) in defaults][:_MAX_ORIGINS]
+    derived = _derived(system, uses, origins)
     containers = _of_containers(system)
     for use in uses:
-        if use.text in said:
+        if use.text in said or use in derived:
             continue
         said.add(use.text)
         of = f" of {use.name!r}" if use.name else ""
         find = "$(find-pkg-share ...)" if use.ros == 2 else "$(find ...)"
         is_secret = _SECRET.search(use.text) is not None
-        is_default = use.text in defaults.get((use.location, use.name), "")
+        is_default = (use.location, use.name) in defaults and not _has_value(system, use)
         is_inside = _is_below(use.text, containers)
         if is_secret:
             advice = "take the path from a launch argument"
@@ -82,6 +117,7 @@ def check(system: System) -> Iterator[Finding]:
             about=(use.text,),
             flow=included_by(use),
             apart=(use.text,),
+            related=tuple((each, "made of it") for each in _places(derived, use)),
             presence=use.presence,
             level=Level.NOTE if is_secret or is_default or is_inside else None,
         )

@@ -28,6 +28,8 @@ _NO_TARGETS = frozenset(
 )
 #: Commands that name targets and sets of them of the whole build.
 _OF_BUILD = OF_TARGETS | {"install", "ament_export_targets", "ament_export_interfaces"}
+#: What exports libraries; catkin_package() has them behind LIBRARIES.
+_OF_LIBRARIES = ("catkin_package", "ament_export_libraries")
 #: What only packages that use this one come to feel.
 _OF_USERS = ("ament_export_libraries", "ament_export_dependencies")
 #: Commands by which another build makes libraries that this one does not know.
@@ -227,12 +229,18 @@ MAX_NAMES = 300
 def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: str) -> Finding:
     is_made = name in package.cmake.targets
     names = sorted(package.cmake.targets)
+    is_library = command.name in _OF_LIBRARIES and name not in command.after("INCLUDE_DIRS", *_KEYWORDS)
+    if is_library:  # an executable is no library that others could link
+        names = [each for each in names if package.cmake.targets[each].kind != "executable"]
     if command.name == "ament_export_dependencies":
         names = sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
     near = [] if is_made else [each for each in names if each.lower() == name.lower()]
     near = near or ([] if is_made else get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75))
     is_only_exported = is_made or command.name == "ament_export_dependencies"
     hint = f"; did you mean {near[0]}?" if near else "" if is_only_exported else _instead(names)
+    if is_library and not names and package.cmake.targets:
+        where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
+        hint = f"; {where} takes libraries, and the package builds none: remove the name"
     said = (
         f"{package.name} exports {name}"
         if is_only_exported

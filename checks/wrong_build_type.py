@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
@@ -27,6 +28,14 @@ from haros_ci.api.packages import (
 KNOWN = ("ament_cmake", "ament_python", "catkin", "cmake", "ament_cargo", "ament_gradle", "ament_swift")
 AMENT = ("ament_package", "ament_auto_package", "autoware_ament_auto_package")
 CATKIN = ("catkin_package", "catkin_metapackage")
+
+#: What tells one ROS from the other: a condition of a manifest (REP 149), a branch of CMake.
+_CONDITION = re.compile(r"\bcondition\s*=\s*[\"'][^\"'<>]{0,200}\$(?:ROS_VERSION|ROS_DISTRO)\b")
+_BRANCH = re.compile(
+    r"^[ \t]*(?:else)?if[ \t]*\([^\n#]{0,200}(?:ROS_VERSION|CATKIN_DEVEL_PREFIX|catkin_FOUND)\b",
+    re.IGNORECASE | re.MULTILINE,
+)
+_COMMENT = re.compile(r"<!--.{0,10000}?-->", re.DOTALL)
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -55,7 +64,9 @@ def _none(package: ProjectPackage) -> Iterator[Finding]:
     """Without a build type colcon takes catkin (REP 149)."""
     ament = _call(package, *AMENT)
     has_files = bool(package.project.workspace.names)
+    condition = ""
     if ament is not None and _call(package, *CATKIN) is None and package.ros != 1:
+        condition = ' condition="$ROS_VERSION == 2"' if _builds_for_both(package) else ""
         why = f"calls {ament.name}()"
         kind, seen = "ament_cmake", ((ament.location, f"{package} is built with ament"),)
     elif package.ros == 2 and has_files and package.has("setup.py") and not package.has("CMakeLists.txt"):
@@ -68,11 +79,19 @@ def _none(package: ProjectPackage) -> Iterator[Finding]:
         place(package, None),
         (
             f"{package} declares no build type and {why}: colcon treats it as a catkin package and leaves it out of "
-            f"the environment; add <build_type>{kind}</build_type> to <export>"
+            f"the environment; add <build_type{condition}>{kind}</build_type> to <export>"
         ),
         "none",
         seen,
-        _only(add_export(package, "build_type", kind, f"export the build type {kind}")),
+        () if condition else _only(add_export(package, "build_type", kind, f"export the build type {kind}")),
+        Level.WARNING if condition else None,
+    )
+
+
+def _builds_for_both(package: ProjectPackage) -> bool:
+    """Whether the package is built by either ROS: a condition of its manifest or a branch of its CMake tells one from the other."""
+    return _CONDITION.search(_COMMENT.sub("", package.project.text(package.manifest_path))) is not None or (
+        _BRANCH.search(package.project.text(package.cmake_path)) is not None
     )
 
 

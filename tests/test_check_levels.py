@@ -391,3 +391,104 @@ def test_keywords_that_old_distributions_have(readme: str, expected: Level, tmp_
     )
     files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format(""), "launch/a.launch.py": launch, "README.md": readme}
     assert levels("deprecated-launch-keyword", files, tmp_path) == [expected]
+
+
+BOTH = "cmake_minimum_required(VERSION 3.8)\nproject(demo)\n{}\n  find_package(ament_cmake REQUIRED)\n  ament_package()\nendif()\n"
+CONDITION = '<depend condition="$ROS_VERSION == 2">rclcpp</depend>'
+
+
+@pytest.mark.parametrize(
+    ("more", "start", "expected"),
+    [
+        (CONDITION, "if($ENV{ROS_VERSION} EQUAL 1)\ncatkin_package()\nelse()", True),
+        ("", 'if("$ENV{ROS_VERSION}" STREQUAL "1")\ncatkin_package()\nelse()', True),
+        (CONDITION, "if(TRUE)", True),
+        ("", "if(TRUE)", False),
+        (f"<!-- {CONDITION} -->", "if(TRUE) # ROS_VERSION", False),
+    ],
+)
+def test_a_build_type_for_one_of_two_ros(more: str, start: str, expected: bool, tmp_path: Path) -> None:
+    files = {"package.xml": PACKAGE.format("ament_cmake", "rclcpp", more), "CMakeLists.txt": BOTH.format(start)}
+    check = next(check for check in checks() if check.id == "wrong-build-type")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    condition = ' condition="$ROS_VERSION == 2"' if expected else ""
+    assert f"<build_type{condition}>ament_cmake</build_type>" in result.message
+    assert (result.level, bool(result.fixes)) == (Level.WARNING if expected else Level.ERROR, not expected)
+
+
+@pytest.mark.parametrize(
+    ("made", "exported", "expected"),
+    [
+        (
+            "add_executable(demo_node a.cpp)",
+            "catkin_package(LIBRARIES demo)",
+            "the package builds none: remove the name",
+        ),
+        (
+            "add_executable(demo_node a.cpp)",
+            "catkin_package(LIBRARIES demo_nod)",
+            "the package builds none: remove the name",
+        ),
+        ("add_library(demo_core a.cpp)", "catkin_package(LIBRARIES demo_cor)", "; did you mean demo_core?"),
+        (
+            "add_library(demo_core a.cpp)\nadd_executable(demo_node a.cpp)",
+            "catkin_package(LIBRARIES demo_nod)",
+            "; the package builds demo_core",
+        ),
+        ("", "catkin_package(LIBRARIES demo)", "; remove the name"),
+    ],
+)
+def test_an_exported_library_is_no_executable(made: str, exported: str, expected: str, tmp_path: Path) -> None:
+    files = {
+        "package.xml": PACKAGE.format("catkin", "roscpp", ""),
+        "CMakeLists.txt": f"project(demo)\nfind_package(catkin REQUIRED COMPONENTS roscpp)\n{exported}\n{made}\n",
+        "a.cpp": "int main() {}\n",
+    }
+    check = next(check for check in checks() if check.id == "unknown-target")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.message.endswith(expected)
+    assert "did you mean demo_node" not in result.message
+
+
+def test_nodes_of_one_name_stop_roslaunch(tmp_path: Path) -> None:
+    node = '<launch><node pkg="demo" type="n.py" name="n"/></launch>\n'
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN,
+        "n.py": "import rospy\nrospy.init_node('n')\nrospy.spin()\n",
+        "launch/a.launch": node,
+        "launch/b.launch": node,
+        "launch/all.launch": "".join(f'<include file="$(find demo)/launch/{each}.launch"/>' for each in "ab").join(
+            ("<launch>", "</launch>\n")
+        ),
+    }
+    check = next(check for check in checks() if check.id == "duplicate-node-name")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert (result.level, 'roslaunch refuses to start ("multiple nodes named")' in result.message) == (
+        Level.ERROR,
+        True,
+    )
+
+
+@pytest.mark.parametrize(
+    ("again", "expected"),
+    [
+        (
+            "<link name='world' />\n<joint name = 'j' type='fixed'><parent link='world'/><child link='base'/></joint>",
+            "delete them here",
+        ),
+        ("<link name='world'/>", "delete it here"),
+        ("<link name='world'><visual/></link>", "rename one of the two"),
+        ("<joint name='j' type='fixed'><parent link='base'/><child link='world'/></joint>", "rename one of the two"),
+    ],
+)
+def test_blocks_of_a_robot_that_are_repeated(again: str, expected: str, tmp_path: Path) -> None:
+    first = "<link name='world'/>\n<joint name='j' type='fixed'><parent link='world'/>\n<child link='base'/></joint>"
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN,
+        "urdf/a.urdf": f"<robot name='a'>\n<link name='base'/>\n{first}\n{again}\n</robot>\n",
+    }
+    check = next(check for check in checks() if check.id == "broken-robot-model")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.message.endswith(expected)

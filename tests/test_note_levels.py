@@ -66,6 +66,11 @@ def test_paths_of_credentials(path: str, expected: Level, tmp_path: Path) -> Non
         ("# COPY . /sim_ws\n", '<node pkg="demo" exec="n" args="-f /sim_ws/maps/hall.yaml"/>', Level.WARNING),
         ("", '<arg name="x" default="/maps/hall.yaml"/><node pkg="demo" exec="n" args="$(var x)"/>', Level.NOTE),
         ("", '<arg name="x" default="1"/><node pkg="demo" exec="n" args="/maps/hall.yaml $(var x)"/>', Level.WARNING),
+        (
+            "",
+            '<arg name="b" default="/home/anna/m"/><arg name="x" default="$(var b)/a"/><node pkg="demo" exec="n" args="$(var x)"/>',
+            Level.NOTE,
+        ),
         ("", '<let name="x" value="/maps/hall.yaml"/><node pkg="demo" exec="n" args="$(var x)"/>', Level.WARNING),
     ],
 )

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
+from haros_ci.linters.constant_switches import is_switched_by_hand
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -71,6 +72,9 @@ _ARGUMENT = re.compile(r"argument type is '(?:const )?(\w+)(?: const)?'")
 #: Lines of the last statement that are looked at.
 _STATEMENT_LINES = 8
 _LOOP = re.compile(r"\bfor\s*\(\s*\w+\s*;")
+_BY_NAME = re.compile(r"%=?\s*\(?\s*[A-Za-z_]")
+_BY_ONE = re.compile(r"%=?\s*\(?\s*1\b")
+_OF_CONDITIONS = frozenset({"identicalInnerCondition", "duplicateCondition"})
 
 
 def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
@@ -94,6 +98,11 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return _is_alias(message, text)
     if rule == "constStatement" and _LOOP.search(_line(text, line)):  # ``for (i; …)`` where i is set before
         return True
+    if rule == "moduloofone":  # by a constant with a name, which may be another number tomorrow
+        here = "\n".join(text.split("\n")[max(line - 1, 0) : line + 1])
+        return _BY_NAME.search(here) is not None and _BY_ONE.search(here) is None
+    if rule in _OF_CONDITIONS:
+        return is_switched_by_hand(line, text)
     if rule == "memleak":  # who names it so, or says so just above, means it
         near = "\n".join(text.split("\n")[max(line - 7, 0) : line])
         return _LEAKED.search(message) is not None or any(_LEAKS.search(each[0]) for each in _COMMENT.finditer(near))

@@ -39,6 +39,8 @@ _COMPREHENSION = re.compile(
     r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s"
 )
 _UNWRITTEN = re.compile(r"raise[ \t]+(?:NotImplementedError|NotImplemented)\b")
+_TRY = re.compile(r"\s*try\s*:")
+_MISSING = re.compile(r"\s*except\b(?:\s*:|[^\n:]{0,200}\b(?:ImportError|ModuleNotFoundError|Exception)\b)")
 _BRANCH = re.compile(r"\s*(?:if|elif|else)\b")
 _PLATFORM = re.compile(r"\s*(?:if|elif)\b.*\b(?:sys\.platform|platform\.system|os\.name|platform)\b")
 _MAIN = re.compile(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
@@ -81,8 +83,30 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return _is_of_main(text, line, column) or _is_module(text, line, column) or _is_of_platforms(text, line, column)
     if rule == "no-self-argument":
         return is_class_method(text, line)
+    if rule == "deprecated-module":
+        return _has_fallback(text, line)
     if rule == "anomalous-backslash-in-string":  # Python 2 says nothing of it
         return runs_only_on_python2(text)
+    return False
+
+
+def _has_fallback(text: str, line: int) -> bool:
+    """Whether the import at *line* is in a ``try``, or in its ``except``, that is ready for a module that is gone."""
+    lines = text.split("\n")
+    indent = len(lines[line - 1]) - len(lines[line - 1].lstrip()) if 0 < line <= len(lines) else 0
+    index = line - 1
+    while indent and index > 0:
+        index -= 1
+        own = len(lines[index]) - len(lines[index].lstrip())
+        if not lines[index].strip() or own >= indent:
+            continue
+        indent = own
+        if _MISSING.match(lines[index]):
+            return True
+        if _TRY.match(lines[index]):
+            after = (each for each in lines[line:] if each.strip() and len(each) - len(each.lstrip()) <= own)
+            if _MISSING.match(next((each for each in after if not each.lstrip().startswith("#")), "")):
+                return True
     return False
 
 

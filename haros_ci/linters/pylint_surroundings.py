@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Messages of pylint that other files refute: how a method is called, and which of two modules of one name is imported."""
+"""Messages of pylint that other files refute: how a method is called, which of two modules of one name is imported, and
+of which Python a package is."""
 
 from __future__ import annotations
 
 import re
 
 from haros_ci.linters.class_methods import method_at
+from haros_ci.linters.python2 import is_of_python2
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Result
 
@@ -14,6 +16,15 @@ TOOL = "pylint"
 _OF_MODULES = frozenset(
     "not-callable not-an-iterable unsubscriptable-object no-member no-name-in-module no-value-for-parameter".split()
 )
+#: ``yaml.load(stream)``, which PyYAML of Python 2 takes without a Loader.
+_LOADER = re.compile(r"argument 'Loader'")
+#: What later versions of Python say alone.
+_OF_PYTHON3 = frozenset(
+    "anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
+    " deprecated-module".split()
+)
+#: Files of a package that are asked for their Python.
+_MOST_FILES = 300
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _LONGEST = 400
 
@@ -25,7 +36,22 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
         return False
     if result.rule == "no-self-argument":
         return _is_helper(line, workspace.text(result.location.path), workspace)
+    is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None
+    if (is_of_yaml or result.rule in _OF_PYTHON3) and _is_python2(result.location.path, workspace):
+        return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
+
+
+def _is_python2(path: str, workspace: Workspace) -> bool:
+    """Whether the file at *path* is of a package of ROS 1 for Python 2."""
+    name = workspace.package_finder()(path)
+    package = next((each for each in workspace.packages if each.name == name), None)
+    if package is None or package.ros == 2:
+        return False
+    files = [each.path for each in workspace.files if each.package == name and each.language == "python"]
+    texts = (workspace.text(each) for each in files[:_MOST_FILES])
+    manifest = workspace.text(f"{package.path}/package.xml" if package.path != "." else "package.xml")
+    return is_of_python2(workspace.text(path), texts, manifest)
 
 
 def _is_helper(line: int, text: str, workspace: Workspace) -> bool:

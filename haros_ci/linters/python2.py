@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterable
 
 _SHEBANG = re.compile(r"#!.*\bpython2")
 #: Statements that no Python 3 parser accepts and every Python 2 did.
@@ -30,6 +31,12 @@ _EITHER = re.compile(
     r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bimport[ \t]+six\b|\bfrom[ \t]+(?:six|past|future|builtins)\b"
     r"|\bexcept[ \t(]+[^\n:]{0,80}\b(?:NameError|ImportError|ModuleNotFoundError|AttributeError)\b|#!.*\bpython3"
 )
+_PYTHON3 = re.compile(r"#![^\n]*\bpython3")
+#: ``<run_depend>python-yaml</run_depend>``: the key of rosdep for Python 2.
+_KEY = re.compile(r"<(?:\w+_)?depend>\s*python-[\w-]+\s*<")
+_REMARK = re.compile(r"<!--.{0,10000}?-->", re.DOTALL)
+#: Texts over several lines, in which a line may begin with any word.
+_TEXTS = re.compile(r"\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
 #: Type aliases, generic functions and classes (PEP 695).
 _NEWER = re.compile(r"\s*(?:type[ \t]+\w+.*=|(?:async[ \t]+)?def[ \t]+\w+\[|class[ \t]+\w+\[)")
 
@@ -42,6 +49,28 @@ def is_python2(text: str) -> bool:
 def runs_only_on_python2(text: str) -> bool:
     """Whether *text*, which a parser of Python 3 takes, fails on Python 3 all the same."""
     return _SHEBANG.search(text) is not None or (_GONE.search(text) is not None and _EITHER.search(text) is None)
+
+
+def names_python3(text: str) -> bool:
+    """Whether the first line of *text* asks for Python 3."""
+    return _PYTHON3.match(text) is not None
+
+
+def is_of_python2(text: str, others: Iterable[str], manifest: str) -> bool:
+    """Whether *text*, which a parser of Python 3 takes, is of a package of ROS 1 for Python 2.
+
+    It says so itself, or one of the *others*, the Python of its package, can be read by Python 2 alone; or the *manifest* has keys of
+    Python 2 without a condition, and none of Python 3.
+    """
+    if names_python3(text):
+        return False
+    if runs_only_on_python2(text):
+        return True
+    plain = _REMARK.sub("", manifest)
+    if _KEY.search(plain) is not None and "python3" not in plain and "ROS_PYTHON_VERSION" not in plain:
+        return True
+    every = tuple(others)
+    return not any(map(names_python3, every)) and any(_STATEMENTS.search(_TEXTS.sub("", each)) for each in every)
 
 
 def is_newer(line: str, message: str) -> bool:

@@ -18,7 +18,7 @@ from haros_ci.robot.legacy import LEGACY, is_call
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.scopes import Macro, Macros, Scope
 from haros_ci.robot.sources import Sources, said
-from haros_ci.robot.texts import parameters_of, truth
+from haros_ci.robot.texts import is_read, parameters_of, truth
 from haros_ci.robot.unknown import UNKNOWN, Unknown
 
 MAX_DEPTH = 180
@@ -216,6 +216,7 @@ class Expansion(Calling):
         found = list(parameters_of(params))
         defaults = {key: (forward, default) for key, forward, default in found if forward or default is not None}
         certain = self.world.maybe <= macros.maybe or macros.get(name) is None
+        certain = certain and is_read(key for key, _, _ in found)
         macros.found[name] = Macro(name, node, tuple(key for key, _, _ in found), defaults, certain)
         self.defined[name] = None
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 _PARTS = re.compile(
@@ -59,8 +59,14 @@ def truth(value: object) -> bool | None:
         return None
 
 
-_DEFAULT = r"""\$\{.*?\}|\$\(.*?\)|(?:'[^']*'|\"[^\"]*\"|[^\s'\"])+|"""
-_PARAMETER = re.compile(r"^\s*([^\s:=]+?)\s*:?=\s*(\^\|?)?(" + _DEFAULT + r")(?:\s+|$)(.*)", re.DOTALL)
+_PARAMETER = re.compile(r"\s*([^\s:=]+)\s*:?=(\s*)(\^\|?)?")
+#: The first alternatives of a default: lazy, so they end at the first bracket that a blank follows.
+_SUBSTITUTED = re.compile(r"\$\{.*?\}(?=\s|\Z)|\$\(.*?\)(?=\s|\Z)", re.DOTALL)
+_PLAIN = re.compile(r"[^\s'\"]+")
+#: What is no name of a parameter that a call could give, by XML: xacro had no default to split off.
+_UNREAD = re.compile(r"[\"'=<>{}$()]|:\Z")
+#: Places that are tried for the end of one default.
+MAX_TRIES = 2_000
 MAX_PARAMETERS = 300
 MAX_LENGTH = 20_000
 
@@ -68,17 +74,58 @@ MAX_LENGTH = 20_000
 def parameters_of(text: str) -> Iterator[tuple[str, bool, str | None]]:
     """The parameters of a macro: name, whether it is forwarded (``^``) and its default, None if it has none.
 
-    What cannot have a default by its name alone is (name, False, None). xacro's parse_macro_arg.
+    What cannot have a default by its name alone is (name, False, None). xacro's parse_macro_arg with its re_macro_arg.
     """
     left = text[:MAX_LENGTH]
     for _ in range(MAX_PARAMETERS):
-        if not left.strip():
+        left = left.lstrip()
+        if not left:
             return
         match = _PARAMETER.match(left)
-        if match is not None:
-            name, forward, default, left = match.groups()
-            yield name, bool(forward), default or None
+        end = _default_end(left, match.end()) if match is not None else None
+        if match is not None and end is None and match[2]:  # nothing, and the blank behind it
+            yield match[1], False, None
+            left = left[match.end(2) :]
+        elif match is not None and end is not None:
+            yield match[1], bool(match[3]), left[match.end() : end] or None
+            left = left[end:]
         else:
             name, *rest = left.split(None, 1)
             left = rest[0] if rest else ""
             yield name, False, None
+
+
+def is_read(names: Iterable[str]) -> bool:
+    """Whether the *names* of a macro's parameters are names: what xacro cannot read ends up in one."""
+    return not any(_UNREAD.search(name) for name in names)
+
+
+def _default_end(text: str, start: int) -> int | None:
+    """Where the default that begins at *start* ends; None where there is none to be read.
+
+    Quoted parts end at the next quote that lets the whole be read, which is not always the nearest: ``'''`` is the quote in quotes.
+    """
+    substituted = _SUBSTITUTED.match(text, start)
+    if substituted is not None:
+        return substituted.end()
+    tried = 0
+    failed: set[int] = set()
+    ways = [(start, start)]  # where a part begins, and where its end is searched for next
+    while ways and tried < MAX_TRIES:
+        tried += 1
+        here, after = ways.pop()
+        if here == len(text) or text[here].isspace():
+            return here
+        if text[here] in "'\"":
+            close = text.find(text[here], max(after, here + 1))
+            if close < 0:
+                continue
+            ways.append((here, close + 1))
+            end = close + 1
+        else:
+            plain = _PLAIN.match(text, here)
+            end = plain.end() if plain is not None else len(text)
+        if end not in failed:
+            failed.add(end)
+            ways.append((end, end))
+    return None

@@ -79,11 +79,22 @@ def _install_python(state: State, call: Call) -> None:
     install_files(state, call, "program", words)
 
 
+#: Directories that cs_install() installs where they are there (catkin_simple-extras.cmake).
+_SIMPLE_FOLDERS = ("launch", "rviz", "urdf", "meshes", "maps", "worlds", "Media", "param")
+
+
 def _simple_install(state: State, call: Call) -> None:
-    """cs_install: what cs_add_* made, and the targets named (catkin_simple)."""
+    """cs_install: what cs_add_* made, the targets named, the headers, and directories of common names (catkin_simple)."""
     for made in state.targets.values():
         if "SIMPLE" in made.properties or made.name in call.words:
             made.is_installed = True
+    project = state.get("PROJECT_NAME") or state.package.name
+    folders = {f"include/{project}": f"include/{state.package.name}"}
+    folders |= {name: f"share/{state.package.name}/{name}" for name in _SIMPLE_FOLDERS}
+    for name, destination in folders.items():
+        path = inside(place(name, state.source_directory()))
+        if path is not None and path in state.tree.directories:
+            state.installed.setdefault((path, "directory", destination, ""), call.location)
 
 
 def _simple_scripts(state: State, call: Call) -> None:

@@ -184,3 +184,51 @@ def test_a_name_for_a_type_of_elsewhere(rule: str, of: str, text: str) -> None:
 @pytest.mark.parametrize(("rule", "of", "text"), KNOWN)
 def test_a_known_type(rule: str, of: str, text: str) -> None:
     assert not is_refuted(rule, FLOAT.format(of), 1, text)
+
+
+SWITCH_ON = "void plan() {\n  const bool fast = true;\n  bool smooth = true;\n  bool draw{false};\n  if (fast) {\n    %s\n  }\n}\n"
+BY_HAND = ["if (smooth) {", "if (!draw) {", "if (smooth && fast) {", "} else if ((smooth)) {", "if (smooth == true) {"]
+BY_CODE = [
+    "smooth = turn(); if (smooth) {",
+    "turn(smooth); if (smooth) {",
+    "turn(&smooth); if (smooth) {",
+    "in >> smooth; if (smooth) {",
+    "smooth |= turn(); if (smooth) {",
+    "if (count > 0) {",
+    "if (fast && count) {",
+    "if (smooth && turn()) {",
+    "if (this->smooth) {",
+    "if (robot.smooth) {",
+    "bool smooth = true; if (smooth) {",
+    "if (other) {",
+    "turn(a, smooth); if (smooth) {",
+]
+
+
+@pytest.mark.parametrize("rule", ["identicalInnerCondition", "duplicateCondition"])
+@pytest.mark.parametrize("inner", BY_HAND)
+def test_switches_that_are_set_by_hand(rule: str, inner: str) -> None:
+    assert is_refuted(rule, "Identical inner 'if' condition is always true.", 6, SWITCH_ON % inner)
+
+
+@pytest.mark.parametrize("inner", BY_CODE)
+def test_what_code_sets_is_no_switch(inner: str) -> None:
+    text = SWITCH_ON % inner
+    assert not is_refuted("identicalInnerCondition", "Identical inner 'if' condition is always true.", 6, text)
+    elsewhere = f"{SWITCH_ON % ';'}void act(bool smooth) {{\n  if (smooth) {{\n    if (smooth) {{}}\n  }}\n}}\n"
+    assert not is_refuted("duplicateCondition", "", elsewhere.count("\n") - 2, elsewhere)
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("next = (next + 1) % kCount;", True),
+        ("next %= kCount;", True),
+        ("next = (next + 1) %\n  (count);", True),
+        ("next = (next + 1) % 1;", False),
+        ("next %= 1;", False),
+        ("next = (next % 1) % kCount;", False),
+    ],
+)
+def test_the_modulo_of_a_named_one(line: str, expected: bool) -> None:
+    assert is_refuted("moduloofone", "Modulo of one is always equal to zero.", 1, line) is expected

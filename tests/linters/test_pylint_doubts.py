@@ -155,6 +155,31 @@ STANDS = [
 ]
 
 
+FALLBACK = "try:\n    import imp\nexcept {}:\n    import importlib as imp\n"
+REFUTED += [
+    *(
+        ("deprecated-module", FALLBACK.format(each), "import imp")
+        for each in ("ImportError", "(ImportError, OSError)", "ModuleNotFoundError as err", "Exception")
+    ),
+    ("deprecated-module", "try:\n    import imp\n\n# old\nexcept:\n    pass\n", "import imp"),
+    ("deprecated-module", "try:\n    if x:\n        import imp\nexcept ImportError:\n    pass\n", "import imp"),
+    ("deprecated-module", "try:\n    import a\nexcept ImportError:\n    import imp\n", "import imp"),
+    (
+        "deprecated-module",
+        "def f():\n    try:\n        from imp import x\n    except ImportError:\n        x = 1\n",
+        "from imp",
+    ),
+]
+STANDS += [
+    ("deprecated-module", "import imp\n", "import imp"),
+    ("deprecated-module", "import imp\ntry:\n    import a\nexcept ImportError:\n    pass\n", "import imp"),
+    ("deprecated-module", "try:\n    import imp\nexcept ValueError:\n    pass\n", "import imp"),
+    ("deprecated-module", "try:\n    import imp\nfinally:\n    pass\n", "import imp"),
+    ("deprecated-module", "if x:\n    import imp\nelse:\n    pass\n", "import imp"),
+    ("deprecated-module", "try:\n    import a\nexcept ImportError:\n    pass\nelse:\n    import imp\n", "import imp"),
+]
+
+
 def refuted(rule: str, text: str, at: str) -> bool:
     before = text[: text.rindex(at)]
     return is_refuted(rule, before.count("\n") + 1, len(before) - before.rfind("\n") - 1, text)

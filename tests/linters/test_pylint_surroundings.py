@@ -12,8 +12,10 @@ from linter_samples import workspace
 from haros_ci.linters.pylint_doubts import is_refuted
 from haros_ci.linters.pylint_surroundings import is_refuted_around
 from haros_ci.model.location import Location
+from haros_ci.model.package import Package
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
+from haros_ci.workspace.package_xml import parse_package
 
 KINDS = "class Kind:\n    def by_name(name):\n        return list(Kind)[name]\n"
 CALLED = "import kinds\nkinds.Kind.by_name('a')\n"
@@ -102,3 +104,73 @@ def test_values_of_a_method_without_self() -> None:
 )
 def test_values_of_others(text: str) -> None:
     assert not is_refuted("invalid-sequence-index", 3, 0, text)
+
+
+LOAD = "#!/usr/bin/env python\nimport yaml\nx = yaml.load(open('a'))\n"
+CATKIN = (
+    '<package format="2"><name>a</name><version>1.0.0</version><buildtool_depend>catkin</buildtool_depend>{}</package>'
+)
+KEY = "<exec_depend>python-yaml</exec_depend>"
+PRINTING = {"a/b.py": 'print "b"\n'}
+
+
+def package(manifest: str) -> Package:
+    made = parse_package("a/package.xml", manifest.encode())
+    assert isinstance(made, Package)
+    return made
+
+
+def of_python2(
+    root: Path, text: str, keys: str, more: dict[str, str], rule: str = "no-value-for-parameter", name: str = "Loader"
+) -> bool:
+    files = {"a/package.xml": CATKIN.format(keys), "a/a.py": text, **more}
+    made = replace(workspace(root, files, [package(files["a/package.xml"])]), names=frozenset(files))
+    message = f"No value for argument '{name}' in function call."
+    return is_refuted_around(Result("pylint", rule, Level.ERROR, message, Location("a/a.py", 3, 5)), made)
+
+
+@pytest.mark.parametrize(
+    ("text", "keys", "more"),
+    [
+        (LOAD, KEY, {}),
+        (LOAD, "<depend>python-numpy</depend>", {}),
+        (LOAD, "", PRINTING),
+        (LOAD.replace("env python", "env python2"), "", {}),
+        (LOAD + "if x.has_key('a'):\n    pass\n", "", {}),
+        (LOAD.partition("\n")[2], KEY, {}),
+    ],
+)
+def test_a_package_for_python_2(tmp_path: Path, text: str, keys: str, more: dict[str, str]) -> None:
+    assert of_python2(tmp_path, text, keys, more)
+    assert of_python2(tmp_path, text, keys, more, "anomalous-backslash-in-string")
+    assert of_python2(tmp_path, text, keys, more, "deprecated-method")
+    assert not of_python2(tmp_path, text, keys, more, name="size")
+    assert not of_python2(tmp_path, text, keys, more, "undefined-variable")
+
+
+@pytest.mark.parametrize(
+    ("text", "keys", "more"),
+    [
+        (LOAD, "", {}),
+        (LOAD, f"<!-- {KEY} -->", {}),
+        (LOAD.replace("env python", "env python3"), KEY, PRINTING),
+        (LOAD, KEY + "<exec_depend>python3-yaml</exec_depend>", {}),
+        (LOAD, '<exec_depend condition="$ROS_PYTHON_VERSION == 2">python-yaml</exec_depend>', {}),
+        (LOAD, "", {"a/b.py": 'print("b")\n'}),
+        (LOAD, "", {"a/b.py": '"""Text\nprint "b"\n"""\n'}),
+        (LOAD, "", {"a/b.py": "#!/usr/bin/python3\n", "a/c.py": 'print "c"\n'}),
+        (LOAD, "", {"other/b.py": 'print "b"\n'}),
+    ],
+)
+def test_a_package_that_may_be_for_python_3(tmp_path: Path, text: str, keys: str, more: dict[str, str]) -> None:
+    assert not of_python2(tmp_path, text, keys, more)
+
+
+def test_a_package_of_ros_2_is_for_python_3(tmp_path: Path) -> None:
+    keys = KEY + "<export><build_type>ament_python</build_type></export>"
+    files = {"a/package.xml": CATKIN.replace("catkin", "ament_python").format(keys), "a/a.py": LOAD, **PRINTING}
+    made = replace(workspace(tmp_path, files, [package(files["a/package.xml"])]), names=frozenset(files))
+    said = Result(
+        "pylint", "no-value-for-parameter", Level.ERROR, "No value for argument 'Loader'", Location("a/a.py", 3)
+    )
+    assert not is_refuted_around(said, made)

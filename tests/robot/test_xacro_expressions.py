@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import pytest
@@ -11,7 +12,7 @@ import pytest
 from haros_ci.robot.expressions import Invalid, Undefined, evaluate
 from haros_ci.robot.functions import TooMuch
 from haros_ci.robot.scopes import Scope, World
-from haros_ci.robot.texts import literal, parameters_of, parts_of, truth
+from haros_ci.robot.texts import is_read, literal, parameters_of, parts_of, truth
 from haros_ci.robot.unknown import UNKNOWN
 from haros_ci.robot.yaml_values import YamlDict, yaml_value
 
@@ -160,7 +161,51 @@ def test_parameters_of_a_macro() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("ns:=''' b", [("ns", False, "'''"), ("b", False, None)]),
+        ('ns:=""" b:=1', [("ns", False, '"""'), ("b", False, "1")]),
+        ("a:='x'y'z' b", [("a", False, "'x'y'z'"), ("b", False, None)]),
+        ('a:="it\'s" b', [("a", False, '"it\'s"'), ("b", False, None)]),
+        ("a:=x'y z'w b", [("a", False, "x'y z'w"), ("b", False, None)]),
+        ("a := 1 b = 2", [("a", False, "1"), ("b", False, "2")]),
+        ("a:= b:=2", [("a", False, "b:=2")]),
+        ("a:=^|'x y' b:=^ c:=^|", [("a", True, "'x y'"), ("b", True, None), ("c", True, None)]),
+        ("a:=^x b", [("a", True, "x"), ("b", False, None)]),
+        ("a:=${[1, 2][0]} b:=$(find x)", [("a", False, "${[1, 2][0]}"), ("b", False, "$(find x)")]),
+        ("b:=$(find x)/y", [("b", False, "$(find"), ("x)/y", False, None)]),
+        ("a:=${d['x y']} *b **c", [("a", False, "${d['x y']}"), ("*b", False, None), ("**c", False, None)]),
+        ("a:= 'x b", [("a", False, None), ("'x", False, None), ("b", False, None)]),
+        ("\n  a:=''\n  b:=\n", [("a", False, "''"), ("b", False, None)]),
+    ],
+)
+def test_defaults_as_xacro_reads_them(text: str, expected: list[tuple[str, bool, str | None]]) -> None:
+    assert list(parameters_of(text)) == expected
+    theirs = re.compile(
+        r"^\s*([^\s:=]+?)\s*:?=\s*(\^\|?)?(\$\{.*?\}|\$\(.*?\)|(?:'.*?'|\".*?\"|[^\s'\"]+)+|)(?:\s+|$)(.*)", re.DOTALL
+    )
+    found, left = [], text
+    while left.strip():
+        match = theirs.match(left)
+        if match is not None:
+            name, forward, default, left = match.groups()
+            found.append((name, bool(forward), default or None))
+        else:
+            name, *rest = left.split(None, 1)
+            left = rest[0] if rest else ""
+            found.append((name, False, None))
+    assert found == expected
+
+
+def test_parameters_that_are_no_names_are_told() -> None:
+    assert is_read(["a", "*b", "**c", "d.e", "f,"])
+    assert not any(is_read(["a", name]) for name in ("'x", 'b:="', "c:", "${d}"))
+
+
 def test_parameters_of_a_hostile_macro_end() -> None:
+    assert len(list(parameters_of("a:=" + "'x\"" * 6_000 + " b"))) == 2
+    assert len(list(parameters_of("a:='\" " * 3_000))) <= 300
     assert len(list(parameters_of("a:=" + "'" * 19_000 + "x" * 500 + "'"))) <= 300
     assert len(list(parameters_of("a " * 9_000))) == 300
 

@@ -21,6 +21,25 @@ def test_ament_auto_package_installs_what_it_made() -> None:
     ]
 
 
+def test_cs_install_installs_what_cs_add_made_and_directories_of_common_names() -> None:
+    text = "project(arm)\nfind_package(catkin_simple REQUIRED)\ncatkin_simple()\ncs_add_library(a x.cpp)\n"
+    text += "cs_add_executable(b x.cpp)\nadd_library(c x.cpp)\ncs_install()\ncs_export()"
+    files = {
+        "launch__a_launch": "<launch/>",
+        "worlds__big__a_launch": "<launch/>",
+        "config__a_yaml": "",
+        "include__arm__a_h": "",
+    }
+    build = built(text, "x.cpp", **files)
+    assert [(t.name, t.is_installed) for t in build.targets] == [("a", True), ("b", True), ("c", False)]
+    assert [(i.path, i.kind, i.destination) for i in build.installed] == [
+        ("arm/include/arm", "directory", "include/arm"),
+        ("arm/launch", "directory", "share/arm/launch"),
+        ("arm/worlds", "directory", "share/arm/worlds"),
+    ]
+    assert built("cs_export()", launch__a_launch="").installed == ()
+
+
 @pytest.mark.parametrize(
     ("cmake", "expected"),
     [
