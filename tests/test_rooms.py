@@ -229,6 +229,22 @@ def test_doors_are_one_way(path: Path) -> None:
     assert not (here in PURE_ROOMS and names & EFFECTS)
 
 
+def test_the_page_for_newcomers_has_every_room() -> None:
+    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+    cells = re.findall(r"^\| (`[^|]*) \|", page, re.MULTILINE)
+    named = [name for cell in cells for name in re.findall(r"`(\w+)`", cell)]
+    assert sorted(named) == sorted(DOORS.keys() - {"__init__", "__main__"})
+
+
+def test_no_two_rooms_open_each_other() -> None:
+    below: dict[str, set[str]] = {}
+    rest = dict(DOORS)
+    while rest:
+        free = [room for room, doors in rest.items() if doors <= below.keys()]
+        assert free, f"rooms in a circle: {sorted(rest)}"
+        below.update((room, rest.pop(room)) for room in free)
+
+
 def test_the_table_can_fail() -> None:
     assert door_breaks("model", {"haros_ci.results.rule"}) == {"results"}
     assert door_breaks("report", {"haros_ci.linters.run"}) == {"linters"}
