@@ -44,7 +44,9 @@ _VARIABLE = re.compile(
 
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), Sources(project)
-    proposed: dict[str, frozenset[str]] = {}  # what is advised here so far, by package: two advices must not close a cycle either
+    proposed: dict[
+        str, frozenset[str]
+    ] = {}  # by package what is advised so far: two advices must close no cycle either
     for package in project.packages:
         needs = list(needs_of(package, sources)) if package.manifest is not None else []
         provided = provisions.of(package, tests=False) if package.manifest is not None else None

@@ -24,14 +24,18 @@ def pair(check_id: str, core: str, arm: str, tmp_path: Path) -> list[tuple[str, 
     """What the check says of two packages of ROS 1 that import each other's modules, with these dependencies."""
     files = {}
     for name, other, needs in (("core", "arm", core), ("arm", "core", arm)):
-        needs = "<buildtool_depend>catkin</buildtool_depend>" + "".join(f"<depend>{one}</depend>" for one in needs.split())
+        needs = "<buildtool_depend>catkin</buildtool_depend>" + "".join(
+            f"<depend>{one}</depend>" for one in needs.split()
+        )
         files[f"{name}/package.xml"] = MANIFEST.format(' format="2"', needs).replace(">demo<", f">{name}<")
         files[f"{name}/CMakeLists.txt"] = (
             f"cmake_minimum_required(VERSION 3.8)\nproject({name})\nfind_package(catkin REQUIRED)\ncatkin_python_setup()\n"
             "catkin_package(INCLUDE_DIRS include)\ninclude_directories(include ${catkin_INCLUDE_DIRS})\n"
             f"add_library({name} src/a.cpp)\n"
         )
-        files[f"{name}/setup.py"] = f"from setuptools import setup\nsetup(packages=['{name}'], package_dir={{'': 'src'}})\n"
+        files[f"{name}/setup.py"] = (
+            f"from setuptools import setup\nsetup(packages=['{name}'], package_dir={{'': 'src'}})\n"
+        )
         files[f"{name}/src/{name}/__init__.py"] = f"import {other}\n" if check_id == "undeclared-import" else ""
         files[f"{name}/include/{name}/{name}.h"] = "int a;\n"
         files[f"{name}/src/a.cpp"] = f"#include <{other}/{other}.h>\n" if check_id == "undeclared-dependency" else ""
@@ -98,7 +102,9 @@ def test_what_another_check_says(declared: str, cmake: str, tmp_path: Path) -> N
 
 
 def test_what_no_other_check_says(tmp_path: Path) -> None:
-    cmake = "find_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\nadd_executable(a a.cpp)\nament_package()"
+    cmake = (
+        "find_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\nadd_executable(a a.cpp)\nament_package()"
+    )
     found = messages(MANIFEST.format(' format="3"', ROS2.format("")), cmake, "int a;\n", tmp_path)
     assert len(found) == 1 and "rclcpp" in found[0]
 

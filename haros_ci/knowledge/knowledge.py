@@ -67,7 +67,9 @@ class Knowledge:
         if mask is None or not int(mask, 16) or self.is_key(name):
             return self.is_in(name, ros)
         bits, distributions = int(mask, 16), self.facts.about["distributions"]
-        alive = [each for at, each in enumerate(distributions) if bits >> at & 1 and (each not in ROS_1 or each in _CURRENT)]
+        alive = [
+            each for at, each in enumerate(distributions) if bits >> at & 1 and (each not in ROS_1 or each in _CURRENT)
+        ]
         return any(ros is None or (each in ROS_1) == (ros == 1) for each in alive)
 
     @property
