@@ -42,13 +42,15 @@ def is_left_to_subclasses(text: str, line: int, column: int) -> bool:
     if called is None:
         return False
     inside = scopes(text, "python")
-    owner = _class_of(inside.at(line))
     none = re.compile(rf"[ \t]+{re.escape(called[1])}[ \t]*(?::[^=\n]{{0,80}})?=[ \t]*None\b")
-    body = [
-        (number, each) for number, each in enumerate(lines, start=1) if owner and _class_of(inside.at(number)) == owner
-    ]
-    is_none = any(inside.at(number) == owner and none.match(each[:_LONGEST]) for number, each in body)
-    return is_none and any(_ABSTRACT.search(each[:_LONGEST].partition("#")[0]) for _, each in body)
+    bodies: dict[str, list[str]] = {}
+    owners = set()  # the class itself, or one of the file that it inherits
+    for number, each in enumerate(lines, start=1):
+        owner = _class_of(inside.at(number))
+        bodies.setdefault(owner, []).append(each[:_LONGEST].partition("#")[0])
+        if owner and inside.at(number) == owner and none.match(each[:_LONGEST]):
+            owners.add(owner)
+    return any(_ABSTRACT.search(each) for owner in owners for each in bodies[owner])
 
 
 def is_choice_of_calls(text: str, line: int) -> bool:

@@ -55,6 +55,7 @@ REFUTED += [
         "()\n    def",
     ),
     ("not-callable", ENTRY, "self.kind()"),
+    ("not-callable", ENTRY + "class More(Entry):\n    def go(self):\n        self.kind()\n", "self.kind()"),
     ("not-callable", ENTRY.replace("kind = None", "kind: type | None = None"), "self.kind()"),
     ("not-callable", ENTRY.replace("(ABC)", "(metaclass=abc.ABCMeta)"), "self.kind()"),
     (
