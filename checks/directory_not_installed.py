@@ -161,8 +161,8 @@ def _headers(package: ProjectPackage) -> Iterator[Finding]:
     """An exported include directory that is not installed."""
     root = package.inside("include")
     headers = [file.path for file in package.files if file.path.startswith(f"{root}/") and file.path.endswith(_HEADERS)]
-    if not headers or _is_made(package, "include/"):
-        return
+    if not headers or _is_made(package, "include/") or (package.ros == 1 and installs_nothing(package)):
+        return  # of ROS 1 what installs nothing at all is built for its devel space
     exports = [
         each
         for each in package.commands(

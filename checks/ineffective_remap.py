@@ -6,7 +6,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from haros_ci.api import Check, End, Finding, Level, Location, RemapRule, System, SystemNode, is_idle, is_slip
+from haros_ci.api import (
+    Check,
+    End,
+    Finding,
+    Level,
+    Location,
+    RemapRule,
+    System,
+    SystemNode,
+    is_given_away,
+    is_idle,
+    is_slip,
+)
 
 #: Parameters can be remapped in ROS 1 alone.
 PARAMETERS = ("getters", "setters")
@@ -28,7 +40,7 @@ def check(system: System) -> Iterator[Finding]:
     # rules of the same nodes for one name, and copies of a list of rules in one file, are one slip
     alike: dict[tuple[str, ...], list[_Used]] = {}
     for used in rules.values():
-        if all(is_idle(node, rule) for node, rule in used.nodes):
+        if all(is_idle(node, rule) and not is_given_away(node, rule, system) for node, rule in used.nodes):
             kinds = sorted({f"{node.package}/{node.type}" for node, _ in used.nodes})
             alike.setdefault((used.rule.location.path, used.rule.source, *kinds), []).append(used)
     for group in alike.values():

@@ -8,7 +8,7 @@ import re
 from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed
 from haros_ci.api.packages import (
     MACROS,
     PluginClass,
@@ -23,6 +23,7 @@ from haros_ci.api.packages import (
     own_classes,
     registers_otherwise,
     registrations,
+    variant,
 )
 
 _COMPONENT = "rclcpp_components::NodeFactory"
@@ -291,11 +292,13 @@ def _in_two(found: _Package) -> Iterator[Finding]:
             and target.is_installed
             and not target.is_conditional
         )
+        made = [variant(found.package, found.libraries[name]) for name in holders]
+        holders = [name for name, variant in zip(holders, made, strict=True) if made.count(variant) > 1]
         if len(holders) > 1:
             yield Finding(
                 at=each.location,
                 message=(
-                    f"{each.type} is registered in {len(holders)} libraries, {' and '.join(holders[:2])}, because both "
+                    f"{each.type} is registered in {len(holders)} libraries, {listed(holders)}, because all of them "
                     "compile this file: if both are loaded, the load order decides which one is used; compile the file in "
                     "one library only"
                 ),

@@ -11,6 +11,10 @@ from haros_ci.api import Channel, Check, End, Finding, Level, System, SystemNode
 
 #: Code of programs.
 CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
+#: What libraries offer by themselves, once for a node however many objects ask for it: tf2_ros.Buffer, roscpp.
+_OF_LIBRARIES = frozenset(
+    ("tf2_msgs/FrameGraph", "tf2_msgs/srv/FrameGraph", "roscpp/GetLoggers", "roscpp/SetLoggerLevel", "roscpp/Empty")
+)
 #: Two nodes, and what both offer: the channel with the server of each.
 _Pairs = dict[tuple[str, str], list[tuple[Channel, End, End]]]
 
@@ -100,7 +104,9 @@ def _channels(system: System) -> Iterator[Channel]:
 
 def _are_two(one: End, other: End) -> bool:
     """Whether both exist; of two nodes under one name it is the name that is to be told."""
-    return one.location != other.location if one.node is other.node else one.node.name != other.node.name
+    if one.node is other.node:
+        return one.location != other.location and _OF_LIBRARIES.isdisjoint((one.type, other.type))
+    return one.node.name != other.node.name
 
 
 def _finding(found: list[tuple[Channel, End, End]], likewise: list[SystemNode]) -> Finding:

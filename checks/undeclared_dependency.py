@@ -13,6 +13,7 @@ from haros_ci.api.packages import (
     Provisions,
     Sources,
     add_dependency,
+    closes_a_cycle,
     dependency_tags,
     first_provider,
     is_of_ros,
@@ -43,6 +44,9 @@ _VARIABLE = re.compile(
 
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), Sources(project)
+    proposed: dict[
+        str, frozenset[str]
+    ] = {}  # by package what is advised so far: two advices must close no cycle either
     for package in project.packages:
         needs = list(needs_of(package, sources)) if package.manifest is not None else []
         provided = provisions.of(package, tests=False) if package.manifest is not None else None
@@ -53,7 +57,13 @@ def check(project: Project) -> Iterator[Finding]:
         said = {providers: uses for providers, uses in missing.items() if not _is_said(package, providers)}
         brought = _brought(package, said, provisions)
         for providers, uses in said.items():
-            if providers not in brought:
+            if providers in brought:
+                continue
+            name = first_provider(providers, package)
+            if name not in package.declared and closes_a_cycle(package.name, name, project.manifests, proposed):
+                yield _circular(package, name, uses)
+            else:
+                proposed[package.name] = proposed.get(package.name, frozenset()) | {name}
                 yield _finding(
                     package, providers, uses, [said[each] for each, by in brought.items() if by == providers]
                 )
@@ -137,6 +147,20 @@ def _finding(
         ),
         apart=(name,),
         fixes=() if fix is None else (fix,),
+    )
+
+
+def _circular(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
+    """The package *name* needs *package*: build tools refuse both in a row."""
+    return Finding(
+        at=last_dependency(package),
+        message=f"{package.name} needs {name} to build ({uses[0].what}), but package.xml does not declare it, and {name} needs "
+        f"{package.name} in turn: with it declared the build tool stops at the circular dependency; move what both need to a "
+        "package of its own",
+        about=(package.name, name),
+        related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
+        apart=(name,),
+        level=Level.WARNING,
     )
 
 

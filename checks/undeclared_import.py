@@ -13,6 +13,7 @@ from haros_ci.api.packages import (
     Provisions,
     Sources,
     add_dependency,
+    closes_a_cycle,
     distributions_of,
     first_provider,
     imports_of,
@@ -57,6 +58,9 @@ class _Missing:
 
 def check(project: Project) -> Iterator[Finding]:
     provisions, sources = Provisions(project), Sources(project)
+    proposed: dict[
+        str, frozenset[str]
+    ] = {}  # by package what is advised so far: two advices must close no cycle either
     for package in project.packages:
         needs = list(imports_of(package, sources)) if package.manifest is not None else []
         provided = provisions.of(package, tests=False) if needs else None
@@ -71,7 +75,7 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         built = _for_building(package, provisions, sources)
         pins = pinned(package)
-        groups: dict[Level | None, list[_Missing]] = {}
+        groups: dict[tuple[Level | None, bool], list[_Missing]] = {}
         for providers, uses in missing.items():
             tested = sorted(providers & package.declared)
             if providers & built:
@@ -80,9 +84,12 @@ def check(project: Project) -> Iterator[Finding]:
                 yield _only_tested(package, tested[0], uses)
             else:
                 each = _missing(package, uses, pins)
-                groups.setdefault(each.level, []).append(each)
-        for group in groups.values():
-            yield _finding(package, group)
+                is_circular = closes_a_cycle(package.name, each.name, project.manifests, proposed)
+                groups.setdefault((each.level, is_circular), []).append(each)
+                if not is_circular:
+                    proposed[package.name] = proposed.get(package.name, frozenset()) | {each.name}
+        for (_, is_circular), group in groups.items():
+            yield _circular(package, group) if is_circular else _finding(package, group)
 
 
 def _called(need: Need) -> frozenset[str]:
@@ -139,6 +146,23 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
         apart=modules,
         level=group[0].level,
         fixes=_fixes(package, group),
+    )
+
+
+def _circular(package: ProjectPackage, group: list[_Missing]) -> Finding:
+    """The packages of the modules need *package*: build tools refuse both in a row."""
+    modules = tuple(module for each in group for module in each.modules)
+    names = [each.name for each in group]
+    need, them = ("needs", "it") if len(names) == 1 else ("need", "them")
+    return Finding(
+        at=last_dependency(package),
+        message=f"{package.name} imports {listed(modules)}, but package.xml does not declare {listed(names)}, which in turn {need} "
+        f"{package.name}: with {them} declared the build tool stops at the circular dependency; move what imports {them} out of "
+        f"{package.name}",
+        about=(package.name, *modules),
+        related=tuple(place for each in group for place in _places(each)),
+        apart=modules,
+        level=Level.WARNING,
     )
 
 

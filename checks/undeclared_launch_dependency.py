@@ -49,7 +49,7 @@ def check(project: Project) -> Iterator[Finding]:
             needing = tuple(use for use in needing if not leftovers.has(use.location.path, package.name))
             if not needing or all(is_left_out(package, use, system) for use in needing):
                 continue
-            if closes_a_cycle(package.name, name, system, names):
+            if closes_a_cycle(package.name, name, system.packages, names):
                 continue
             others = tuple(use for use in needing if not is_of_tests(use, package, system))
             if not others:
@@ -107,7 +107,7 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
 
 def _declarable(name: str, packages: Iterable[str], system: System) -> frozenset[str]:
     """Those of the *packages* that the launch files of the package *name* use which do not need *name* by their manifests."""
-    return frozenset(each for each in packages if not closes_a_cycle(name, each, system, {}))
+    return frozenset(each for each in packages if not closes_a_cycle(name, each, system.packages))
 
 
 def _is_generated(package: Package, system: System) -> bool:

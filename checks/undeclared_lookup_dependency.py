@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
-from haros_ci.api.packages import Lookup, Provisions, last_dependency, lookups, meant_here
+from haros_ci.api.packages import Lookup, Provisions, closes_a_cycle, last_dependency, lookups, meant_here
 
 #: So many places of one package are related.
 _SHOWN = 3
@@ -23,8 +23,8 @@ def check(project: Project) -> Iterator[Finding]:
         for use in found:
             if use.name == package.name or not _is_to_be_had(use.name, package):
                 continue
-            if provisions.lacks(provided, frozenset((use.name,))) and not _closes_a_cycle(
-                use.name, package, provisions
+            if provisions.lacks(provided, frozenset((use.name,))) and not closes_a_cycle(
+                package.name, use.name, project.manifests
             ):
                 missing.setdefault(use.name, []).append(use)
         if missing:
@@ -36,16 +36,10 @@ def _is_to_be_had(name: str, package: ProjectPackage) -> bool:
     project = package.project
     if project.package(name) is not None:
         return True
-    if project.knowledge.is_package(name) is not True or not project.knowledge.is_in(name, package.ros):
+    if project.knowledge.is_package(name) is not True or not project.knowledge.is_current(name, package.ros):
         return False
     names = {each.name for each in project.packages}
     return any(name in each.declared for each in project.packages) or meant_here(name, names) is None
-
-
-def _closes_a_cycle(name: str, package: ProjectPackage, provisions: Provisions) -> bool:
-    """Whether the other package needs this one: build tools refuse both in a row."""
-    other = package.project.package(name)
-    return other is not None and package.name in provisions.of(other).names
 
 
 def _finding(package: ProjectPackage, missing: dict[str, list[Lookup]]) -> Finding:

@@ -68,7 +68,7 @@ def check(project: Project) -> Iterator[Finding]:
         use = _use(needed, place)
         if any(needed in found for found, _ in _got(package, named, uses, system, got)):
             continue
-        if is_left_out(package, use, system) or closes_a_cycle(package.name, needed, system, uses):
+        if is_left_out(package, use, system) or closes_a_cycle(package.name, needed, system.packages, uses):
             continue
         aside = _is_aside(use, system) or all(_is_aside(_use(needed, each), system) for each in named.launches)
         level = Level.WARNING if got[package.name][1] and not aside else Level.NOTE
@@ -162,7 +162,7 @@ def _package_of(plugin: PluginUse, ros: int | None, project: Project, exported: 
     released = project.knowledge.plugins(plugin.name)
     if released is not None:
         owners = {package for package, base in released if not _OTHER.fullmatch(base)}
-        owners = {each for each in owners if project.knowledge.is_in(each, ros)}
+        owners = {each for each in owners if project.knowledge.is_current(each, ros)}
         return next(iter(owners)) if len(owners) == 1 else None
     if not plugin.is_sure or project.knowledge.is_metapackage(space, ros) or not project.knowledge.is_package(space):
         return None

@@ -11,6 +11,7 @@ from haros_ci.api.packages import (
     Provisions,
     Sources,
     add_dependency,
+    closes_a_cycle,
     first_provider,
     imports_of,
     is_of_ros,
@@ -38,6 +39,8 @@ def check(project: Project) -> Iterator[Finding]:
             if provided is not None and provisions.lacks(provided, need.providers):
                 missing.setdefault(need.providers, []).append(need)
         for uses in missing.values():
+            if closes_a_cycle(package.name, first_provider(uses[0].providers, package), project.manifests):
+                continue
             yield _finding(package, uses)
 
 

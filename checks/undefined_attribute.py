@@ -22,6 +22,8 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _like(each: Unset) -> str:
+    if any(each.name == parameter.name for parameter in each.routine.function.parameters):
+        return f"; write {each.name}, the parameter of {each.routine.function.name.rpartition('.')[2]}()"
     found = get_close_matches(each.name, sorted(each.known), 1, 0.75)
     return f"; did you mean self.{found[0]}?" if found else "; set it in __init__()"
 

@@ -20,6 +20,43 @@ ROS2 = "<buildtool_depend>ament_cmake</buildtool_depend>{}<export><build_type>am
 CMAKE = "cmake_minimum_required(VERSION 3.8)\nproject(demo)\n{}\n"
 
 
+def pair(check_id: str, core: str, arm: str, tmp_path: Path) -> list[tuple[str, str]]:
+    """What the check says of two packages of ROS 1 that import each other's modules, with these dependencies."""
+    files = {}
+    for name, other, needs in (("core", "arm", core), ("arm", "core", arm)):
+        needs = "<buildtool_depend>catkin</buildtool_depend>" + "".join(
+            f"<depend>{one}</depend>" for one in needs.split()
+        )
+        files[f"{name}/package.xml"] = MANIFEST.format(' format="2"', needs).replace(">demo<", f">{name}<")
+        files[f"{name}/CMakeLists.txt"] = (
+            f"cmake_minimum_required(VERSION 3.8)\nproject({name})\nfind_package(catkin REQUIRED)\ncatkin_python_setup()\n"
+            "catkin_package(INCLUDE_DIRS include)\ninclude_directories(include ${catkin_INCLUDE_DIRS})\n"
+            f"add_library({name} src/a.cpp)\n"
+        )
+        files[f"{name}/setup.py"] = (
+            f"from setuptools import setup\nsetup(packages=['{name}'], package_dir={{'': 'src'}})\n"
+        )
+        files[f"{name}/src/{name}/__init__.py"] = f"import {other}\n" if check_id == "undeclared-import" else ""
+        files[f"{name}/include/{name}/{name}.h"] = "int a;\n"
+        files[f"{name}/src/a.cpp"] = f"#include <{other}/{other}.h>\n" if check_id == "undeclared-dependency" else ""
+    check = next(check for check in checks() if check.id == check_id)
+    return [(result.level.value, result.message) for result in said(check, Example("", True, files), tmp_path)]
+
+
+@pytest.mark.parametrize("check_id", ["undeclared-import", "undeclared-dependency"])
+def test_no_advice_that_closes_a_cycle(check_id: str, tmp_path: Path) -> None:
+    found = pair(check_id, "", "core", tmp_path)
+    assert len(found) == 1 and found[0][0] == "warning", found
+    assert "circular dependency" in found[0][1] and "; add <" not in found[0][1]
+
+
+@pytest.mark.parametrize("check_id", ["undeclared-import", "undeclared-dependency"])
+def test_no_two_advices_that_close_a_cycle(check_id: str, tmp_path: Path) -> None:
+    found = pair(check_id, "", "", tmp_path)
+    assert sorted(level for level, _ in found) == ["error", "warning"], found
+    assert sum("; add <" in message for _, message in found) == 1
+
+
 def messages(manifest: str, cmake: str, source: str, tmp_path: Path) -> list[str]:
     check = next(check for check in checks() if check.id == "undeclared-dependency")
     files = {"package.xml": manifest, "CMakeLists.txt": CMAKE.format(cmake), "a.cpp": source}
@@ -65,6 +102,16 @@ def test_what_another_check_says(declared: str, cmake: str, tmp_path: Path) -> N
 
 
 def test_what_no_other_check_says(tmp_path: Path) -> None:
-    cmake = "find_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\nadd_executable(a a.cpp)\nament_package()"
+    cmake = (
+        "find_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\nadd_executable(a a.cpp)\nament_package()"
+    )
     found = messages(MANIFEST.format(' format="3"', ROS2.format("")), cmake, "int a;\n", tmp_path)
     assert len(found) == 1 and "rclcpp" in found[0]
+
+
+@pytest.mark.parametrize("ros", ["PCL", "OpenCV"])
+def test_a_name_that_only_distributions_long_gone_have_is_not_proposed(ros: str, tmp_path: Path) -> None:
+    cmake = f"find_package(catkin REQUIRED COMPONENTS roscpp)\nfind_package({ros} REQUIRED)\ncatkin_package()"
+    found = messages(MANIFEST.format(' format="2"', ROS1), cmake, "int a;\n", tmp_path)
+    assert len(found) == 1 and "<depend>lib" in found[0], found
+    assert not any(word in found[0] for word in ("pcl<", "opencv2", "or pcl", ", pcl"))

@@ -14,6 +14,7 @@ from haros_ci.checking.given import (
     misplaced,
     near,
 )
+from haros_ci.checking.given_names import is_given_away
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
 from haros_ci.checking.likeness import is_moved, is_slip, may_be
@@ -78,6 +79,7 @@ __all__ = [
     "can_meet",
     "command",
     "incompatible",
+    "is_given_away",
     "is_idle",
     "is_mentioned",
     "is_read_besides",

@@ -53,6 +53,7 @@ from haros_ci.checking.plugins import (
     own_classes,
     registers_otherwise,
     registrations,
+    variant,
 )
 from haros_ci.checking.provision import (
     Provision,
@@ -208,5 +209,6 @@ __all__ = [
     "set_text",
     "uninstalled",
     "used_by_launch_files",
+    "variant",
     "word",
 ]

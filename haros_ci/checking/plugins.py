@@ -22,6 +22,8 @@ _EXPORT = "pluginlib_export_plugin_description_file"
 #: What a user asks for a plug-in in: code, parameters, launch files, robots.
 _ASKING = (".cpp", ".cc", ".cxx", ".hpp", ".h", ".py", ".yaml", ".yml", ".launch", ".xml", ".xacro", ".urdf", ".json")
 _LOADER = re.compile(r'[({]\s*"([a-z]\w*)"\s*,\s*"(\w+(?:::\w+)+)"\s*[,)}]')
+#: Commands that say how a target is compiled.
+_DEFINING = ("target_compile_definitions", "target_compile_options", "set_target_properties", "set_property")
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,3 +164,15 @@ def own_classes(package: ProjectPackage) -> set[str]:
             return set()
         names.update(each.name for each in program.classes)
     return names
+
+
+def variant(package: ProjectPackage, library: Target) -> tuple[frozenset[str], frozenset[str]]:
+    """What makes *library* another one than a second of the same source: its definitions, and the other targets of the package in it."""
+    defined: set[str] = set()
+    for command in package.commands(*_DEFINING):
+        words = command.arguments
+        is_meant = "COMPILE" in "".join(words) or command.name.startswith("target_")
+        if library.name in words and is_meant:
+            defined.update(word for word in words if word != library.name)
+    own = {target.name for target in package.build.targets if not set(target.sources) & set(library.sources)}
+    return frozenset(defined), frozenset(own.intersection(library.links))

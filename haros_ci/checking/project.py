@@ -177,6 +177,11 @@ class Project:
         return self._base() if callable(self._base) else self._base
 
     @cached_property
+    def manifests(self) -> Mapping[str, Package]:
+        """What the manifests of the packages say, by their names."""
+        return {name: package.raw for name, package in self._packages.items()}
+
+    @cached_property
     def changes(self) -> Changes:
         """What is otherwise than at the base revision; nothing without one."""
         base, here = self.base, self._revision

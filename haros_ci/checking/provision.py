@@ -21,8 +21,6 @@ _OWN_ONLY = ("test_depend", "doc_depend")
 _SHOWN = 3
 #: Packages that are looked at for what others bring, in all; a thousand packages that need each other have a million.
 MAX_STEPS = 3_000_000
-#: Packages that only distributions before Melodic have; rosdep has the library (libopencv-dev) for all.
-_PAST = frozenset(("opencv2", "opencv3"))
 #: Keys that bring what others bring parts of.
 _WHOLE = frozenset(("libqt4-dev", "qtbase5-dev", "qt6-base-dev"))
 #: Commands of CMake that build Python modules.
@@ -134,13 +132,21 @@ def is_of_ros(name: str, project: Project) -> bool:
 
 
 def exists(names: frozenset[str], package: ProjectPackage) -> bool:
-    """Whether the ROS that *package* is of has any of *names*; one that only the other ROS has is a name's accident."""
+    """Whether the ROS that *package* is of has any of *names* today; one that only the other ROS has is a name's accident.
+
+    One that only distributions long gone have cannot be declared any more.
+    """
     project = package.project
     return any(
         project.package(name) is not None
-        or (project.knowledge.is_in(name, package.ros) and not _is_gone(name, package))
+        or (project.knowledge.is_current(name, package.ros) and not _is_gone(name, package))
         for name in names
     )
+
+
+def is_to_be_had_today(name: str, package: ProjectPackage) -> bool:
+    """Whether the workspace has *name*, or a distribution of the ROS of *package* that is not long gone, or rosdep (knowledge.is_current)."""
+    return package.project.package(name) is not None or package.project.knowledge.is_current(name, package.ros)
 
 
 def _is_gone(key: str, package: ProjectPackage) -> bool:
@@ -160,7 +166,7 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
         usable,
         key=lambda n: (
             not exists(frozenset((n,)), package),
-            n in _PAST,
+            not is_to_be_had_today(n, package),
             not is_of_ros(n, project),
             bool(families) and _family(n) not in {"", *families},
             n.endswith("_cmake_module"),  # brings a Find module, and the thing itself by another package
@@ -190,6 +196,7 @@ def others_of(names: frozenset[str], name: str, package: ProjectPackage) -> list
     if name in _WHOLE:
         return []
     usable = [n for n in names if n != name and _is_name(n, package.project) and exists(frozenset((n,)), package)]
+    usable = [n for n in usable if is_to_be_had_today(n, package)]
     return sorted(usable, key=lambda n: (n.startswith("python-"), len(n), n))[:_SHOWN]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 
 from haros_ci.checking.launching import owner
 from haros_ci.checking.package_names import meant_here
@@ -36,6 +37,8 @@ _PLAIN: tuple[str, ...] = (
 _PLAIN += ("message_runtime", "rosidl_", "std_srvs", "pluginlib", "eigen", "class_loader", "rviz2", "rviz", "nodelet")
 
 
+#: That nothing is used but what manifests declare.
+NOTHING: Mapping[str, frozenset[str]] = MappingProxyType({})
 #: Tools that people start while they make or watch a robot.
 _TOOLS = frozenset(
     ("moveit_setup_assistant", "moveit_ros_benchmarks", "plotjuggler", "plotjuggler_ros", "rosbag", "ros2bag")
@@ -88,14 +91,16 @@ def used_by_launch_files(system: System) -> Mapping[str, frozenset[str]]:
     return {name: frozenset(names) for name, names in found.items()}
 
 
-def closes_a_cycle(name: str, used: str, system: System, uses: Mapping[str, frozenset[str]]) -> bool:
-    """Whether the package *used* needs the package *name* itself, or its launch files do.
+def closes_a_cycle(
+    name: str, used: str, packages: Mapping[str, Package], uses: Mapping[str, frozenset[str]] = NOTHING
+) -> bool:
+    """Whether the package *used* of the *packages* of a workspace needs the package *name* itself, or *uses* say so, by the names of packages.
 
     With the dependency declared in both packages colcon and catkin stop, because they can order neither first.
     """
     todo, seen = [used], {used}
     while todo:
-        inner = system.packages.get(todo.pop())
+        inner = packages.get(todo.pop())
         if inner is None:
             continue
         further = {dependency.name for dependency in inner.dependencies} | uses.get(inner.name, frozenset())
@@ -111,7 +116,7 @@ def is_to_be_had(name: str, ros: int | None, system: System) -> bool:
     known = knowledge()
     if name in system.packages:
         return True
-    return (not known.is_there or known.is_in(name, ros)) and not _is_slip_of_one(name, system)
+    return (not known.is_there or known.is_current(name, ros)) and not _is_slip_of_one(name, system)
 
 
 def _is_slip_of_one(name: str, system: System) -> bool:

@@ -11,6 +11,8 @@ from haros_ci.knowledge.facts import Facts
 
 #: The distributions of ROS 1 that the index has.
 ROS_1 = ("groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
+#: Those of ROS 1 whose packages are still to be had: who adds a dependency today adds one of them.
+_CURRENT = ("melodic", "noetic")
 _UNSURE = "?"
 #: Messages that an action stands for in ROS 1 (genaction of actionlib_msgs).
 _PARTS = ("ActionGoal", "ActionResult", "ActionFeedback", "Action", "Goal", "Result", "Feedback")
@@ -58,6 +60,17 @@ class Knowledge:
         bits = int(mask, 16)
         distributions = self.facts.about["distributions"]
         return any(bits >> at & 1 and (each in ROS_1) == (ros == 1) for at, each in enumerate(distributions))
+
+    def is_current(self, name: str, ros: int | None) -> bool:
+        """Whether a distribution of *ros* that is not long gone has the package, or rosdep the key: of ROS 1 Melodic or Noetic, of ROS 2 any."""
+        mask = self.facts.section("packages").get(name)
+        if mask is None or not int(mask, 16) or self.is_key(name):
+            return self.is_in(name, ros)
+        bits, distributions = int(mask, 16), self.facts.about["distributions"]
+        alive = [
+            each for at, each in enumerate(distributions) if bits >> at & 1 and (each not in ROS_1 or each in _CURRENT)
+        ]
+        return any(ros is None or (each in ROS_1) == (ros == 1) for each in alive)
 
     @property
     def is_there(self) -> bool:

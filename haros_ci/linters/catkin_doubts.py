@@ -32,6 +32,8 @@ _SOURCE_OF = re.compile(
     r"\w*(?:add_\w*(?:executable|library)|target_sources|catkin_add_gtest|add_rostest_gtest)\(\)", re.IGNORECASE
 )
 _SIMPLE = re.compile(r"^\s*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
+#: Commands that install: ``install()``, ``catkin_install_python()``, ``cs_install()`` and such of one's own.
+_INSTALLS = re.compile(r"^[ \t]*\w*install\w*[ \t]*\(", re.MULTILINE | re.IGNORECASE)
 #: Rules about files and directories that are not there.
 _OF_FILES = frozenset(("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR", "MISSING_INCLUDE_PATH", "MISSING_PLUGIN"))
 _GENERATED = re.compile(r"\bgenerate_messages\s*\(\s*DEPENDENCIES\s([^()]{0,5000})\)", re.IGNORECASE)
@@ -53,6 +55,8 @@ def is_refuted(
             "catkin_package" in message
             and _SIMPLE.search(workspace.text(join(directory, "CMakeLists.txt"))) is not None
         )
+    if rule.startswith("UNINSTALLED_") and not _installs(directory, workspace):
+        return True
     named = _FILE.search(message)
     if named is None:
         return False
@@ -69,6 +73,13 @@ def is_refuted(
     if rule == "EXTERNAL_FILE" and not named[1].startswith("/"):
         return any(file.path in (here, beside) for file in workspace.files)
     return False
+
+
+def _installs(directory: str, workspace: Workspace) -> bool:
+    """Whether the CMake files of the package have any command that installs; one without is built for its devel space alone."""
+    prefix = "" if directory == "." else f"{directory}/"
+    own = (file.path for file in workspace.files if file.path.startswith(prefix))
+    return any(_INSTALLS.search(workspace.text(path)) for path in own if path.endswith(("CMakeLists.txt", ".cmake")))
 
 
 def _has_extension(workspace: Workspace, *paths: str) -> bool:

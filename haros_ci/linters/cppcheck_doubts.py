@@ -13,6 +13,9 @@ from haros_ci.results.scope import scopes
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
 _NAMED_ARGUMENT = re.compile(r"\"_[A-Za-z]\w*[ \t]*=(?!=)")
 _OF_LITERALS = frozenset({"assignBoolToPointer", "selfAssignment", "AssignmentIntegerToAddress", "stringLiteralWrite"})
+#: ``Same expression on both sides of '-'``.
+_BOTH_SIDES = re.compile(r"both sides of '([^'\s]{1,3})'")
+_LONGEST = 2000
 _OF_UNUSED = frozenset({"unreadVariable", "unusedVariable"})
 #: ``Variable 'pose(2)' is assigned …`` and ``Unused variable: pose``.
 _SUBJECT = re.compile(r"'([^']+)'|: (\w+)\.?$")
@@ -103,6 +106,8 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return _BY_NAME.search(here) is not None and _BY_ONE.search(here) is None
     if rule in _OF_CONDITIONS:
         return is_switched_by_hand(line, text)
+    if rule == "duplicateExpression":
+        return _is_of_numbers(message, _line(text, line))
     if rule == "memleak":  # who names it so, or says so just above, means it
         near = "\n".join(text.split("\n")[max(line - 7, 0) : line])
         return _LEAKED.search(message) is not None or any(_LEAKS.search(each[0]) for each in _COMMENT.finditer(near))
@@ -129,6 +134,17 @@ def _is_used(subject: str, line: int, text: str) -> bool:
 def _line(text: str, line: int) -> str:
     lines = text.split("\n")
     return lines[line - 1] if 0 < line <= len(lines) else ""
+
+
+def _is_of_numbers(message: str, line: str) -> bool:
+    """Whether the same number stands on both sides of the operator, as in an index that is counted from one: ``x(1-1)``."""
+    operator = _BOTH_SIDES.search(message)
+    if operator is None:
+        return False
+    return (
+        re.search(rf"(?<![\w.)\]])(\d[\w.]{{0,40}})\s*{re.escape(operator[1])}\s*\1(?![\w.])", line[:_LONGEST])
+        is not None
+    )
 
 
 def _is_provoked(line: int, text: str) -> bool:

@@ -45,6 +45,9 @@ OF_A_CALL = frozenset(
 #: Rules that speak once of each use of a name that is not there: those of one name in one file have one cause.
 OF_A_NAME = frozenset("pylint:undefined-variable ruff:F821 flake8:F821 mypy:name-defined".split())
 
+#: Rules that both speak of a pointer into a text that ends with the function: those of one line have one cause.
+OF_A_TEXT = frozenset(("cppcheck:stlcstr", "cppcheck:returnDanglingLifetime"))
+
 #: Rules that speak once of each item of ``__all__``, which a file has once.
 OF_A_FILE = frozenset(("pylint:invalid-all-object",))
 
@@ -82,6 +85,8 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             lines[result.full_id, result.location.path, called].append(i)
         elif result.full_id in OF_A_LINE and result.location.line:
             lines[result.full_id, result.location.path, result.location.line].append(i)
+        elif result.full_id in OF_A_TEXT and result.location.line:
+            lines["stlcstr", result.location.path, result.location.line].append(i)
         elif result.full_id in OF_A_NAME:
             lines[result.full_id, result.location.path, result.message].append(i)
         elif result.full_id in OF_A_FILE:

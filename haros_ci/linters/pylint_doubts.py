@@ -10,6 +10,12 @@ from __future__ import annotations
 import re
 
 from haros_ci.linters.class_methods import is_class_method, takes_value
+from haros_ci.linters.pylint_idioms import (
+    is_choice_of_calls,
+    is_left_to_subclasses,
+    is_one_of_several,
+    is_placeholder,
+)
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.results.scope import scopes
@@ -63,7 +69,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     if rule == "no-value-for-parameter":
         return _is_decorated(text, line, column)
     if rule in ("pointless-statement", "expression-not-assigned"):
-        return _is_on_purpose(text, line) or (rule == "expression-not-assigned" and _is_loop(text, line, column))
+        is_call = rule == "expression-not-assigned" and (_is_loop(text, line, column) or is_choice_of_calls(text, line))
+        return is_call or _is_on_purpose(text, line)
     if rule == "unreachable":
         return _is_unwritten(text, line)
     if rule == "trailing-comma-tuple":
@@ -76,7 +83,11 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         lines = text.split("\n")
         return 0 < line <= len(lines) and _OF_SHAPES.search(lines[line - 1], column) is not None
     if rule == "not-callable":
-        return _is_tested(text, line, column)
+        return _is_tested(text, line, column) or is_left_to_subclasses(text, line, column)
+    if rule == "bad-thread-instantiation":
+        return is_placeholder(text, line)
+    if rule == "self-assigning-variable":
+        return is_one_of_several(text, line)
     if rule in ("undefined-variable", "used-before-assignment"):
         return _is_global_of_main(text, line, column)
     if rule == "possibly-used-before-assignment":

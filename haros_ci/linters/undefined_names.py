@@ -18,6 +18,7 @@ OF_PYTHON_2 = frozenset(
 )
 #: Names that others put among the built-in ones: gettext.install, the compiler of a class, IPython, line_profiler, Windows.
 _BROUGHT = frozenset("_ ngettext __class__ __path__ __IPYTHON__ get_ipython profile reveal_type WindowsError".split())
+_PYTHON_3 = re.compile(r"#![^\n]{0,200}\bpython3")
 _QUOTED = re.compile(r"['\"`](\w+)['\"`]")
 _ASKS_FOR_VERSION = re.compile(r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bexcept[ \t(]+[^\n:]{0,80}\bNameError\b")
 #: What makes names that no reader of the text can know.
@@ -42,7 +43,8 @@ def weighed_names(
 ) -> tuple[Result, ...]:
     """*results* without names that something else defines, and with a warning for those that may well be defined.
 
-    Or that nothing evaluates: in annotations, where the file imports them from __future__ (PEP 563). May be: a name of Python 2 in a package of ROS 1, all of whose distributions but the last have Python 2 (REP 3); a name
+    Or that nothing evaluates: in annotations, where the file imports them from __future__ (PEP 563). A name of Python 2 is defined in a package
+    of ROS 1, all of whose distributions but the last have Python 2 (REP 3); may be, where the first line asks for Python 3. So may be a name
     in a string, where annotations stand that are not evaluated; any name where the file makes names of strings. *text* reads
     a path, *is_ros1* tells of one whether it is of a package of ROS 1; where the level *is_given* by the settings it stands.
     In a file that another one loads by its path (*is_loaded*) any name may have been put there.
@@ -57,6 +59,8 @@ def weighed_names(
             if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _ASKS_FOR_VERSION.search(whole)):
                 continue
             old = name[1] in OF_PYTHON_2 and is_ros1(result.location.path)
+            if old and not _PYTHON_3.match(whole) and not is_given(result):
+                continue
             unsure = old or _is_in_string(result, whole) or _is_in_annotation(result, whole)
             if (unsure or _MAKES_NAMES.search(whole)) and not is_given(result):
                 result = replace(result, level=max(result.level, Level.WARNING, key=lambda level: level.rank))

@@ -104,9 +104,9 @@ def _run(state: State, command: Command, macro: dict[str, str] | None) -> str:
         if name == RETURN and macro is None:
             _propagate(state, command)
         return name
-    if name == "message":  # outside of branches that may not be taken, an error is one of ours
+    if name == "message":  # outside of branches that may not be taken, which have a journal, it is ours
         is_fatal = bool(command.arguments) and command.arguments[0].text == "FATAL_ERROR"
-        return DEAD if is_fatal and state.doubts else END
+        return DEAD if is_fatal and state.journal is not None else END
     run = COMMANDS.get(name) or (None if name in state.functions else SUMMARIES.get(name))
     if run is not None:
         call = state.expand(command, command.arguments, macro)
@@ -181,7 +181,8 @@ def _fork(state: State, opener: Command, bodies: list[list[Command]], macro: dic
         before = state.seen_from(scope, name)
         state.put(name, merge([after[key][2] if key in after else before for _, after in alive]), scope)
     signals = [end[0] for end in going]
-    return signals[0] if all(signal == signals[0] for signal in signals) else END
+    is_of_all = all(signal == signals[0] for signal in signals) and (signals[0] != DEAD or outer is not None)
+    return signals[0] if is_of_all else END
 
 
 def _loop(state: State, command: Command, macro: dict[str, str] | None) -> str:

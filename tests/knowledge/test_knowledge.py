@@ -103,6 +103,8 @@ def test_packages_and_their_distributions() -> None:
     assert KNOWN.is_package("roscpp", "humble") is KNOWN.is_package("our_company") is False
     assert KNOWN.is_package("rclcpp", "zebra") is None
     assert KNOWN.is_in("roscpp", 1) and not KNOWN.is_in("roscpp", 2)
+    assert KNOWN.is_current("roscpp", 1) and KNOWN.is_current("rclcpp", 2) and KNOWN.is_current("eigen", 1)
+    assert KNOWN.is_in("pcl", 1) and not KNOWN.is_current("pcl", 1) and not KNOWN.is_current("roscpp", 2)
     assert KNOWN.is_in("eigen", 1) and KNOWN.is_in("rclcpp", 2) and not KNOWN.is_in("our_company", None)
 
 

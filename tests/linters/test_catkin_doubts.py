@@ -39,9 +39,15 @@ REFUTED = [
     ("MISSING_FILE", MISSING.format("/link.so"), "", 1),
     ("MISSING_FILE", "add_executable() needs missing file 'plant'.", "cuda_add_executable(a a.cu plant)\n", 1),
     ("MISSING_FILE", "add_library() needs missing file 'src/kernel'.", "add_library(a src/kernel)\n", 1),
+    ("UNINSTALLED_EXPORT_LIB", "exported library 'a' is not installed.", "catkin_package(LIBRARIES a)\n", 1),
+    ("UNINSTALLED_INCLUDE_PATH", "include path 'include' is not installed.", "# install(TARGETS a)\n", 1),
+    ("UNINSTALLED_SCRIPT", "script 'a.py' is not installed.", "set(install a)\n", None),
     ("EXTERNAL_FILE", "include() uses file '../common.cmake' which is not in package.", "", 1),
 ]
 STANDS = [
+    ("UNINSTALLED_EXPORT_LIB", "exported library 'a' is not installed.", "  install(TARGETS b)\n", 1),
+    ("UNINSTALLED_EXPORT_LIB", "exported library 'a' is not installed.", "catkin_install_python (PROGRAMS b)\n", 1),
+    ("UNINSTALLED_EXPORT_LIB", "exported library 'a' is not installed.", "cs_install()\n", 1),
     ("MISSING_CMD", "missing catkin_package().", "find_package(catkin REQUIRED)\n", None),
     ("MISSING_CMD", "missing catkin_package().", "# cs_export()\n", None),
     ("MISSING_CMD", "missing generate_messages().", "cs_export()\n", None),
@@ -99,7 +105,8 @@ def test_stands(tmp_path: Path, rule: str, message: str, text: str, line: int | 
 )
 def test_submodules_that_are_not_checked_out(tmp_path: Path, rule: str, message: str, expected: bool) -> None:
     modules = '[submodule "gears"]\n\tpath = robot/gears\n[submodule "wheels"]\n\tpath = robot/wheels\n'
-    files = {"robot/package.xml": "", "robot/CMakeLists.txt": "", ".gitmodules": modules, "robot/wheels/README": ""}
+    files = {"robot/package.xml": "", ".gitmodules": modules, "robot/wheels/README": ""}
+    files["robot/CMakeLists.txt"] = "install()\n"
     here = workspace(tmp_path, files, [Package("robot", "robot", ros=1)])
     lacking = absent(replace(here, names=frozenset(files)))
     assert lacking == {"robot/gears"}

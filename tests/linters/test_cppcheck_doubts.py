@@ -29,6 +29,13 @@ REFUTED = [
     ("assignBoolToPointer", "Boolean value assigned to pointer.", 'm.def("f", &f, "on"_a = false);'),
     ("selfAssignment", "Redundant assignment of '\"a\"' to itself.", 'm.def("f", &f, "a"_a="a");'),
 ]
+SAME = "Same expression on both sides of '{}'."
+REFUTED += [
+    ("duplicateExpression", SAME.format("-"), "double m = X(1-1) - X(2-1);\n"),
+    ("duplicateExpression", SAME.format("-"), "m[1 - 1] = 0;\n"),
+    ("duplicateExpression", SAME.format("/"), "rate = 1.0 / 1.0;\n"),
+    ("duplicateExpression", SAME.format("|"), "flags = 0x1 | 0x1;\n"),
+]
 COST = "Uninitialized variable: made.cost"
 REFUTED += [("uninitvar", COST, "return made;\n"), ("uninitvar", COST, "    return made ;\n")]
 SWITCH = "switch (kind)\n{\n  case Kind::A:\n    return 1;\n  case Kind::B: { return 2; }\n}\n"
@@ -58,6 +65,11 @@ REFUTED += [
     ("missingReturn", EXIT, "  THROW_ERROR(a,\n    b(1));\n}\n"),
 ]
 STANDS = [
+    ("duplicateExpression", SAME.format("-"), "m = x - x;\n"),
+    ("duplicateExpression", SAME.format("-"), "m = a1 - a1 + f(1);\n"),
+    ("duplicateExpression", SAME.format("-"), "m = x[1] - x[1];\n"),
+    ("duplicateExpression", SAME.format("&&"), "if (a && a) f(1-1);\n"),
+    ("duplicateExpression", SAME.format("-"), "m = 1 - 12 + x - x;\n"),
     ("missingReturn", EXIT, "  ROS_ERROR(1);\n}\n"),
     ("missingReturn", EXIT, '  RCLCPP_ERROR_STREAM(log, "no" << a);\n}\n'),
     ("missingReturn", EXIT, "  ROS_FATAL(1);\n}\n"),

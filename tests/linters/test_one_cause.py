@@ -157,3 +157,18 @@ def test_one_name_that_is_not_there(rule: str) -> None:
         ("a.py", 9, 0),
         ("b.py", 3, 0),
     ]
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "expected"),
+    [
+        (("stlcstr", 3), ("returnDanglingLifetime", 3), 1),
+        (("returnDanglingLifetime", 3), ("stlcstr", 3), 1),
+        (("stlcstr", 3), ("returnDanglingLifetime", 4), 2),
+        (("stlcstr", 3), ("nullPointer", 3), 2),
+        (("returnReference", 3), ("returnDanglingLifetime", 3), 2),
+    ],
+)
+def test_a_pointer_into_a_text_that_ends(first: tuple[str, int], second: tuple[str, int], expected: int) -> None:
+    given = [found(line, name, rule=name) for name, line in (first, second)]
+    assert len(one_cause(given, lambda path: TEXT)) == expected

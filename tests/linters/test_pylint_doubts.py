@@ -42,6 +42,34 @@ REFUTED = [
         "args)",
     ),
 ]
+THREAD = "class A:\n    def __init__(self):\n        self.worker = {}()\n    def go(self):\n        self.worker = {}(target=f)\n"
+ENTRY = "class Entry(ABC):\n    kind = None\n    def __init__(self):\n        self.value = self.kind()\n"
+REFUTED += [
+    ("bad-thread-instantiation", THREAD.format("threading.Thread", "threading.Thread"), "()\n    def"),
+    ("bad-thread-instantiation", THREAD.format("Thread", "Thread"), "()\n    def"),
+    ("bad-thread-instantiation", THREAD.format("Thread", "StoppableThread"), "()\n    def"),
+    ("bad-thread-instantiation", THREAD.replace("f)", "\n            f)").format("Thread", "Thread"), "()\n    def"),
+    (
+        "bad-thread-instantiation",
+        THREAD.replace("{}(target", "{}(\n            target").format(*("Thread",) * 2),
+        "()\n    def",
+    ),
+    ("not-callable", ENTRY, "self.kind()"),
+    ("not-callable", ENTRY + "class More(Entry):\n    def go(self):\n        self.kind()\n", "self.kind()"),
+    ("not-callable", ENTRY.replace("kind = None", "kind: type | None = None"), "self.kind()"),
+    ("not-callable", ENTRY.replace("(ABC)", "(metaclass=abc.ABCMeta)"), "self.kind()"),
+    (
+        "not-callable",
+        ENTRY.replace("(ABC)", "(object)") + "    def read(self):\n        raise NotImplementedError()\n",
+        "self.kind()",
+    ),
+    ("expression-not-assigned", "def f(x):\n    x.a() if x.b == 'c' else x.d()\n", "x.a()"),
+    ("expression-not-assigned", "x.a() if x.b else None\n", "x.a()"),
+    ("expression-not-assigned", "x.a(\n  1) if b else (\n    c() if d else e())\n", "x.a("),
+    ("self-assigning-variable", "def f():\n    status, message = A.B, message\n", "message ="),
+    ("self-assigning-variable", "a, b, c = a, 1, c\n", "a, b"),
+    ("self-assigning-variable", "a, b = (\n    a, 1)\n", "a, b"),
+]
 MODULE = "if os.name == 'nt':\n    import msvcrt\nelse:\n    import tty, termios\n"
 GET = "def get():\n    if os.name == 'nt':\n        return 1\n    termios.tcsetattr(x)\n"
 REFUTED += [
@@ -82,6 +110,27 @@ REFUTED += [
     ("trailing-comma-tuple", "a = 1, 2, 3,\n", "a"),
 ]
 STANDS = [
+    ("bad-thread-instantiation", THREAD.format("Thread", "list"), "()\n    def"),
+    ("bad-thread-instantiation", THREAD.replace("target=f", "").format("Thread", "Thread"), "()\n    def"),
+    (
+        "bad-thread-instantiation",
+        THREAD.replace("    def go", "class B:\n    def go").format(*("Thread",) * 2),
+        "()\nclass B",
+    ),
+    ("bad-thread-instantiation", "Thread().start()\n", "Thread"),
+    ("not-callable", ENTRY.replace("(ABC)", ""), "self.kind()"),
+    ("not-callable", ENTRY.replace("kind = None", "kind = 1"), "self.kind()"),
+    (
+        "not-callable",
+        ENTRY.replace("    kind = None\n", "").replace("        self.v", "        kind = None\n        self.v"),
+        "self.kind()",
+    ),
+    ("expression-not-assigned", "a if b else c()\n", "a if"),
+    ("expression-not-assigned", "x.a() == 1\n", "x.a()"),
+    ("expression-not-assigned", "[x.a() if b else c()]\n", "[x"),
+    ("self-assigning-variable", "a = a\n", "a = "),
+    ("self-assigning-variable", "a, b = a, b\n", "a, b"),
+    ("self-assigning-variable", "a, b = b, a\na = a\n", "a = a"),
     ("undefined-variable", GLOBAL.replace("    global total\n", ""), "total)"),
     ("undefined-variable", GLOBAL.replace("total = 0", "totals = 0"), "total)"),
     ("undefined-variable", GLOBAL.replace("if __name__ == '__main__'", "def main()"), "total)"),

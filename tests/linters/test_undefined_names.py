@@ -48,7 +48,9 @@ def test_errors(name: str, text: str) -> None:
     ],
 )
 def test_names_of_python_2(name: str, text: str) -> None:
-    assert level(name, text) is Level.WARNING  # ROS 1: before Noetic there is nothing but Python 2
+    assert level(name, text) is None  # ROS 1: before Noetic there is nothing but Python 2
+    assert level(name, "#!/usr/bin/env python\n" + text) is level(name, "#!/usr/bin/python2\n" + text) is None
+    assert level(name, "#!/usr/bin/env python3\n" + text) is Level.WARNING
     assert level(name, text, ros1=False) is Level.ERROR
     assert level(name, "import sys\nif sys.version_info[0] < 3:\n    " + text.replace("\n", "\n    ")) is None
     assert level(name, f"try:\n    {name}\nexcept NameError:\n    pass\n") is None

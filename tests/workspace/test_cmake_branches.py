@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 from __future__ import annotations
 
+import pytest
+
 from in_memory import built, messages, names, only
 
 UNDECIDED = "find_package(X)\nif(X_FOUND)\n{}\nelse()\n{}\nendif()\n"
@@ -63,6 +65,26 @@ def test_a_branch_that_ends_the_build_does_not_count() -> None:
     build = built(text, "m.cpp")
     assert not only(build).is_conditional and only(build).conditional_sources == ()
     assert messages(build) == []
+
+
+FATAL = 'message(FATAL_ERROR "no X")'
+
+
+@pytest.mark.parametrize(
+    "before",
+    [
+        UNDECIDED.format(FATAL, FATAL),
+        f"set(L a)\n{UNDECIDED.format('list(APPEND L b)', '')}foreach(i ${{L}})\nset(d NO)\nif(NOT d)\n{FATAL}\nendif()\nendforeach()\n",
+        f"if(A)\nif(B)\n{FATAL}\nendif()\nelse()\n{FATAL}\nendif()\n",
+        f"{UNDECIDED.format('return()', '')}if(NOT d)\n{FATAL}\nendif()\n",
+        "include(s/extra.cmake)\n",
+    ],
+)
+def test_what_follows_an_error_is_read(before: str) -> None:
+    inner = f"find_package(X)\nif(X_FOUND)\nreturn()\nendif()\nif(NOT d)\n{FATAL}\nendif()\n"
+    build = built(before + "include_directories(inc)\nadd_library(a m.cpp)", "m.cpp", s__extra_cmake=inner)
+    assert only(build).name == "a"
+    assert [each.arguments for each in build.commands if each.name == "include_directories"] == [("inc",)]
 
 
 def test_a_loop_over_doubtful_items_makes_conditional_targets() -> None:

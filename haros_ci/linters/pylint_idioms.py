@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Idioms of Python that pylint takes for slips: a thread to be replaced, a class attribute for subclasses, statements of several parts."""
+
+from __future__ import annotations
+
+import ast
+import re
+import textwrap
+import warnings
+
+from haros_ci.results.scope import scopes
+
+#: Lines of one statement, and characters of a line, that are looked at.
+_MOST = 12
+_LONGEST = 400
+_THREAD = re.compile(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\w.]+\.)?\w*Thread\([ \t]*\)")
+_ATTRIBUTE = re.compile(r"(?:self|cls)\.(\w+)[ \t]*\(")
+_ABSTRACT = re.compile(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
+
+
+def is_placeholder(text: str, line: int) -> bool:
+    """Whether the thread without a target that *line* makes is given another value, a thread with one, in the same class."""
+    lines = text.split("\n")
+    made = _THREAD.match(lines[line - 1][:_LONGEST]) if 0 < line <= len(lines) else None
+    if made is None:
+        return False
+    again = re.compile(
+        rf"[ \t]*{re.escape(made[1])}[ \t]*(?::[^=\n]{{0,80}})?=[ \t]*(?:[\w.]+\.)?\w*(?:Thread|Timer)\([ \t]*(?![ \t)])"
+    )
+    inside = scopes(text, "python")
+    owner = _class_of(inside.at(line))
+    return any(
+        again.match(each[:_LONGEST]) and number != line and _class_of(inside.at(number)) == owner
+        for number, each in enumerate(lines, start=1)
+    )
+
+
+def is_left_to_subclasses(text: str, line: int, column: int) -> bool:
+    """Whether what is called there is an attribute of an abstract class that is None in it: subclasses set a class or function."""
+    lines = text.split("\n")
+    called = _ATTRIBUTE.match(lines[line - 1][:_LONGEST], column) if 0 < line <= len(lines) else None
+    if called is None:
+        return False
+    inside = scopes(text, "python")
+    none = re.compile(rf"[ \t]+{re.escape(called[1])}[ \t]*(?::[^=\n]{{0,80}})?=[ \t]*None\b")
+    bodies: dict[str, list[str]] = {}
+    owners = set()  # the class itself, or one of the file that it inherits
+    for number, each in enumerate(lines, start=1):
+        owner = _class_of(inside.at(number))
+        bodies.setdefault(owner, []).append(each[:_LONGEST].partition("#")[0])
+        if owner and inside.at(number) == owner and none.match(each[:_LONGEST]):
+            owners.add(owner)
+    return any(_ABSTRACT.search(each) for owner in owners for each in bodies[owner])
+
+
+def is_choice_of_calls(text: str, line: int) -> bool:
+    """Whether the statement there is a conditional expression that calls one thing or another: an if statement, only shorter."""
+    statement = _statement(text, line)
+    return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.IfExp) and _only_calls(statement.value)
+
+
+def is_one_of_several(text: str, line: int) -> bool:
+    """Whether the assignment there sets several variables, and only some of them to themselves: the others change."""
+    statement = _statement(text, line)
+    if not isinstance(statement, ast.Assign) or not isinstance(statement.value, ast.Tuple):
+        return False
+    target, values = statement.targets[0], statement.value.elts
+    if not isinstance(target, ast.Tuple) or len(target.elts) != len(values):
+        return False
+    return any(ast.unparse(one) != ast.unparse(other) for one, other in zip(target.elts, values, strict=True))
+
+
+def _only_calls(node: ast.expr) -> bool:
+    """Whether both ends of a conditional expression are calls, or one is and the other does nothing."""
+    if not isinstance(node, ast.IfExp):
+        return isinstance(node, (ast.Call, ast.Await))
+    ends = [each for each in (node.body, node.orelse) if not isinstance(each, ast.Constant)]
+    return bool(ends) and all(_only_calls(each) for each in ends)
+
+
+def _statement(text: str, line: int) -> ast.stmt | None:
+    """The simple statement that begins at *line*, counted from 1; None if it is not one alone, or of too many lines."""
+    lines = [each[: _LONGEST + 1] for each in text.split("\n")[max(line - 1, 0) : line - 1 + _MOST]]
+    if line < 1 or any(len(each) > _LONGEST for each in lines[:1]):
+        return None
+    for end in range(1, len(lines) + 1):
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                found = ast.parse(textwrap.dedent("\n".join([lines[0], *lines[1:end]])).lstrip()).body
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            continue
+        return found[0] if len(found) == 1 else None
+    return None
+
+
+def _class_of(scope: str) -> str:
+    """The class that *scope*, a class or one of its methods, is of."""
+    return scope.partition(".")[0]
