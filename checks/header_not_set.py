@@ -192,6 +192,7 @@ CHECK = Check(
     id="header-not-set",
     summary="Stamped message published without stamp or frame_id.",
     level=Level.WARNING,
+    profiles=("strict",),
     catalogue="C08",
     decidability=Decidability.EXACT,
     tags=("code", "messages"),

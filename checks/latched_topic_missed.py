@@ -74,6 +74,7 @@ CHECK = Check(
     id="latched-topic-missed",
     summary="Volatile subscription to a topic that is published as transient local.",
     level=Level.WARNING,
+    profiles=("strict",),
     decidability=Decidability.HEURISTIC,
     catalogue="Q06",
     tags=("topics", "qos"),

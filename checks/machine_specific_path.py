@@ -127,6 +127,7 @@ CHECK = Check(
     id="machine-specific-path",
     summary="Absolute or home directory path in a launch file.",
     level=Level.WARNING,
+    profiles=("strict",),
     catalogue="L06",
     tags=("launch",),
     run=check,

@@ -15,7 +15,7 @@ GROUPS: tuple[Group, ...] = (
             ("IOWithoutPositioning", "Bw", "File read and written without repositioning."),
             ("fflushOnInputStream", "Rs", "fflush on an input stream."),
             ("ignoredReturnErrorCode", "Ss", "Ignored error code."),
-            ("ignoredReturnValue", "Rw", "Ignored result of a function without side effects."),
+            ("ignoredReturnValue", "Sw", "Ignored result of a function without side effects."),
             ("incompatibleFileOpen", "Rw", "File open for reading and writing at once."),
             ("invalidFunctionArg", "Se", "Invalid value of a function argument."),
             ("invalidFunctionArgBool", "Be", "bool passed where a number is expected."),
