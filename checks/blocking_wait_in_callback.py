@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, syntax
 from haros_ci.api.code import (
     Call,
     Codebase,
+    Place,
     Reached,
     Routine,
     call_place,
@@ -180,9 +182,17 @@ def _python(code: Codebase, each: Reached, call: Call) -> str | None:
         return None
     if routine.path not in code.mentioning("rclpy.spin(", ".spin()"):
         return None  # a loop of spin_once() adds the node again each time
+    if call.name == "spin_once" and any(_is_endless(place) for place in call.around):
+        return None  # so does a loop in the callback that never ends
     is_given = call.argument(2 if call.name == "spin_until_future_complete" else 1, "executor") is not None
     is_given = is_given or any(isinstance(each, (syntax.Star, syntax.DoubleStar)) for each in call.args)
     return None if is_given else REMOVED.format(call.name)
+
+
+def _is_endless(place: Place) -> bool:
+    """Whether a loop ends with ROS alone."""
+    text = place.statement.text if isinstance(place.statement, syntax.Loop) else ""
+    return re.sub(r"\s", "", text) in ("rclpy.ok()", "True", "1")
 
 
 def _requested(code: Codebase, routine: Routine, future: syntax.Expression) -> syntax.Expression | None:

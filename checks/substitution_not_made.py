@@ -63,8 +63,8 @@ def _kept(project: Project, ros: int, parameter: Parameter) -> _Kept | None:
     if tag is None or at is None or parameter.source != "launch":
         return None
     written = next((each for text in _texts(value) for each in _WRITTEN[ros].findall(text)), None)
-    if written is None or _is_made(project, ros, tag):
-        return None
+    if written is None or written not in project.text(at.path) or _is_made(project, ros, tag):
+        return None  # what stands in no file is a path that a launch file has put in
     return _Kept(ros, tag, at, written, parameter)
 
 

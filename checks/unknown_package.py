@@ -17,7 +17,11 @@ _NAME = re.compile(r"[A-Za-z][\w-]*\Z")
 def check(system: System) -> Iterator[Finding]:
     known = {dependency.name for package in system.packages.values() for dependency in package.dependencies}
     alone: bool | None = None
+    seen: set[tuple[str, str]] = set()
     for use in system.facts(PackageUse):
+        if use.location.path.endswith(".py") and (use.location.path, use.package) in seen:
+            continue  # one call may stand in a variable that is used many times
+        seen.add((use.location.path, use.package))
         if use.is_here or use.package in known or not _NAME.match(use.package):
             continue
         meant = meant_here(use.package, system.packages)
