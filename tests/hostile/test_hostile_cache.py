@@ -89,7 +89,7 @@ def test_a_place_in_the_workspace_that_is_named(named: str, trap: Trap, uncached
     assert_harmless(trap, outcome)
     assert outcome.findings() == uncached.findings()
     written = [file for file in (trap.root / named).iterdir() if file.read_bytes().startswith(b"{")]
-    assert len(written) == 5  # the includes, the macros, the libraries, the facts of the C++ file, and the control
+    assert len(written) == 6  # the includes, the macros, the libraries, the facts of the C++ file, and the control
 
 
 UNUSABLE = [
@@ -168,9 +168,9 @@ def test_the_report_is_the_same(case: Case, trap: Trap, uncached: Outcome) -> No
 def test_what_was_spoiled_is_written_anew(trap: Trap) -> None:
     trap.use_cheap_control()
     shards("[" * 200_000)(trap)
-    assert b" 0 hits, 7 misses" in trap.start("check", "--timings").stderr
-    # what nodes make is kept only where there are any: the record and the list of records are missed again
-    assert b" 5 hits, 2 misses" in trap.start("check", "--timings").stderr
+    assert b" 0 hits, 8 misses" in trap.start("check", "--timings").stderr
+    # what was found in the architecture is kept as a whole: facts of files and what nodes make are not asked for
+    assert b" 5 hits, 0 misses" in trap.start("check", "--timings").stderr
 
 
 @pytest.mark.parametrize("mode", [0o000, 0o100, 0o300, 0o500], ids=oct)

@@ -18,7 +18,8 @@ from haros_ci.linters.catalogue import UNSERVED, rules_of
 from haros_ci.linters.metrics import STRUCTURE_RULES
 from haros_ci.measuring import crossings
 from haros_ci.measuring.facts import from_json, to_json
-from haros_ci.measuring.measures import FACTS, measure, structure
+from haros_ci.measuring.measures import measure, structure
+from haros_ci.own_sources import OF_MEASURES, digest
 from haros_ci.measuring.python import read_python
 from haros_ci.measuring.totals import METRICS
 from haros_ci.model.measurement import Measurement
@@ -136,7 +137,7 @@ def test_facts_come_from_the_store_and_are_not_trusted(tmp_path: Path) -> None:
     first = structure(workspace, store, 1).facts
     assert structure(workspace, store, 1).facts == first
     file = next(each for each in workspace.files if each.path == "two/b.py")
-    key = ("measured-python", file.path, f"{FACTS} {file.digest}")
+    key = ("measured-python", file.path, f"{digest(OF_MEASURES)} {file.digest}")
     assert from_json(store.get(*key)) == first["two/b.py"]
     for nonsense in ("x", [1], [[[1]], [], []], [[], [], [["a", "b"]]], [[], [["A", 1, 1, -1, 0, []]], []]):
         store.put(*key, nonsense)

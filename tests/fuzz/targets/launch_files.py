@@ -148,16 +148,16 @@ _XACRO = (
 
 TARGETS = {
     "launch-xml": Entry(launch_xml, "tags of launch files in XML", ("extract.launch.xml",)),
-    "roslaunch": Entry(roslaunch, "launch files of ROS 1, launched", ("link.roslaunch", "link.launch_facts"), _XML),
+    "roslaunch": Entry(roslaunch, "launch files of ROS 1, launched", ("launch.ros1", "launch.facts", "substitutions", "graph.words"), _XML),
     "ros2-launch-xml": Entry(
-        ros2_xml, "launch files of ROS 2 in XML", ("extract.launch.ros2", "link.launching"), _ROS2
+        ros2_xml, "launch files of ROS 2 in XML", ("extract.launch.ros2", "launch.ros2"), _ROS2
     ),
     "ros2-launch-yaml": Entry(ros2_yaml, "launch files of ROS 2 in YAML", ("extract.launch.ros2_yaml",), _ROS2),
-    "ros2-launch-python": Entry(ros2_python, "launch files of ROS 2 in Python", ("link.launch_python",)),
+    "ros2-launch-python": Entry(ros2_python, "launch files of ROS 2 in Python", ("launch.python",)),
     "parameter-yaml": Entry(
         parameter_yaml,
         "parameter files",
-        ("link.roslaunch_yaml", "link.launching.parameter_yaml", "extract.launch.ros2_entity"),
+        ("substitutions.yaml", "launch.ros2.parameter_yaml", "extract.launch.ros2_entity"),
         (
             b"!!binary ",
             b"!degrees ",
@@ -172,6 +172,6 @@ TARGETS = {
     ),
     "commands": Entry(expressions, "command lines and expressions of launch files", ("robot.commands",)),
     "robots": Entry(robots, "xacro, URDF and SRDF", ("robot",), _XACRO),
-    "behavior-trees": Entry(behavior_trees, "behaviour trees", ("link.behavior_tree_files",)),
+    "behavior-trees": Entry(behavior_trees, "behaviour trees", ("index.behavior_tree_files",)),
     "policies": Entry(policies, "policies of SROS 2", ("security.policy",)),
 }

@@ -249,7 +249,7 @@ TARGETS = {
     "cached-values": Entry(
         cached_values,
         "values of the cache",
-        ("linters.rows", "syntax.codec", "link.kept", "link.kept_json"),
+        ("linters.rows", "syntax.codec", "keeping.kept", "keeping.kept_json"),
         _JSON,
     ),
     "history": Entry(history, "the summary of HAROS's web page", ("haros_json.summary", "haros_json.documents"), _JSON),

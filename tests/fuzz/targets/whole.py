@@ -40,7 +40,7 @@ TARGETS = {
     "checks": Entry(
         checks,
         "a workspace of several files, through all checks and formats",
-        ("checking", "inspection", "report"),
+        ("checking", "analysis.inspection", "report"),
         (b"@@ bot/CMakeLists.txt\n", b"@@ bot/launch/a.launch.py\n", b"@@ bot/src/a.cpp\n", b"@@ bot/package.xml\n"),
     )
 }
