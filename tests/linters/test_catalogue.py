@@ -166,7 +166,7 @@ def test_layout_is_only_for_google() -> None:
         ("cpplint", "runtime/references", "google"),
         ("metrics", "max-cyclomatic-complexity-15", "ros"),
         ("metrics", "max-function-length-40", "strict"),
-        ("ruff", "F821", "bugs-only"),
+        ("ruff", "F601", "bugs-only"),
         ("ruff", "E902", "bugs-only"),
         ("clang-tidy", "clang-analyzer-core.NullDereference", "bugs-only"),
         ("catkin_lint", "missing_find", "ros"),

@@ -178,6 +178,9 @@ def confined_text(data: bytes) -> object:
     return made
 
 
+#: The rooms that following a node reaches.
+_ENGINE = ("code", "declared", "follow", "graph", "index", "keeping", "launch", "substitutions", "systems", "values")
+
 TARGETS = {
     "cpp": Entry(cpp, "C++ sources and headers", ("extract.cpp", "syntax.codec")),
     "python": Entry(python, "Python sources", ("extract.python", "linters.python2")),
@@ -213,7 +216,7 @@ TARGETS = {
         ),
     ),
     "parameter-library": Entry(parameter_library, "YAML of generate_parameter_library", ("extract.parameter_library",)),
-    "followed-cpp": Entry(followed_cpp, "a node in C++, followed to its endpoints", ("link", "code")),
-    "followed-python": Entry(followed_python, "a node in Python, followed to its endpoints", ("link", "code")),
-    "followed-ros1": Entry(followed_ros1, "a node of ROS 1 in C++ or Python", ("link", "code")),
+    "followed-cpp": Entry(followed_cpp, "a node in C++, followed to its endpoints", _ENGINE),
+    "followed-python": Entry(followed_python, "a node in Python, followed to its endpoints", _ENGINE),
+    "followed-ros1": Entry(followed_ros1, "a node of ROS 1 in C++ or Python", _ENGINE),
 }
