@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import struct
+import zlib
+from base64 import b64encode
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +20,7 @@ from haros_ci.analysis import inspection, kept_runs
 from haros_ci.config.settings import Settings
 from haros_ci.results.result import Report, Run
 from haros_ci.workspace.cache import MemoryCache
+from haros_ci.workspace.files import TextReader
 
 RULE = "topic-type-mismatch"
 MESH, SCRIPT = "walker/meshes/body.stl", "walker/scripts/go.py"
@@ -105,6 +108,16 @@ class TestKept:
         write(runs.root, {LISTENER_CPP: ROS2[LISTENER_CPP]})
         assert not runs.makes_anew()
 
+    def test_for_the_base_what_was_found_when_it_was_the_head(self, runs: Runs) -> None:
+        git(runs.root, "init", "--quiet")
+        commit(runs.root)
+        runs.run()
+        CHANGES["a source"](runs.root)
+        runs.settings = replace(runs.settings, baseline_rev="HEAD")
+        before = runs.made
+        runs.run()
+        assert runs.made == before + 1
+
     def test_for_both_revisions(self, runs: Runs) -> None:
         git(runs.root, "init", "--quiet")
         commit(runs.root)
@@ -137,6 +150,24 @@ class TestNotKept:
         monkeypatch.syspath_prepend(str(tmp_path / "elsewhere"))
         runs.settings = replace(runs.settings, plugins=("reads_what_it_likes",))
         assert runs.makes_anew()
+        assert runs.makes_anew()
+
+    def test_what_is_planted_opens_nothing_outside_and_speaks_for_no_other_tool(
+        self, runs: Runs, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        kept = [value for key, value in runs.store._values.items() if key[0] == kept_runs.GROUP]
+        assert len(kept) == 1
+        opened: list[str] = []
+        real = TextReader.head
+        monkeypatch.setattr(TextReader, "head", lambda self, path, length: opened.append(path) or real(self, path, length))
+        (value,) = kept
+        assert isinstance(value, dict) and value["run"]["results"]
+        value["heads"] = [["../outside.stl", "0"]]
+        assert runs.makes_anew()
+        assert "../outside.stl" not in opened
+        value["heads"] = []
+        value["run"]["results"][0]["tool"] = "cppcheck"
+        runs.store._values = {key: value for key in runs.store._values if key[0] == kept_runs.GROUP}
         assert runs.makes_anew()
 
     @pytest.mark.parametrize("spoiled", [None, [], {}, {"heads": [], "run": []}, {"heads": [["../x", 1, ""]], "run": {}}])
@@ -204,6 +235,18 @@ class TestOutput:
         write(root, {LISTENER_CPP: ROS2[LISTENER_CPP].replace("Int32", "String")})
         after, _, anew = self.model(root, "--format=json")
         assert anew and after != before
+
+    def test_text_that_a_terminal_obeys_is_not_believed(self, tmp_path: Path) -> None:
+        workspace = pipeline.found(Settings(root=write(tmp_path / "ws", ROS2)), None)  # type: ignore[arg-type]
+        store = MemoryCache()
+        right = kept_runs.Output(b"a model\n")
+        assert kept_runs.kept_output("model", lambda: right, workspace, "", store) == right
+        for bad in (b"\x1b[2J", "\u202eledom".encode(), b"##[group]"):
+            planted = kept_runs.kept_output("other", lambda bad=bad: kept_runs.Output(bad), workspace, str(bad), MemoryCache())
+            ((key, _),) = store._values.items()
+            store._values[key] = [[], b64encode(zlib.compress(bad)).decode()]
+            assert planted.content == bad
+            assert kept_runs.kept_output("model", lambda: right, workspace, "", store) == right
 
     @pytest.mark.parametrize("kept", [None, 1, [[], "!"], [[], ""], [[1], "eA=="], [[], "eJw="], {"a": []}])
     def test_a_spoiled_one_is_none(self, kept: object) -> None:

@@ -13,6 +13,8 @@ from typing import Any
 
 from haros_ci.model.workspace import Reader, Store, Workspace
 from haros_ci.own_sources import program_digest
+from haros_ci.report.escape import multiline
+from haros_ci.results import own
 from haros_ci.results.result import Run
 from haros_ci.results.values import NotThat, plain, read
 from haros_ci.workspace.base import Base
@@ -21,8 +23,10 @@ GROUP = "whole"
 #: Bytes of an output that is kept, as it is and packed.
 MAX_OUTPUT, MAX_PACKED = 1 << 28, 1 << 24
 
-#: A part of a file that no digest covers: its path, how many bytes, and the digest of these.
-Head = tuple[str, int, str]
+#: The first bytes of a file that no digest covers: its path, and the digest of these bytes.
+Head = tuple[str, str]
+#: What text of ours has of ASCII.
+_PLAIN = bytes(range(0x20, 0x7F)) + b"\n"
 Make = Callable[[Workspace, Base | None], Run]
 
 
@@ -34,7 +38,7 @@ def kept_run(name: str, make: Make, workspace: Workspace, past: Base | None, set
     """
     key = _digest(name, settings, program_digest(), state(workspace), "" if past is None else _base_state(past))
     kept = store.get(GROUP, f"{name} {key}", key)
-    if (found := _held(kept, workspace.reader)) is not None:
+    if (found := _held(kept, workspace)) is not None:
         return found
     reader = Noting(workspace.reader)
     run = make(replace(workspace, reader=reader), past)
@@ -51,13 +55,17 @@ class Output:
     said: tuple[str, ...] = ()
 
 
-def kept_output(name: str, make: Callable[[], Output], workspace: Workspace, settings: str, store: Store) -> Output:
+def kept_output(
+    name: str, make: Callable[[], Output], workspace: Workspace, settings: str, store: Store, *, is_binary: bool = False
+) -> Output:
     """What *make* writes of *workspace*; from *store* if nothing that it depends on has changed.
 
-    *name* is the command's, *settings* stands for all its options. The command may read the listed files, and nothing else.
+    *name* is the command's, *settings* stands for all its options. The command may read the listed files, and nothing else. What is
+    kept is data, not trust: text with characters that no text of ours has is made anew, and who writes ``said`` escapes it.
     """
     key = _digest(name, settings, program_digest(), state(workspace))
-    if (found := _unpacked(store.get(GROUP, f"{name} {key}", key))) is not None:
+    found = _unpacked(store.get(GROUP, f"{name} {key}", key))
+    if found is not None and (is_binary or _is_plain(found.content)):
         return found
     output = make()
     packed = zlib.compress(output.content, 1)
@@ -75,6 +83,14 @@ def _unpacked(kept: Any) -> Output | None:
     except (NotThat, Error, ValueError, zlib.error):
         return None
     return Output(content, said) if unpacker.eof else None
+
+
+def _is_plain(content: bytes) -> bool:
+    """Whether text has nothing that a terminal or a GitHub runner would obey."""
+    if not content.translate(None, _PLAIN) and b"##[" not in content:  # most text, at the speed of C
+        return True
+    text = content.decode("utf-8", "replace")
+    return multiline(text) == text
 
 
 def state(workspace: Workspace) -> str:
@@ -106,14 +122,16 @@ def _digest(*parts: str) -> str:
     return digest.hexdigest()
 
 
-def _held(kept: Any, reader: Reader) -> Run | None:
-    """The run that is *kept*, unless it is none, or a head that it rests on is another by now."""
+def _held(kept: Any, workspace: Workspace) -> Run | None:
+    """The run of ours that is *kept*, unless it is none, or a head that it rests on is another by now."""
     try:
-        heads: tuple[Head, ...] = read(tuple[tuple[str, int, str], ...], kept["heads"])
+        heads: tuple[Head, ...] = read(tuple[Head, ...], kept["heads"])
         run: Run = read(Run, kept["run"])
     except (KeyError, TypeError, NotThat, RecursionError):
         return None
-    return run if all(_head_digest(reader.head(path, length)) == digest for path, length, digest in heads) else None
+    if any(result.tool != own.TOOL for result in run.results):
+        return None
+    return run if all(_head_digest(workspace.head(path)) == digest for path, digest in heads) else None
 
 
 def _head_digest(head: bytes) -> str:
@@ -125,7 +143,7 @@ class Noting:
     """A reader that notes which heads of files are read: the files themselves are in no digest."""
 
     inner: Reader
-    _read: dict[tuple[str, int], str] = field(default_factory=dict)
+    _read: dict[str, str] = field(default_factory=dict)
 
     def text(self, path: str) -> str:
         """As ``Reader.text``."""
@@ -138,9 +156,9 @@ class Noting:
     def head(self, path: str, length: int) -> bytes:
         """As ``Reader.head``; noted."""
         head = self.inner.head(path, length)
-        self._read[path, length] = _head_digest(head)
+        self._read[path] = _head_digest(head)
         return head
 
-    def heads(self) -> list[list[str | int]]:
+    def heads(self) -> list[list[str]]:
         """What was read, sorted."""
-        return [[path, length, digest] for (path, length), digest in sorted(self._read.items())]
+        return [list(each) for each in sorted(self._read.items())]

@@ -80,7 +80,8 @@ def model(flags: Mapping[str, Any]) -> int:
         from haros_ci.config.digests import settings_digests
 
         options = repr((settings.project_file, settings.notes, settings_digests(settings, ()), *(flags[name] for name in OPTIONS)))
-        kept = kept_output("model", output, workspace, options, store)
+        is_binary = flags["format"] == "sqlite"
+        kept = kept_output("model", output, workspace, options, store, is_binary=is_binary)
         end(store, kept.said)
         put_content(kept.content, flags["format"], path)
     else:
@@ -109,7 +110,7 @@ def end(store: DiskCache | MemoryCache, said: Iterable[str]) -> None:
     if trouble:
         click.echo(f"warning: {trouble}", err=True)
     for line in said:
-        click.echo(line, err=True)
+        click.echo(terminal(line), err=True)
 
 
 def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:
