@@ -60,10 +60,6 @@ def _allowed(package: ProjectPackage) -> Iterator[Finding]:
         yield _finding(package, package.at("name"), message, "convention", Level.NOTE)
 
 
-#: The first word of project() where the name is a variable without a known value.
-KEYWORDS = frozenset(("VERSION", "DESCRIPTION", "HOMEPAGE_URL", "LANGUAGES"))
-
-
 def _of_project(package: ProjectPackage) -> Iterator[Finding]:
     """The name that project() gives must be the package's own."""
     calls = [c for c in package.commands(*COMPARING) if not c.is_conditional and not c.is_test]
@@ -71,7 +67,7 @@ def _of_project(package: ProjectPackage) -> Iterator[Finding]:
         return
     named = _named(package, calls[0])
     name = named.arguments[0] if named is not None and named.arguments else package.name
-    if named is not None and name != package.name and "${" not in name and name not in KEYWORDS:
+    if named is not None and name != package.name and "${" not in name:
         yield _finding(
             package,
             named.location,

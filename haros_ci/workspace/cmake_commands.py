@@ -79,17 +79,11 @@ def _option(state: State, call: Call) -> None:
         state.put(call.words[0], call.words[2] if len(call.words) > 2 else "OFF", state.cache)
 
 
-#: Keywords that may follow a project's name.
-_OF_PROJECT = frozenset(("VERSION", "DESCRIPTION", "HOMEPAGE_URL", "LANGUAGES"))
-
-
 def _project(state: State, call: Call) -> None:
     if not call.words:
         return
-    name, words = call.words[0], call.words[1:]
-    if name in _OF_PROJECT:  # the name is a variable whose value is not known: catkin and ament ask for the manifest's
-        name, words = state.package.name, call.words
-    arguments = under(words, (), ("VERSION", "DESCRIPTION", "HOMEPAGE_URL"), ("LANGUAGES",))
+    name = call.words[0]
+    arguments = under(call.words[1:], (), ("VERSION", "DESCRIPTION", "HOMEPAGE_URL"), ("LANGUAGES",))
     here = state.get("CMAKE_CURRENT_SOURCE_DIR") or absolute(state.package.path)
     binary = state.get("CMAKE_CURRENT_BINARY_DIR") or ""
     values = {"PROJECT_NAME": name, "PROJECT_SOURCE_DIR": here, "PROJECT_BINARY_DIR": binary}

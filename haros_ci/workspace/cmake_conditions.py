@@ -170,16 +170,12 @@ def _version(text: str) -> list[int]:
 def _matches(state: State, left: Word, right: Word) -> bool | None:
     value = _operand(state, left)
     if not is_certain(value) or not is_certain(right[0]):
+        state.put_groups(None)
         return None
     state.spend(1 + work(right[0], value))
     match = search(right[0], value)
-    if match is None:
-        return None
-    if match:
-        state.put("CMAKE_MATCH_COUNT", str(len(match) - 1))
-        for number, group in enumerate(match):
-            state.put(f"CMAKE_MATCH_{number}", group)
-    return bool(match)
+    state.put_groups(match)
+    return None if match is None else bool(match)
 
 
 def _in_list(state: State, left: Word, right: Word) -> bool | None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from haros_ci.model.build import CMakeCommand
@@ -31,6 +32,8 @@ MAX_VALUE = 100_000
 MAX_CALLS = 40
 MAX_PROBLEMS = 100
 MAX_MESSAGE = 500
+#: CMAKE_MATCH_0 to CMAKE_MATCH_9 (cmake-variables(7)).
+_GROUPS = 10
 
 _PIECE = re.compile(r"\$(?:ENV|CACHE)?\{|\}|\\(?:.|$)|[^$\\}]+|\$", re.DOTALL)
 _ESCAPED = {"\\n": "\n", "\\t": "\t", "\\r": "\r", "\\;": "\\;", "\\\n": ""}
@@ -170,6 +173,16 @@ class State:
                 return True
             at = name.find("_", at + 1)
         return False
+
+    def put_groups(self, match: Sequence[str] | None) -> None:
+        """Set CMAKE_MATCH_<n> to the groups of a match; a text that does not match leaves them, and of an unknown one nobody knows them."""
+        if match is None:
+            for name in ("COUNT", *map(str, range(_GROUPS))):
+                self.put(f"CMAKE_MATCH_{name}", unknown(f"CMAKE_MATCH_{name}"))
+        elif match:
+            self.put("CMAKE_MATCH_COUNT", str(len(match) - 1))
+            for number, group in enumerate(match):
+                self.put(f"CMAKE_MATCH_{number}", group)
 
     def put(self, name: str, value: str | None, scope: dict[str, str | None] | None = None) -> None:
         """Set a variable, or unset it with None."""

@@ -98,10 +98,9 @@ def _regex(state: State, words: list[str]) -> None:
         elif what == "MATCH":
             match = search(pattern, text)
             result = None if match is None else (match[0] if match else "")
-            if match:
-                state.put("CMAKE_MATCH_COUNT", str(len(match) - 1))
-                for number, group in enumerate(match):
-                    state.put(f"CMAKE_MATCH_{number}", group)
+            state.put_groups(match)
+    elif what == "MATCH":
+        state.put_groups(None)
     state.put(name, unknown(name) if result is None else result)
 
 
