@@ -12,7 +12,6 @@ from functools import cached_property
 from haros_ci.model.package import SourceFile
 from haros_ci.model.unbuilt import SUFFIXES, is_cmake, not_included, uncompiled
 from haros_ci.model.workspace import Workspace
-from haros_ci.workspace.build import build_of
 
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)", re.MULTILINE)
 #: Builds other than CMake, in whose directory, or below it, nothing is known.
@@ -86,6 +85,10 @@ class Unused:
         for file in files:
             if file.package and file.path.endswith(SUFFIXES):
                 asked[file.package].append(file.path)
+        if not asked:
+            return []
+        from haros_ci.workspace.build import build_of  # most runs have no finding to ask for
+
         packages = {package.name: package for package in reversed(self._workspace.packages)}
         left: list[str] = []
         for name, paths in asked.items():
