@@ -243,6 +243,9 @@ def _declared_default(run: Run, function: Function, number: int) -> Expression |
 def follow_body(run: Run, inner: Frame, function: Function) -> Value:
     """Execute a function's body in its frame and join what all its ways out return and leave behind."""
 
+    trace = run.index.trace
+    if trace is not None:
+        trace.bodies.add((inner.source.path, function.name))
     run.active.append(function)
     mark = inner.mark
     path = inner.source.path

@@ -96,7 +96,7 @@ class Index:
             trace.names.add(name)
             trace.paths.add(source.path)
             known = trace.near[key] = self._near(table, name, source, files)
-            trace.paths.update(item[0].path for item in known)
+            trace.found(known)
         return known
 
     def _near(

@@ -45,6 +45,10 @@ _LOADING = frozenset((0,))
 MAKERS = frozenset(("make_shared", "make_unique"))
 
 
+#: Names that matter and names that do not, and the same where loading plug-ins is what matters.
+Answers = tuple[tuple[str, ...], ...]
+
+
 class Relevance:
     """For each block of code, whether an API call may be reached from it. Names stand for all functions so called."""
 
@@ -122,6 +126,28 @@ class Relevance:
         found = self._rest.get(id(body)) if self._rest else None
         return body if found is None else found[1]
 
+    def answers(self) -> Answers | None:
+        """What was answered so far; None where that depends on static variables that were made."""
+        if self._views.keys() - {_LOADING}:
+            return None
+        loading = self._views.get(_LOADING)
+        return tuple(
+            tuple(sorted(name for name, answer in known.items() if answer is matters))
+            for known in (self._known, loading._known if loading is not None else {})
+            for matters in (True, False)
+        )
+
+    def agrees(self, answers: Answers) -> bool:
+        """Whether the answers are the same now."""
+        makes, makes_nothing, loads, loads_nothing = answers
+        loading = self._loading()
+        return (
+            all(map(self._name_matters, makes))
+            and not any(map(self._name_matters, makes_nothing))
+            and all(map(loading._name_matters, loads))
+            and not any(map(loading._name_matters, loads_nothing))
+        )
+
     def asked(self) -> Iterable[str]:
         """The names of which it was asked so far whether they matter, before and after static variables were made."""
         return self._known.keys() | {name for view in self._views.values() for name in view._known}
@@ -137,11 +163,14 @@ class Relevance:
 
     def loads(self, block: Part, source: Source) -> bool:
         """Whether a plug-in may be loaded by *block*."""
+        return any(map(self._loading()._name_matters, self.names(block, source)))
+
+    def _loading(self) -> Relevance:
         view = self._views.get(_LOADING)
         if view is None:
             view = self._views[_LOADING] = copy(self)
             view._known, view._makes, view._api = {}, {}, frozenset(f".{name}" for name in LOADERS)
-        return any(map(view._name_matters, self.names(block, source)))
+        return view
 
     def edits(self, block: Part, source: Source) -> bool:
         """Whether *block* may change a text by positions."""
@@ -209,6 +238,7 @@ class Relevance:
         if id(function) in self._changes:
             if trace is not None:
                 trace.names |= self._changes[id(function)][2]
+                trace.effects[id(function)] = (source, function, self._changes[id(function)][1])
             return self._changes[id(function)][1]
         result = frozenset[str]()
         reached: set[str] = set()
@@ -228,6 +258,7 @@ class Relevance:
         self._changes[id(function)] = (function, result, reached)
         if trace is not None:
             trace.names |= reached
+            trace.effects[id(function)] = (source, function, result)
         return result
 
     def calls_of(self, function: Function, source: Source) -> frozenset[str]:

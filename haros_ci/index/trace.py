@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
+
+from haros_ci.syntax import Function
 
 #: Stands for all YAML files of the workspace among paths.
 YAML_FILES = "*.yaml"
@@ -18,7 +20,8 @@ class Trace:
     """Consulted by the nodes of one set of files.
 
     *names* are the last parts of names, *paths* those of C++ and Python files, *has_scanned* whether all classes were
-    gone through, *roots* the files from which it was looked for what their code can reach, *is_whole* whether this is all: other inputs (plug-ins that load others, YAML files) are not traced.
+    gone through, *bodies* the functions that were found or followed, by path and qualified name, *effects* those of which it was asked what they
+    change, by identity, *roots* the files from which it was looked for what their code can reach, *is_whole* whether this is all: other inputs (plug-ins that load others, YAML files) are not traced.
     """
 
     names: set[str] = field(default_factory=set)
@@ -26,9 +29,18 @@ class Trace:
     has_scanned: bool = False
     is_whole: bool = True
     roots: set[str] = field(default_factory=set)
+    bodies: set[tuple[str, str]] = field(default_factory=set)
+    effects: dict[int, tuple[Any, Any, frozenset[str]]] = field(default_factory=dict)
     #: What ``Index.near`` has found, and the names that were looked up in each table.
     near: dict[Any, list[Any]] = field(default_factory=dict, repr=False, compare=False)
     seen: dict[int, set[str]] = field(default_factory=dict, repr=False, compare=False)
+
+    def found(self, items: Iterable[tuple[Any, Any]]) -> None:
+        """Note what a look-up has found: entities, each with its source."""
+        for source, entity in items:
+            self.paths.add(source.path)
+            if isinstance(entity, Function):
+                self.bodies.add((source.path, entity.name))
 
 
 class Traced(dict[str, list[tuple[Any, Any]]]):
@@ -65,7 +77,7 @@ class Traced(dict[str, list[tuple[Any, Any]]]):
         assert self.trace is not None
         self.seen.add(name)
         self.trace.names.add(name)
-        self.trace.paths.update(item[0].path for item in super().get(name, ()))
+        self.trace.found(super().get(name, ()))
 
     def __iter__(self) -> Any:
         if self.trace is not None:

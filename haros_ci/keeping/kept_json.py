@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import fields
 from typing import Any
 
@@ -20,6 +20,10 @@ DEEPEST = 40
 
 class Unfit(Exception):
     """The value cannot be kept, or is not what was written."""
+
+
+class Lost(Exception):
+    """Nobody knows where a place of an edited file is now."""
 
 
 Check = Callable[[Any], bool]
@@ -164,6 +168,27 @@ def from_json(data: Any, depth: int = 0) -> Any:
     if not all(check(item) for check, item in zip(CLASSES[kind].values(), held, strict=True)):
         raise Unfit
     return kind(**dict(zip(CLASSES[kind], held, strict=True)))
+
+
+def moved(data: Any, lines: Mapping[str, Mapping[int, int]]) -> Any:
+    """*data*, as ``to_json`` has written it, with the new *lines* of places in edited files; Lost where one is not known."""
+    if data.__class__ is not list:
+        return data
+    if len(data) == len(CLASSES[Location]) + 1 and data[0] == Location.__name__:
+        known = lines.get(data[1]) if isinstance(data[1], str) else None
+        if known is None:
+            return data
+        name, path, line, column, end_line, end_column = data
+        return [name, path, _now(line, known), column, _now(end_line, known), end_column]
+    return [moved(item, lines) if item.__class__ is list else item for item in data]
+
+
+def _now(line: Any, known: Mapping[int, int]) -> int | None:
+    if line is None:
+        return None
+    if line not in known:
+        raise Lost
+    return known[line]
 
 
 assert all(set(CLASSES[kind]) == {each.name for each in fields(kind)} for kind in CLASSES)

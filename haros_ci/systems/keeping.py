@@ -9,7 +9,7 @@ from typing import Any
 
 from haros_ci.index.index import Source
 from haros_ci.index.relevance import Relevance
-from haros_ci.keeping import kept
+from haros_ci.keeping import consulted, kept
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.api import Row
 from haros_ci.syntax import Program
@@ -53,10 +53,11 @@ def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
 
 def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]]:
     """Put what holds of the record under *key* where nodes are looked up; it is returned."""
-    record = kept.read(keeper.get(key))
-    if record is None:
+    earlier = kept.begun(keeper.get(key))
+    if earlier is None:
         return []
     sources = types.programs.sources
+    cpp = types.programs.cpp
 
     def before(path: str, digest: str) -> Source | None:
         program = keeper.program(path, digest)
@@ -66,23 +67,22 @@ def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]
         language = "python" if sources[path].program.language == "python" else "cpp"
         return [each for version, each in types.relevance.items() if version[0] == language]
 
-    change = kept.change_of(record.files, keeper.files, before, sources.get, relevance)
-
-    indexes = (types.programs.cpp, types.programs.python)
-
     def visible(paths: frozenset[str]) -> frozenset[str]:
-        return types.programs.cpp.visible_from(paths, types.plugin_files)
+        return cpp.visible_from(paths, types.plugin_files)
 
-    holding: dict[int, bool] = {}
-    found = []
-    for followed_key, followed in record.followed:
-        consulted = followed.consulted
-        assert consulted is not None
-        if id(consulted) not in holding:
-            holding[id(consulted)] = kept.holds(consulted, change, indexes, visible)
-        if holding[id(consulted)]:
-            types.followed.setdefault(followed_key, []).append(followed)
-            found.append((followed_key, followed))
+    def counting(language: str, version: int, files: frozenset[str]) -> Relevance | None:
+        found = types.relevance.get((language, version))
+        if found is not None and files:
+            if files not in types.views:
+                types.views[files] = found.within(visible(files))
+            return types.views[files]
+        return found
+
+    change = consulted.change_of(earlier.files, keeper.files, before, sources.get, relevance, cpp.aliases)
+    now = consulted.Now((cpp, types.programs.python), sources, visible, counting)
+    found = kept.read(earlier, lambda each: consulted.holds(each, change, now), change.lines)
+    for followed_key, followed in found:
+        types.followed.setdefault(followed_key, []).append(followed)
     return found
 
 

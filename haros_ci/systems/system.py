@@ -21,7 +21,8 @@ from haros_ci.index.index import Source
 from haros_ci.index.relevance import Relevance
 from haros_ci.index.trace import Trace
 from haros_ci.index.xml_files import Reader
-from haros_ci.keeping.kept import Followed, digest_of, small
+from haros_ci.keeping.consulted import small
+from haros_ci.keeping.kept import Followed, digest_of
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import ConfigFile, PluginClass
@@ -70,7 +71,7 @@ class Types:
     #: What nodes of one language and set of files have consulted, and what was followed in this run.
     traces: dict[Any, Trace] = field(default_factory=dict)
     fresh: list[tuple[Any, Followed]] = field(default_factory=list)
-    views: dict[Any, Relevance] = field(default_factory=dict)
+    views: dict[frozenset[str], Relevance] = field(default_factory=dict)
     #: ROS 2: executables and components, by package and executable or class.
     ros2_programs: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
     components: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
@@ -306,15 +307,17 @@ def run_node(
     return earlier[-1]
 
 
-def relevance_of(types: Types, entry: Entry, version: tuple[str, int], files: frozenset[str]) -> Relevance:
-    """What matters in the code that a node type of *files* can reach."""
+def relevance_of(
+    types: Types, entry: Entry, version: tuple[str, int], files: frozenset[str]
+) -> tuple[Relevance, tuple[str, int, frozenset[str]]]:
+    """What matters in the code that a node type of *files* can reach; and the version and files that say so."""
     if version != ("cpp", 2) or not files:
-        return types.relevance[version]
-    key = (version, files)
-    if key not in types.views:
-        visible = types.programs.cpp.visible_from(files | {entry.source.path}, types.plugin_files)
-        types.views[key] = types.relevance[version].within(visible)
-    return types.views[key]
+        return types.relevance[version], (*version, frozenset())
+    own = files | {entry.source.path}
+    if own not in types.views:
+        visible = types.programs.cpp.visible_from(own, types.plugin_files)
+        types.views[own] = types.relevance[version].within(visible)
+    return types.views[own], (*version, own)
 
 
 def same(one: Value | None, other: Value | None) -> bool:
@@ -356,7 +359,7 @@ def _followed_in(
         trace.roots |= {entry.source.path, *files}
     language = "python" if entry.source.program.language == "python" else "cpp"
     version = (language, 1 if context.process is None else 2)
-    relevance = relevance_of(types, entry, version, files)
+    relevance, view = relevance_of(types, entry, version, files)
     run = Run(index, types.rows[version], context, types.configs, relevance, files, types.exact)
     problems: tuple[Problem, ...] = ()
     try:
@@ -373,7 +376,14 @@ def _followed_in(
     trace.names.update(relevance.asked())
     made, nodes = tuple(run.made.values()), tuple(run.nodes)
     followed = Followed(
-        made, problems, tuple(run.names), run.gaps, asked, nodes, tuple(run.twins.values()), small(trace)
+        made,
+        problems,
+        tuple(run.names),
+        run.gaps,
+        asked,
+        nodes,
+        tuple(run.twins.values()),
+        small(trace, relevance, view),
     )
     types.fresh.append((key, followed))
     return followed

@@ -157,9 +157,9 @@ def edited(files: Files, path: str, old: str, new: str) -> Files:
 #: Name, file, text before and after, whether the model is another; what is followed anew. Following A goes through all
 #: variables, so that it is followed anew whatever is declared elsewhere. B is not, nor is S but where it is concerned.
 EDITS: list[tuple[str, str, str, str, bool, list[str]]] = [
-    ("comment at the end", "p/src/work.cpp", "1); }\n", "1); }\n// words\n", False, [A]),
+    ("comment at the end", "p/src/work.cpp", "1); }\n", "1); }\n// words\n", False, []),
     ("comment in another", "p/src/unused.cpp", "int", "/* words */ int", False, []),
-    ("comment in a Python module", "p/src/lib/topics.py", "def", "# words\ndef", False, [S]),
+    ("comment in a Python module", "p/src/lib/topics.py", "def", "# words\ndef", False, []),
     ("literal", "p/src/b.cpp", '"d"', '"e"', True, [B]),
     ("literal in a module", "p/src/lib/topics.py", "'python'", "'other'", True, [S, A]),
     ("macro in a header", "p/src/names.h", '"chatter"', '"other"', True, [A]),
@@ -197,6 +197,71 @@ EDITS: list[tuple[str, str, str, str, bool, list[str]]] = [
 def test_edits(path: str, old: str, new: str, is_other: bool, expected: list[str], followed: list[str]) -> None:
     calls, is_changed = again(OLDER, edited(OLDER, path, old, new), followed, None)
     assert (is_changed, sorted(set(calls))) == (is_other, expected)
+
+
+#: Edits of what functions do: file, text before and after, whether the model is another, what is followed anew. Of what
+#: is kept the lines are as they are after the edit.
+BODIES: list[tuple[str, str, str, str, bool, list[str]]] = [
+    ("statement", B, "ros::spin();", "int i = 1;\nros::spin();", False, [B]),
+    ("statement in a function of a class", "p/src/work.cpp", "open(nh);", "open(nh); int i = 1;", True, [A]),
+    ("statement where nothing looks", "p/src/unused.cpp", "return", "int i = 1;\nreturn", False, []),
+    ("call where nothing looks", "p/src/unused.cpp", "return", "other();\nreturn", False, []),
+    ("comment above", B, "struct Idle {};", "// words\n// more\nstruct Idle {};", True, []),
+    ("comment inside", B, "ros::spin();", "// words\nros::spin();", False, []),
+    ("lines above in a header", "p/src/base.h", "class Other {};", "\n\nclass Other {};", True, []),
+    ("blanks in a line", B, "std::string t;", "std::string   t;", True, [B]),
+    ("line broken in two", B, "std::string t;", "std::string t;\n", True, [B]),
+    ("statement in an inline method", "p/src/base.h", "{ q =", "{ int i = 1; q =", True, [A]),
+]
+
+
+@pytest.mark.parametrize(
+    ("path", "old", "new", "is_other", "expected"), [e[1:] for e in BODIES], ids=[e[0] for e in BODIES]
+)
+def test_edits_of_what_functions_do(
+    path: str, old: str, new: str, is_other: bool, expected: list[str], followed: list[str]
+) -> None:
+    calls, is_changed = again(OLDER, edited(OLDER, path, old, new), followed, None)
+    assert (is_changed, sorted(set(calls))) == (is_other, expected)
+
+
+LINKED = {
+    "p/launch/l.launch": '<launch><node pkg="p" type="a" name="x"/><node pkg="p" type="b" name="y"/></launch>',
+    "p/CMakeLists.txt": CMAKE.format("p")
+    + "include_directories(src)\nadd_executable(a src/a.cpp src/work.cpp)\nadd_executable(b src/b.cpp src/work.cpp)\n",
+    "p/src/work.h": "#pragma once\n#include <ros/ros.h>\n#include <std_msgs/String.h>\nint sum();\nint count();\nint total;\n"
+    "void make(ros::NodeHandle& nh);\n",
+    "p/src/work.cpp": '#include "work.h"\nint sum() { return 3; }\nint count() { return 4; }\n'
+    'void make(ros::NodeHandle& nh) { static auto p = nh.advertise<std_msgs::String>("made", 1); }\n',
+    A: main('auto p = ADV(std::string("a"), sum());', '#include "work.h"\n'),
+    B: main('auto call = [&]() { return count(); };\nauto p = ADV(std::string("b"), call());', '#include "work.h"\n'),
+}
+
+
+@pytest.mark.parametrize(
+    ("path", "old", "new", "expected"),
+    (
+        ("p/src/work.cpp", "return 3", "return 5", [A]),
+        ("p/src/work.cpp", "return 4", "return 5", [B]),
+        ("p/src/work.cpp", "return 4", "int i = 0; return 4", [B]),
+        (B, "return count", "return 1 + count", [B]),
+        (B, "return count", "total = 1; return count", [B]),
+    ),
+)
+def test_functions_of_one_library(path: str, old: str, new: str, expected: list[str], followed: list[str]) -> None:
+    """Only what has looked up the function that does something else is followed anew."""
+    assert sorted(set(again(LINKED, edited(LINKED, path, old, new), followed, None)[0])) == expected
+
+
+def test_a_function_that_begins_to_make_something_by_a_call(followed: list[str]) -> None:
+    """Whoever has asked whether it may make something is concerned, whatever it is called by."""
+    calls, is_changed = again(
+        LINKED,
+        edited(LINKED, "p/src/work.cpp", "int sum() {", "int sum() { ros::NodeHandle nh; make(nh);"),
+        followed,
+        None,
+    )
+    assert A in calls and is_changed
 
 
 def test_functions_that_begin_or_cease_to_make_something(followed: list[str]) -> None:
@@ -360,26 +425,33 @@ def test_a_record_with_another_value_anywhere(number: int, ros: int | None) -> N
     ways = values(data)
     for way in ways[number :: max(1, len(ways) // 60)]:
         planted = put(data, way, HOSTILE[number])
-        found = kept.read(planted)
-        assert found is None or isinstance(found, kept.Record)
+        found = kept.begun(planted)
         if found is None:
             continue
+        assert isinstance(kept.read(found, lambda consulted: True, {}), list)
+        assert isinstance(kept.read(found, lambda consulted: True, {A: {1: 2}}), list)
         spoiled = Cache({**cache.kept, place: json.dumps(planted)})
         model(files, spoiled, ros)
+
+
+#: What a trace and a result look like where they are empty.
+PLAIN: list[Any] = ["", "", False, "", "", ["", 0, ""], None, None]
+ITEM: list[Any] = [["t"], 0, [], [], [], ["t"], [], []]
 
 
 @pytest.mark.parametrize(
     "data",
     (
-        *(None, 0, True, "", "abc", [], {}, [1, 2, 3], [[], [], []][:2], [{}, {}, {}], [[], [], [], []]),
-        *([[["p", 1]], [], []], [[[1, "d"]], [], []], [[["p"]], [], []], [[], [[[0], "", True]], []]),
-        *([[], [[[-1], "", True]], []], [[], [[[], "no base64!", True]], []], [[], [[[], "AAA", True]], []]),
-        *([[], [[[], "", True]], [[0]]], [[], [[[], "AAAA", 0]], [[0, "k", ["t"], 0, [], [], [], ["t"]]]]),
+        *(None, 0, True, "", "abc", [], {}, [1, 2, 3, 4], [[], [], [], []][:3], [{}, {}, {}, {}], [[], [], [], [], []]),
+        *([[["p", 1]], [], [], []], [[[1, "d"]], [], [], []], [[["p"]], [], [], []], [[], [1], [], []]),
+        *([[], [], [trace], []] for trace in ([["", "", True]], [PLAIN[:3]], [[0, *PLAIN[1:]]], [["AAA", *PLAIN[1:]]])),
+        *([[], [], [[*PLAIN[:5], view, None, None]], []] for view in (None, [], ["", -1, ""], ["", 0, "AAAAAA=="])),
+        *([[], [], [[*PLAIN[:6], some, None]], []] for some in (1, [], ["", "", ""], ["AAAAAA==", "", "", ""])),
+        *([[], [], [[*PLAIN[:7], some]], []] for some in (1, "AAAA", "AAAAAA==", "AAAAAAAAAAAAAAAAAAAAAA==")),
         *(
-            [[], [], [[0, "k", ["t"], 0, [], [], [], ["t"]]]],
-            [[], [[[], "", 1]], [[0, [], ["t"], 0, [], [], [], ["t"]]]],
+            [[], [], [PLAIN], [item]]
+            for item in ([0], [0, "k", ["t"], 0, [], [], [], ["t"]], [1, "k", *ITEM], [0, [], *ITEM])
         ),
-        *([[], [[[], "", 1]], [[0, ["l"], ["t"], 0, [], [], [], ["t"]]]],),
         json.loads("[" * 500 + "]" * 500),
     ),
 )
