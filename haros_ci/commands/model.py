@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import sys
-import time
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -18,11 +17,13 @@ from haros_ci.analysis.unmodelled import unmodelled
 from haros_ci.analysis.wanted import chosen
 from haros_ci.baselines import read_input
 from haros_ci.commands.common import cores, settings_from, store_for
+from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.report.escape import terminal
+from haros_ci.timing import remark, timed
 from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.workspace.discover import discover
 from haros_ci.writing import put as put_bytes
@@ -34,16 +35,14 @@ OPTIONS = ("launch", "arg", "env", "no_known_nodes", "configuration", "format")
 FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
 
 
+@with_timings
 def model(flags: Mapping[str, Any]) -> int:
     """Extract, link, print; exit code 1 if what is expected or documented differs, 2 for wrong usage, else 0."""
     import gc
 
     gc.disable()
-    started = time.perf_counter()
-    clock: list[tuple[float, str]] = []
     settings = settings_from({**flags, "no_baseline": True})
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
-    clock.append((time.perf_counter() - started, "discovered"))
     store = store_for(settings)
     arguments = dict(assignment(text, "--arg", ":=") for text in flags["arg"])
     environment = dict(assignment(text, "--env", "=") for text in flags["env"])
@@ -63,7 +62,6 @@ def model(flags: Mapping[str, Any]) -> int:
             exact=flags["exact"],
             processes=cores(),
         )
-        clock.append((time.perf_counter() - started, "linked"))
         found = selected(made.architecture, flags["configuration"])
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
@@ -91,10 +89,7 @@ def model(flags: Mapping[str, Any]) -> int:
             put(found, flags["format"], path, workspace.root)
         code = expected(found, flags["expect"]) if flags["expect"] else 0
         code = max(code, documented(workspace, found)) if flags["check_readme"] else code
-    if flags["timings"]:
-        for seconds, what in clock:
-            click.echo(f"{seconds:8.3f} s  {what}", err=True)
-        click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
+    remark(f"cache: {store.stats}")
     return code
 
 
@@ -123,6 +118,7 @@ def put(found: Architecture, format: str, path: Path | None, root: Path) -> None
     put_content(encoded(rendered(found, format)), format, path)
 
 
+@timed("render")
 def put_content(content: bytes, format: str, path: Path | None) -> None:
     """Write *content* to *path*, or to stdout; UserError if that is not possible."""
     if path is not None:
@@ -161,6 +157,7 @@ def warnings(problems: tuple[Problem, ...]) -> Iterator[str]:
         yield f"warning: and {len(problems) - SHOWN} more; --format json has them all"
 
 
+@timed("render")
 def rendered(found: Architecture, format: str) -> str | bytes:
     """*found* in one of ``FORMATS``."""
     if format == "json":
