@@ -31,7 +31,9 @@ from haros_ci.writing import put as put_bytes
 #: Problems that are told one by one.
 SHOWN = 20
 #: Options that say what of the architecture is made, and how it is written.
-OPTIONS = ("launch", "arg", "env", "no_known_nodes", "configuration", "format")
+OPTIONS = ("launch", "arg", "env", "no_known_nodes", "configuration", "format", "compact")
+#: What --format json --compact is called here.
+COMPACT = "compact json"
 FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
 
 
@@ -40,6 +42,9 @@ def model(flags: Mapping[str, Any]) -> int:
     """Extract, link, print; exit code 1 if what is expected or documented differs, 2 for wrong usage, else 0."""
     import gc
 
+    if flags["compact"] and flags["format"] != "json":
+        raise UserError(f"--compact is for json, not {flags['format']}", help="write --format json --compact")
+    format = COMPACT if flags["compact"] else flags["format"]
     gc.disable()
     settings = settings_from({**flags, "no_baseline": True})
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
@@ -70,7 +75,7 @@ def model(flags: Mapping[str, Any]) -> int:
 
     def output() -> Output:
         found, said = make()
-        return Output(encoded(rendered(found, flags["format"])), said)
+        return Output(encoded(rendered(found, format)), said)
 
     path = Path(flags["output"]) if flags["output"] else None
     code = 0
@@ -81,12 +86,12 @@ def model(flags: Mapping[str, Any]) -> int:
         is_binary = flags["format"] == "sqlite"
         kept = kept_output("model", output, workspace, options, store, is_binary=is_binary)
         end(store, kept.said)
-        put_content(kept.content, flags["format"], path)
+        put_content(kept.content, format, path)
     else:
         found, said = make()
         end(store, said)
         if path is not None or not flags["check_readme"]:
-            put(found, flags["format"], path, workspace.root)
+            put(found, format, path, workspace.root)
         code = expected(found, flags["expect"]) if flags["expect"] else 0
         code = max(code, documented(workspace, found)) if flags["check_readme"] else code
     remark(f"cache: {store.stats}")
@@ -159,8 +164,10 @@ def warnings(problems: tuple[Problem, ...]) -> Iterator[str]:
 
 @timed("render")
 def rendered(found: Architecture, format: str) -> str | bytes:
-    """*found* in one of ``FORMATS``."""
-    if format == "json":
+    """*found* in one of ``FORMATS``, or ``COMPACT``."""
+    if format == COMPACT:
+        from haros_ci.report.model_compact import render
+    elif format == "json":
         from haros_ci.report.model_json import render
     elif format == "dot":
         from haros_ci.report.model_dot import render
