@@ -37,7 +37,7 @@ def loaded(path: str) -> Any:
 def main(root: str, cache: str | None = None, before: str | None = None) -> None:
     """Measure and print."""
     gc.disable()
-    workspace = discover(Path(root))
+    workspace = discover(Path(root).resolve(), (".",))
     store = MemoryCache() if cache is None else DiskCache(Path(cache))
     found = architecture(workspace, Settings(root=workspace.root), store, processes=2)
     store.flush()
