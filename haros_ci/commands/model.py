@@ -202,22 +202,15 @@ def assignment(text: str, option: str, sign: str) -> tuple[str, str]:
 
 def expected(found: Architecture, path: str) -> int:
     """Compare with the architecture that the file declares, and say on stdout where they differ."""
-    import yaml
-
+    from haros_ci.bounded_yaml import Limits, YamlFault, data
     from haros_ci.declared.expectation import compare, problems
 
     try:
-        declared = yaml.safe_load(read_input(Path(path), path))
-    except (yaml.YAMLError, RecursionError, ValueError, OverflowError) as err:
-        said = (str(err).splitlines() or ["not YAML"])[0]
-        raise UserError(f"{path} cannot be read: {said}", help="it is YAML, as in docs/model.md") from err
-    except (
-        KeyError,
-        IndexError,
-        AttributeError,
-    ) as err:  # PyYAML's constructors, of what is not of the type of its tag
-        said = "a value is not of the type that its tag (!!bool, !!int, !!timestamp) names"
-        raise UserError(f"{path} cannot be read: {said}", help="write the value without the tag") from err
+        declared = data(read_input(Path(path), path).decode("utf-8-sig"), Limits(characters=10_000_000, aliases=1_000))
+    except UnicodeDecodeError as err:
+        raise UserError(f"{path} cannot be read: it is not UTF-8 text", help="save the file as UTF-8") from err
+    except YamlFault as err:
+        raise UserError(f"{path}:{err.line} cannot be read: {err.message}", help="it is YAML, as in docs/model.md") from err
     for problem in problems(declared, path, [c.name for c in found.configurations]):
         click.echo(f"warning: {terminal(problem.path)}: {terminal(problem.message)}", err=True)
     count = 0
