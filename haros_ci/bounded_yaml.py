@@ -27,13 +27,14 @@ class Limits:
 
 
 class YamlFault(Exception):
-    """The text is not plain YAML: *message* says why and what to do, *problem* why alone, *line* where (1 if nobody knows)."""
+    """The text is not plain YAML: *message* says why and what to do, *problem* why alone, *line* where: 1 if that is not known (*is_placed*)."""
 
-    def __init__(self, problem: str, line: int = 1, *, message: str = "") -> None:
+    def __init__(self, problem: str, line: int | None = None, *, message: str = "") -> None:
         super().__init__(message or problem)
         self.problem = problem
         self.message = message or problem
-        self.line = line
+        self.line = line or 1
+        self.is_placed = line is not None
 
 
 class TooMuch(YamlFault):
@@ -109,7 +110,7 @@ def _faults() -> Iterator[None]:
         mark = err.problem_mark or err.context_mark
         problem = str(err.problem or err.context or "it is cut off")
         message = f"not valid YAML: {problem}; correct it"
-        raise YamlFault(problem, mark.line + 1 if mark else 1, message=message) from err
+        raise YamlFault(problem, mark.line + 1 if mark else None, message=message) from err
     except (yaml.YAMLError, UnicodeError) as err:
         problem = "it holds a control character"
         raise YamlFault(problem, message=f"not valid YAML: {problem}; remove it") from err

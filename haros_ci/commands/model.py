@@ -210,7 +210,8 @@ def expected(found: Architecture, path: str) -> int:
     except UnicodeDecodeError as err:
         raise UserError(f"{path} cannot be read: it is not UTF-8 text", help="save the file as UTF-8") from err
     except YamlFault as err:
-        raise UserError(f"{path}:{err.line} cannot be read: {err.message}", help="it is YAML, as in docs/model.md") from err
+        at = f"{path}:{err.line}" if err.is_placed else path
+        raise UserError(f"{at} cannot be read: {err.message}", help="it is YAML, as in docs/model.md") from err
     for problem in problems(declared, path, [c.name for c in found.configurations]):
         click.echo(f"warning: {terminal(problem.path)}: {terminal(problem.message)}", err=True)
     count = 0

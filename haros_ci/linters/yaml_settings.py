@@ -16,7 +16,7 @@ def read(text: str) -> dict[str, Any]:
     try:
         value = json.loads(json.dumps(data(text, LIMITS), default=str))
     except YamlFault as err:
-        raise ValueError(f"line {err.line}: {err.problem}") from err
+        raise ValueError(f"line {err.line}: {err.problem}" if err.is_placed else err.problem) from err
     except (RecursionError, TypeError) as err:
         raise ValueError(str(err).partition("\n")[0]) from err
     if value is not None and not isinstance(value, dict):
