@@ -6,7 +6,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode
 
@@ -156,7 +155,7 @@ def _owner(name: str, system: System) -> SystemNode | None:
     return next((node for node in nodes if not node.complete and node.package != _BROADCASTERS), None)
 
 
-def _is_frame(value: Any) -> bool:
+def _is_frame(value: object) -> bool:
     return isinstance(value, str) and _FRAME.fullmatch(value) is not None
 
 

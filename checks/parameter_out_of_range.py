@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from haros_ci.api import ALWAYS, Check, End, Finding, Given, Level, System
 
@@ -22,7 +21,7 @@ def check(system: System) -> Iterator[Finding]:
                 yield from _judged(end, key, end.raw.value, None)
 
 
-def _judged(end: End, key: str, value: Any, given: Given | None) -> Iterator[Finding]:
+def _judged(end: End, key: str, value: object, given: Given | None) -> Iterator[Finding]:
     said = _outside(end, value)
     if said:
         yield Finding(
@@ -41,7 +40,7 @@ def _differ(ends: tuple[End, ...]) -> bool:
     return len({end.raw.range for end in ends}) > 1
 
 
-def _outside(end: End, value: Any) -> str:
+def _outside(end: End, value: object) -> str:
     """What is wrong with *value*; "" if nothing is (rclcpp/src/rclcpp/node_interfaces/node_parameters.cpp)."""
     limits = end.raw.range
     if limits is None or isinstance(value, bool) or not isinstance(value, (int, float)):

@@ -18,6 +18,7 @@ from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Baseline, Notification, Result, Run
 from haros_ci.results.rule import Level
+from haros_ci.timing import stage, timed
 from haros_ci.workspace.files import TooLarge, read_regular
 from haros_ci.workspace.git import BaselineUnavailable
 from haros_ci.workspace.third_party import around
@@ -64,8 +65,8 @@ def at_base(workspace: Workspace, settings: Settings) -> Iterator[Base | Baselin
     with ExitStack() as stack:
         found: Base | BaselineUnavailable
         try:
-            found = stack.enter_context(
-                base_workspace(
+            with stage("baseline"):
+                base = base_workspace(
                     workspace,
                     settings.baseline_rev,
                     paths=settings.paths,
@@ -74,12 +75,13 @@ def at_base(workspace: Workspace, settings: Settings) -> Iterator[Base | Baselin
                     also=settings.claims,
                     trusted=settings.trust_config,
                 )
-            )
+                found = stack.enter_context(base)
         except BaselineUnavailable as err:
             found = err
         yield found
 
 
+@timed("baseline")
 def settled(workspace: Workspace, settings: Settings, base: Base | BaselineUnavailable | None) -> Workspace:
     """*workspace* with the linters' settings of the base revision, so that a change cannot bring its own.
 
@@ -119,6 +121,7 @@ def _as_known_before(workspace: Workspace, base: Base | BaselineUnavailable) -> 
     return replace(workspace, files=tuple(map(known, workspace.files)))
 
 
+@timed("unused code")
 def unused_code(workspace: Workspace, settings: Settings, base: Base | BaselineUnavailable | None) -> Unused:
     """What tells which files of *workspace* nothing uses, and nothing used in *base* either.
 
@@ -131,6 +134,7 @@ def unused_code(workspace: Workspace, settings: Settings, base: Base | BaselineU
     return Unused(workspace, Unused(base.workspace), base.renames)
 
 
+@timed("baseline")
 def compare(
     runs: tuple[Run, ...],
     workspace: Workspace,

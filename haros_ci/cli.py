@@ -183,6 +183,7 @@ def show(**flags: Any) -> int:
     show_default=True,
     help="As a table, data, a picture, a database, or files for each node type or package.",
 )
+@click.option("--compact", is_flag=True, help="With json: on one line, and what several configurations have once.")
 @click.option(
     "--output", type=click.Path(), help="File to write, of nodl and readme also a directory; default: stdout."
 )

@@ -17,6 +17,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Notification, Related, Result, Run, Tool
 from haros_ci.results.rule import Level
+from haros_ci.timing import timed
 
 if TYPE_CHECKING:  # loaded where there is a plug-in
     from haros_ci.haros_plugins.manifest import HarosPlugin
@@ -36,6 +37,7 @@ class Places:
     paths: frozenset[str]
 
 
+@timed("HAROS plug-ins")
 def hosted(
     workspace: Workspace,
     selection: Selection,

@@ -44,6 +44,7 @@ from haros_ci.results.fingerprint import fingerprint
 from haros_ci.results.result import Artifact, Baseline, Notification, Report, Result, Run, Silenced, Tool
 from haros_ci.results.rule import Level, Rule
 from haros_ci.results.suppress import suppress
+from haros_ci.timing import timed
 from haros_ci.workspace.base import Base
 from haros_ci.workspace.discover import discover
 from haros_ci.workspace.git import provenance
@@ -160,6 +161,7 @@ def narrowed(workspace: Workspace, settings: Settings, selection: Selection) -> 
     return replace(workspace, targets=frozenset(targets))
 
 
+@timed("findings")
 def examine(
     workspace: Workspace,
     selection: Selection,

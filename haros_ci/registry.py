@@ -44,6 +44,7 @@ from haros_ci.linters.linter import Linter
 from haros_ci.results import own
 from haros_ci.results.result import Report, Tool
 from haros_ci.results.rule import Rule
+from haros_ci.timing import timed
 
 if TYPE_CHECKING:
     from haros_ci.plugins.plugin import Plugin
@@ -143,6 +144,7 @@ class Registry:
                 yield tool, rule
 
 
+@timed("loading")
 def registry(settings: Settings) -> Registry:
     """What a run under *settings* can do; UserError for a plug-in that cannot be used."""
     known = built_in()

@@ -199,8 +199,8 @@ class TestOutput:
         """What is written, what is said beside it, and whether it was made anew."""
         done = haros("model", "--cache-dir", str(root.parent / "cache"), "--timings", *arguments, cwd=root)
         assert done.returncode == 0, done.stderr
-        said = [line for line in done.stderr.splitlines() if not line.endswith(("discovered", "linked")) and " s  done" not in line]
-        return done.stdout, "\n".join(said), "linked" in done.stderr
+        said, _, timings = done.stderr.rpartition("  wall s    CPU s  stage\n")
+        return done.stdout, said, "  follow\n" in timings
 
     @pytest.mark.parametrize("format", ["text", "json", "dot", "mermaid"])
     def test_is_the_same(self, root: Path, format: str) -> None:

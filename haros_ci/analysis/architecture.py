@@ -34,6 +34,7 @@ from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
 from haros_ci.systems.system import KnownNodes
+from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
 
 TOO_DEEP = "nested too deeply to be read; split the statements"
@@ -64,6 +65,7 @@ def architecture(
     return varied(workspace, settings, store, wanted=wanted, alternatives=False, **options).architecture
 
 
+@timed("link")
 def varied(
     workspace: Workspace,
     settings: Settings,
@@ -81,7 +83,8 @@ def varied(
     ``under(name, arguments)`` of it is the configuration *name* with these launch arguments, as the command line would set
     them; it is linked when it is asked for, with what has been followed before.
     """
-    built = builds(workspace)
+    with stage("build files"):
+        built = builds(workspace)
     problems: list[Problem] = []
     where = settings.project_file or "the project file"
     project = settings.project
@@ -99,7 +102,7 @@ def varied(
         environment=environment,
         known=known,
         ros2=ros2_launch(workspace, built, environment or {}),
-        share=partial(shared, processes=processes),
+        share=timed("follow")(partial(shared, processes=processes)),
         alternatives=alternatives,
     )
     made = link_all(keeper=keeper(workspace, store))
@@ -119,7 +122,8 @@ def varied(
     said_before = dict.fromkeys((*found.problems, *problems))
 
     def under(name: str, arguments: Mapping[str, str]) -> Configuration | None:
-        other = made.under(name, arguments)
+        with stage("variants", whole=True):  # with all that is launched and followed for them
+            other = made.under(name, arguments)
         return hints.applied(other, workspace.packages, project, where)[0] if other is not None else None
 
     whole = replace(
@@ -170,6 +174,7 @@ def filled(
     return tuple((argument.written or argument.type, argument.value) for argument in call.arguments), call.templates
 
 
+@timed("parse")
 def programs(
     workspace: Workspace, built: Mapping[str, Build], store: Store, problems: list[Problem], processes: int = 1
 ) -> tuple[Source, ...]:

@@ -18,6 +18,7 @@ from haros_ci.registry import Registry, registry
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level, Rule
+from haros_ci.timing import stage, timed
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.checking.check import Check
@@ -43,13 +44,15 @@ class Architectures:
         self._made: dict[Path, Linked] = {}
 
     def of(self, workspace: Workspace) -> Linked:
-        from haros_ci.analysis.architecture import varied
+        with stage("loading"):
+            from haros_ci.analysis.architecture import varied
 
         if workspace.root not in self._made:
             self._made[workspace.root] = varied(workspace, self.settings, self.store, processes=self.settings.jobs)
         return self._made[workspace.root]
 
 
+@timed("checks")
 def inspected(
     run: Run,
     workspace: Workspace,
@@ -64,10 +67,11 @@ def inspected(
     if not is_inspected(workspace, selection, settings, known):
         return run
     chosen = chosen_checks(workspace, selection, known)
-    from haros_ci.analysis.launch_faults import refused
-    from haros_ci.analysis.unmodelled import unmodelled
-    from haros_ci.checking.run import Assigned, run_checks, run_on_project
-    from haros_ci.checking.system import System, systems
+    with stage("loading"):
+        from haros_ci.analysis.launch_faults import refused
+        from haros_ci.analysis.unmodelled import unmodelled
+        from haros_ci.checking.run import Assigned, run_checks, run_on_project
+        from haros_ci.checking.system import System, systems
 
     if progress is not None:
         progress("architecture")
@@ -178,7 +182,8 @@ def project_of(
         from haros_ci.code.codebase import codebase
 
         ros = {package.name: package.ros for package in workspace.packages if package.ros is not None}
-        return codebase(made.sources, workspace.text, ros)
+        with stage("call graph"):
+            return codebase(made.sources, workspace.text, ros)
 
     programs = {source.path: source.program for source in made.sources}
     return Project(
@@ -195,6 +200,7 @@ def project_of(
     )
 
 
+@timed("queries")
 def queried(run: Run, found: Architecture, workspace: Workspace, settings: Settings, selection: Selection) -> Run:
     """*run* with the matches of the project file's queries."""
     from haros_ci.query import queries

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.model.location import Location
 from haros_ci.report.escape import markdown, markdown_code, multiline, terminal, workflow_data, workflow_property
+from haros_ci.report.model_compact import expand as expand_model
 from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.result import (
     Baseline,
@@ -39,6 +40,7 @@ __all__ = [
     "Run",
     "Suppression",
     "Tool",
+    "expand_model",
     "is_open",
     "markdown",
     "markdown_code",

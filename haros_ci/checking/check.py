@@ -16,7 +16,7 @@ from haros_ci.results.fix import Fix
 from haros_ci.results.rule import Level, Rule
 
 #: What plug-ins are written against (docs/plugins.md): the first number changes when something is taken away.
-API_VERSION = (1, 0)
+API_VERSION = (2, 0)
 #: What a finding may be about: an end, a node, a topic or service, or a name.
 About = Union[End, SystemNode, Channel, str]
 #: A further place, and what is to be seen there.

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from haros_ci.checking.whole import is_in
 from haros_ci.model.architecture import Condition, Parameter, Unknown
@@ -56,7 +56,7 @@ class Given:
         return None if self.unknown else self.raw.type
 
     @property
-    def value(self) -> Any:
+    def value(self) -> object:
         return None if self.unknown else self.raw.value
 
     @property

@@ -15,12 +15,15 @@ from haros_ci.model.presence import assignment, in_words, together
 from haros_ci.results.fix import is_counted_alike
 from haros_ci.results.result import Graph, Notification, Related, Result, Vertex
 from haros_ci.results.rule import Level
+from haros_ci.timing import stage
 
 #: So many other names of which the same is to be said are named.
 SHOWN = 5
 #: Files that keep build tools out of a directory (haros_ci/workspace/selection.py has the same), and the tags of checks of what is built.
 _MARKERS = frozenset(("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"))
 _OF_BUILDS = frozenset(("packages", "build"))
+#: The stage that checks are (``--timings``).
+CHECKS = "checks"
 #: Launch arguments that have to be set, with their values.
 Assigned = tuple[tuple[str, str], ...]
 #: The system of the same configuration under other launch arguments; None if it cannot be had.
@@ -73,16 +76,17 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
             if system.is_refused and not check.of_refused:
                 continue
             try:
-                for finding in run(system):
-                    if finding.at.path in system.refused and not check.of_refused:
-                        continue
-                    each = _told(check, finding, system)
-                    if each is None or (each.arguments and not confirm(each)):
-                        continue
-                    alike = told.setdefault(each.key, {})
-                    before = alike.setdefault(subject(finding.about), each)
-                    if each.rank < before.rank:
-                        alike[subject(finding.about)] = each
+                with stage(CHECKS, check.id):
+                    for finding in run(system):
+                        if finding.at.path in system.refused and not check.of_refused:
+                            continue
+                        each = _told(check, finding, system)
+                        if each is None or (each.arguments and not confirm(each)):
+                            continue
+                        alike = told.setdefault(each.key, {})
+                        before = alike.setdefault(subject(finding.about), each)
+                        if each.rank < before.rank:
+                            alike[subject(finding.about)] = each
             except Exception as err:  # a fault of one check must not lose the others
                 said = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
                 failures.setdefault(check.id, Notification(Level.ERROR, said, tool=tool))
@@ -104,11 +108,12 @@ def run_on_project(checks: Sequence[Check], project: Project, tool: str) -> Chec
         if check.project is None:
             continue
         try:
-            for finding in check.project(project):
-                if unseen and _OF_BUILDS.intersection(check.tags):
-                    finding = _of_no_build(finding, unseen)
-                each = _Told(check, _mendable(finding, project.text), None, ())
-                results.setdefault((*each.key, subject(finding.about)), _result(each, (), tool))
+            with stage(CHECKS, check.id):
+                for finding in check.project(project):
+                    if unseen and _OF_BUILDS.intersection(check.tags):
+                        finding = _of_no_build(finding, unseen)
+                    each = _Told(check, _mendable(finding, project.text), None, ())
+                    results.setdefault((*each.key, subject(finding.about)), _result(each, (), tool))
         except Exception as err:  # a fault of one check must not lose the others
             said = f"the check {check.id} failed: {type(err).__name__}: {err}"
             failures.append(Notification(Level.ERROR, said, tool=tool))
@@ -182,8 +187,9 @@ class _Confirmation:
             return False
         key = (told.check.id, *place)
         if key not in self.said:
-            found = (_told(told.check, finding, system) for finding in run(system))
-            self.said[key] = frozenset(each.key for each in found if each is not None and not each.arguments)
+            with stage("confirmations"):
+                found = (_told(told.check, finding, system) for finding in run(system))
+                self.said[key] = frozenset(each.key for each in found if each is not None and not each.arguments)
         return told.key in self.said[key]
 
 

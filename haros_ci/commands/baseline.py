@@ -11,6 +11,7 @@ import click
 
 from haros_ci.baselines import COMPACT_NAME, known_findings, sides
 from haros_ci.commands.common import Flags, run, settings_from
+from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
 from haros_ci.results.result import Report
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from haros_ci.results.known import Known, Sides
 
 
+@with_timings
 def create(flags: Flags) -> int:
     """``haros-ci baseline create``: today's findings become known; a file that holds any is written anew under ``--force`` only."""
     from haros_ci.results.compact import write_compact
@@ -69,6 +71,7 @@ def _difference(path: Path, settings: Settings, report: Report, sides: Sides) ->
     return f"{', '.join(said[:-1])} and {said[-1]}{first}"
 
 
+@with_timings
 def update(flags: Flags) -> int:
     """``haros-ci baseline update``: known findings follow the code; new ones join under ``--accept-new`` only."""
     from haros_ci.results.upkeep import update as updated
@@ -79,6 +82,7 @@ def update(flags: Flags) -> int:
     return keep(flags, known, report, f"{len(before)} findings were known, {len(known)} are now")
 
 
+@with_timings
 def prune(flags: Flags) -> int:
     """``haros-ci baseline prune``: what is gone is dropped."""
     from haros_ci.results.upkeep import prune as pruned

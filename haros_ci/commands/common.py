@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import os
 import sys
-import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -16,11 +15,13 @@ import click
 
 from haros_ci.baselines import COMPACT_NAME
 from haros_ci.commands.output import FOLDERS, SILENT, Outputs, RendererError, Renderers, View, parse_outputs, rendered
+from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, RunFailure, UserError
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Report
 from haros_ci.streams import say
+from haros_ci.timing import remark, stage, timed
 from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
 from haros_ci.writing import write
 
@@ -39,6 +40,12 @@ def check(flags: Flags) -> int:
         from haros_ci.commands.shard import shard
 
         return shard(flags)
+    return checked(flags)
+
+
+@with_timings
+def checked(flags: Flags) -> int:
+    """One run, all at once."""
     settings = settings_from(flags)
     renderers = renderers_of(settings)
     outputs = parse_outputs(flags["output"], renderers)
@@ -75,6 +82,7 @@ def reported(
     return exit_code(report, settings) if is_whole else EXIT_TOOL_TROUBLE
 
 
+@timed("render")
 def written(
     report: Report, workspace: Workspace, outputs: Outputs, renderers: Renderers, settings: Settings, flags: Flags
 ) -> bool:
@@ -192,7 +200,8 @@ def run(settings: Settings, flags: Flags) -> tuple[Report, Workspace]:
     """Analyse under a cache."""
 
     def analysed(store: DiskCache | MemoryCache, progress: Progress) -> tuple[Report, Workspace]:
-        from haros_ci.pipeline import analyse
+        with stage("loading"):
+            from haros_ci.pipeline import analyse
 
         return analyse(settings, store, progress=progress)
 
@@ -207,12 +216,9 @@ def under_cache(work: Callable[[DiskCache | MemoryCache, Progress], Made], setti
     from haros_ci.plugins.stdout import kept_clean
 
     store = store_for(settings)
-    started = time.perf_counter()
-    clock: list[tuple[float, str]] = []
     watched = sys.stderr.isatty() and not os.environ.get("CI")
 
     def progress(what: str) -> None:
-        clock.append((time.perf_counter() - started, what))
         if watched:
             click.echo(f"\r\x1b[K{what}", nl=False, err=True)
 
@@ -225,10 +231,7 @@ def under_cache(work: Callable[[DiskCache | MemoryCache, Progress], Made], setti
         trouble = store.flush()
         if trouble:
             click.echo(f"warning: {trouble}", err=True)
-    if flags.get("timings"):
-        for seconds, what in clock:
-            click.echo(f"{seconds:8.3f} s  {what}", err=True)
-        click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
+    remark(f"cache: {store.stats}")
     return made
 
 
@@ -239,6 +242,7 @@ def store_for(settings: Settings) -> DiskCache | MemoryCache:
 # -- settings -----------------------------------------------------------------------------------------------------
 
 
+@timed("settings")
 def settings_from(flags: Flags) -> Settings:
     """Flags and project file as one value; on a pull request (``--baseline-rev``) the file is the base revision's."""
     from haros_ci.config.load import load

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -14,11 +13,13 @@ from haros_ci.analysis.architecture import varied
 from haros_ci.analysis.comparison import revision_of
 from haros_ci.changes.revision import changes_of
 from haros_ci.commands.common import cores, settings_from, store_for
+from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.changes import Changes
 from haros_ci.model.workspace import Store
 from haros_ci.report.escape import terminal
+from haros_ci.timing import remark, timed
 from haros_ci.workspace.git import BaselineUnavailable
 from haros_ci.workspace.revision import Revisions, revisions
 from haros_ci.writing import write
@@ -26,12 +27,12 @@ from haros_ci.writing import write
 FORMATS = ("text", "markdown", "json")
 
 
+@with_timings
 def diff(flags: Mapping[str, Any]) -> int:
     """Compare, print; exit code 0, with ``--exit-code`` 1 if anything has changed; 2 for a revision that cannot be had."""
     import gc
 
     gc.disable()
-    started = time.perf_counter()
     settings = settings_from({**flags, "paths": (), "no_baseline": True, "baseline_rev": flags["base"]})
     store = store_for(settings)
     try:
@@ -56,8 +57,7 @@ def diff(flags: Mapping[str, Any]) -> int:
     for note in settings.notes:
         click.echo(f"note: {terminal(note)}", err=True)
     write(rendered(changes, flags["format"], *sides), Path(flags["output"]) if flags["output"] else None)
-    if flags["timings"]:
-        click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
+    remark(f"cache: {store.stats}")
     return 1 if flags["exit_code"] and changes else 0
 
 
@@ -77,6 +77,7 @@ def compared(found: Revisions, settings: Settings, store: Store) -> Changes:
     return changes_of(sides[0], sides[1], found.renames)
 
 
+@timed("render")
 def rendered(changes: Changes, format: str, base: str, head: str | None) -> str:
     """*changes* in one of ``FORMATS``."""
     if format == "json":

@@ -18,6 +18,7 @@ from haros_ci.commands.common import (
     under_cache,
 )
 from haros_ci.commands.output import parse_outputs
+from haros_ci.commands.timings import with_timings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.escape import terminal
@@ -31,6 +32,7 @@ from haros_ci.workspace.files import TooLarge, read_regular
 from haros_ci.writing import write
 
 
+@with_timings
 def merge(flags: Flags) -> int:
     """Join, report, and give the exit code of a check. 3, and no report, where shards do not make a whole."""
     settings = settings_from(flags)

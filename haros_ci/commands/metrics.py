@@ -11,6 +11,7 @@ import click
 
 from haros_ci.commands.common import Progress, settings_from, under_cache
 from haros_ci.commands.limits import LIMITS
+from haros_ci.commands.timings import with_timings
 from haros_ci.config.suggestion import suggestion
 from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
 from haros_ci.measuring.measures import Measures, measure
@@ -28,6 +29,7 @@ from haros_ci.writing import write
 SHOWN = 20
 
 
+@with_timings
 def metrics(flags: Mapping[str, Any]) -> int:
     """Measure and print; exit code 3 if a tool that measures failed, else 0."""
     asked = frozenset(metric_named(name) for name in flags["metric"])

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import sys
-import time
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -18,11 +17,13 @@ from haros_ci.analysis.unmodelled import unmodelled
 from haros_ci.analysis.wanted import chosen
 from haros_ci.baselines import read_input
 from haros_ci.commands.common import cores, settings_from, store_for
+from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.report.escape import terminal
+from haros_ci.timing import remark, timed
 from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.workspace.discover import discover
 from haros_ci.writing import put as put_bytes
@@ -30,20 +31,23 @@ from haros_ci.writing import put as put_bytes
 #: Problems that are told one by one.
 SHOWN = 20
 #: Options that say what of the architecture is made, and how it is written.
-OPTIONS = ("launch", "arg", "env", "no_known_nodes", "configuration", "format")
+OPTIONS = ("launch", "arg", "env", "no_known_nodes", "configuration", "format", "compact")
+#: What --format json --compact is called here.
+COMPACT = "compact json"
 FORMATS = ("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme")
 
 
+@with_timings
 def model(flags: Mapping[str, Any]) -> int:
     """Extract, link, print; exit code 1 if what is expected or documented differs, 2 for wrong usage, else 0."""
     import gc
 
+    if flags["compact"] and flags["format"] != "json":
+        raise UserError(f"--compact is for json, not {flags['format']}", help="write --format json --compact")
+    format = COMPACT if flags["compact"] else flags["format"]
     gc.disable()
-    started = time.perf_counter()
-    clock: list[tuple[float, str]] = []
     settings = settings_from({**flags, "no_baseline": True})
     workspace = discover(settings.root, settings.paths, exclude=settings.exclude, max_file_size=settings.max_file_size)
-    clock.append((time.perf_counter() - started, "discovered"))
     store = store_for(settings)
     arguments = dict(assignment(text, "--arg", ":=") for text in flags["arg"])
     environment = dict(assignment(text, "--env", "=") for text in flags["env"])
@@ -63,7 +67,6 @@ def model(flags: Mapping[str, Any]) -> int:
             exact=flags["exact"],
             processes=cores(),
         )
-        clock.append((time.perf_counter() - started, "linked"))
         found = selected(made.architecture, flags["configuration"])
         problems = (*workspace.problems, *workspace.faults, *found.problems)
         found = replace(found, problems=tuple(dict.fromkeys(problems)))
@@ -72,7 +75,7 @@ def model(flags: Mapping[str, Any]) -> int:
 
     def output() -> Output:
         found, said = make()
-        return Output(encoded(rendered(found, flags["format"])), said)
+        return Output(encoded(rendered(found, format)), said)
 
     path = Path(flags["output"]) if flags["output"] else None
     code = 0
@@ -83,18 +86,15 @@ def model(flags: Mapping[str, Any]) -> int:
         is_binary = flags["format"] == "sqlite"
         kept = kept_output("model", output, workspace, options, store, is_binary=is_binary)
         end(store, kept.said)
-        put_content(kept.content, flags["format"], path)
+        put_content(kept.content, format, path)
     else:
         found, said = make()
         end(store, said)
         if path is not None or not flags["check_readme"]:
-            put(found, flags["format"], path, workspace.root)
+            put(found, format, path, workspace.root)
         code = expected(found, flags["expect"]) if flags["expect"] else 0
         code = max(code, documented(workspace, found)) if flags["check_readme"] else code
-    if flags["timings"]:
-        for seconds, what in clock:
-            click.echo(f"{seconds:8.3f} s  {what}", err=True)
-        click.echo(f"{time.perf_counter() - started:8.3f} s  done; cache: {store.stats}", err=True)
+    remark(f"cache: {store.stats}")
     return code
 
 
@@ -123,6 +123,7 @@ def put(found: Architecture, format: str, path: Path | None, root: Path) -> None
     put_content(encoded(rendered(found, format)), format, path)
 
 
+@timed("render")
 def put_content(content: bytes, format: str, path: Path | None) -> None:
     """Write *content* to *path*, or to stdout; UserError if that is not possible."""
     if path is not None:
@@ -161,9 +162,12 @@ def warnings(problems: tuple[Problem, ...]) -> Iterator[str]:
         yield f"warning: and {len(problems) - SHOWN} more; --format json has them all"
 
 
+@timed("render")
 def rendered(found: Architecture, format: str) -> str | bytes:
-    """*found* in one of ``FORMATS``."""
-    if format == "json":
+    """*found* in one of ``FORMATS``, or ``COMPACT``."""
+    if format == COMPACT:
+        from haros_ci.report.model_compact import render
+    elif format == "json":
         from haros_ci.report.model_json import render
     elif format == "dot":
         from haros_ci.report.model_dot import render
@@ -198,22 +202,16 @@ def assignment(text: str, option: str, sign: str) -> tuple[str, str]:
 
 def expected(found: Architecture, path: str) -> int:
     """Compare with the architecture that the file declares, and say on stdout where they differ."""
-    import yaml
-
+    from haros_ci.bounded_yaml import Limits, YamlFault, data
     from haros_ci.declared.expectation import compare, problems
 
     try:
-        declared = yaml.safe_load(read_input(Path(path), path))
-    except (yaml.YAMLError, RecursionError, ValueError, OverflowError) as err:
-        said = (str(err).splitlines() or ["not YAML"])[0]
-        raise UserError(f"{path} cannot be read: {said}", help="it is YAML, as in docs/model.md") from err
-    except (
-        KeyError,
-        IndexError,
-        AttributeError,
-    ) as err:  # PyYAML's constructors, of what is not of the type of its tag
-        said = "a value is not of the type that its tag (!!bool, !!int, !!timestamp) names"
-        raise UserError(f"{path} cannot be read: {said}", help="write the value without the tag") from err
+        declared = data(read_input(Path(path), path).decode("utf-8-sig"), Limits(characters=10_000_000, aliases=1_000))
+    except UnicodeDecodeError as err:
+        raise UserError(f"{path} cannot be read: it is not UTF-8 text", help="save the file as UTF-8") from err
+    except YamlFault as err:
+        at = f"{path}:{err.line}" if err.is_placed else path
+        raise UserError(f"{at} cannot be read: {err.message}", help="it is YAML, as in docs/model.md") from err
     for problem in problems(declared, path, [c.name for c in found.configurations]):
         click.echo(f"warning: {terminal(problem.path)}: {terminal(problem.message)}", err=True)
     count = 0

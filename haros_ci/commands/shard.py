@@ -9,6 +9,7 @@ import click
 
 from haros_ci.baselines import read_input
 from haros_ci.commands.common import Flags, Progress, demand_base, settings_from, under_cache, warn_of_missing_base
+from haros_ci.commands.timings import with_timings
 from haros_ci.errors import UserError
 from haros_ci.report.escape import terminal
 from haros_ci.shards import costs, shard_file
@@ -18,6 +19,7 @@ from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.writing import write
 
 
+@with_timings
 def shard(flags: Flags) -> int:
     """Do one part and write it. 0 even where a tool failed: the file says so, and merge decides what that means."""
     path = destination(flags)

@@ -14,6 +14,7 @@ import click
 
 from haros_ci.commands.common import Flags, demand_base, renderers_of, run, settings_from, written
 from haros_ci.commands.output import Outputs, Renderers, parse_outputs, text_style
+from haros_ci.commands.timings import timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_INTERRUPTED, UserError
 from haros_ci.interruption import Interrupted
@@ -128,7 +129,8 @@ class Watch:
         try:
             if changed:
                 self.settings = settings_from(self.flags)
-            self._checked(first=not self.has_run)
+            with timings(self.flags):
+                self._checked(first=not self.has_run)
         except UserError as err:
             if not self.has_run:
                 raise

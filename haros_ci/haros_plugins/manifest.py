@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from haros_ci.bounded_yaml import Limits, YamlFault
+from haros_ci.bounded_yaml import data as yaml_data
 from haros_ci.errors import UserError
 from haros_ci.haros_plugins.common import METRICS, RULES
 from haros_ci.plugins.place import digest, located
@@ -18,6 +20,7 @@ from haros_ci.results.rule import Level, Rule
 PREFIX = "haros_plugin_"
 #: Bytes that a plugin.yaml or plugin.py may have.
 LARGEST = 4_000_000
+LIMITS = Limits(characters=LARGEST, aliases=1_000)
 #: A plug-in is run because somebody names it: all its rules are on, until they are ignored.
 PROFILES = ("ros", "strict", "google", "bugs-only", "architecture")
 
@@ -88,11 +91,9 @@ def read(name: str, root: Path) -> HarosPlugin:
 
 
 def _manifest(name: str, home: Path) -> Mapping[str, Any]:
-    import yaml
-
     try:
-        data = yaml.safe_load(_text(name, home / "plugin.yaml"))
-    except (yaml.YAMLError, RecursionError, ValueError) as err:
+        data = yaml_data(_text(name, home / "plugin.yaml"), LIMITS)
+    except (YamlFault, RecursionError) as err:
         raise _malformed(name, f"plugin.yaml is no YAML: {' '.join(str(err).split())[:300]}") from err
     if not isinstance(data, dict) or data.get("name") != name or "version" not in data:
         raise _malformed(name, f"plugin.yaml has not both 'name: {name}' and 'version'")

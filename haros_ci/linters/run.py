@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from time import perf_counter
+from typing import TypeVar
 
 from haros_ci.linters import rows, schedule
 from haros_ci.linters.execute import Outcome, Task, execute
@@ -18,10 +20,13 @@ from haros_ci.linters.work import Digests, Installed, Work, works
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Notification, Run, Tool
 from haros_ci.scratch import place_in_memory, scratch_directory
+from haros_ci.timing import Spent, side_by_side, timed
 
+T = TypeVar("T")
 Progress = Callable[[str], None]
 
 
+@timed("linters")
 def lint(
     workspace: Workspace,
     linters: Iterable[Linter],
@@ -119,19 +124,17 @@ def _analyse(
 
         gates = {work.linter.NAME: Gate(workspace, work.linter, work.program) for work in works}
 
-        def run_batch(index: int) -> Outcome:
+        def run_batch(index: int) -> tuple[Outcome, float]:
             work, units = jobs[index]
             name = work.linter.NAME
             confined = name in seen
             gate = gates[name] if confined else None
             view = seen.get(name, workspace)
-            return execute(
-                Task(work.linter, work.program, options, view, units, confined, gate),
-                processes,
-                directory / str(index),
-            )
+            task = Task(work.linter, work.program, options, view, units, confined, gate)
+            began = perf_counter()
+            return execute(task, processes, directory / str(index)), perf_counter() - began
 
-        for index, outcome in _in_parallel(run_batch, len(jobs), options.jobs, processes):
+        for index, (outcome, busy) in _in_parallel(run_batch, len(jobs), options.jobs, processes):
             work, units = jobs[index]
             by_path = {unit.file.path: unit for unit in units}
             for path, answer in outcome.answers:
@@ -150,14 +153,13 @@ def _analyse(
             for message, paths in outcome.failures:
                 work.fail(message, paths)
             work.seconds.update(outcome.seconds)
+            side_by_side("linters", work.linter.NAME, Spent(busy, sum(seconds for _, seconds in outcome.seconds)))
             done += len(units)
             if progress is not None:
                 progress(f"{done}/{total} {work.linter.NAME}")
 
 
-def _in_parallel(
-    run_batch: Callable[[int], Outcome], count: int, jobs: int, processes: Processes
-) -> Iterable[tuple[int, Outcome]]:
+def _in_parallel(run_batch: Callable[[int], T], count: int, jobs: int, processes: Processes) -> Iterable[tuple[int, T]]:
     """``run_batch(0 … count-1)`` on *jobs* threads, outcomes as they come; nothing survives an interruption."""
     try:
         if jobs == 1 or count <= 1:

@@ -10,11 +10,13 @@ from haros_ci.measuring.measures import Structure, class_values, function_values
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.results.result import Result, Run, Tool
+from haros_ci.timing import timed
 
 #: The run's name; pipeline.with_metrics joins it with what lizard and radon said.
 NAME = "structure"
 
 
+@timed("structure")
 def crossings(workspace: Workspace, store: Store, processes: int, progress: Callable[[str], None] | None = None) -> Run:
     """Every band that is crossed, at the line of the function's signature or the class's head."""
     if progress is not None:

@@ -59,10 +59,7 @@ def _looked_at(module: ModuleType, spec: ModuleSpec) -> Plugin:
     offered = {key: getattr(module, key) for key in OFFERS if hasattr(module, key)}
     if not offered:
         _refuse(name, f"it offers none of {', '.join(OFFERS)}", "see docs/plugins.md")
-    needs = getattr(module, "REQUIRES_API", API_VERSION)
-    if not isinstance(needs, tuple) or needs[:1] != API_VERSION[:1] or needs > API_VERSION:
-        mine = ".".join(map(str, API_VERSION))
-        _refuse(name, f"it is made for the API {needs}; this is {mine}", "take a plug-in and a haros-ci that fit")
+    _demand_api(name, getattr(module, "REQUIRES_API", API_VERSION))
     made = digest(spec)
     checks = tuple(_check(name, each) for each in _listed(name, "CHECKS", offered))
     linters = tuple(_linter(name, each) for each in _listed(name, "LINTERS", offered))
@@ -77,6 +74,23 @@ def _looked_at(module: ModuleType, spec: ModuleSpec) -> Plugin:
         rules={linter.NAME: _rules(name, linter) for linter in linters},
         rows=tuple(_row(name, number, row) for number, row in enumerate(_listed(name, "API_ROWS", offered), 1)),
         renderers=_renderers(name, offered.get("RENDERERS", {})),
+    )
+
+
+def _demand_api(name: str, needs: object) -> None:
+    """Refuse what was made for an API that this one is not, and say what has changed since."""
+    mine = ".".join(map(str, API_VERSION))
+    if not isinstance(needs, tuple) or not needs or not all(isinstance(number, int) for number in needs):
+        _refuse(name, f"REQUIRES_API is {needs!r}", f"write the API as a tuple of numbers: {API_VERSION}")
+    if needs[0] == API_VERSION[0] and needs <= API_VERSION:
+        return
+    fault = f"it is made for the API {'.'.join(map(str, needs))}; this is {mine}"
+    if needs[0] != 1:
+        _refuse(name, fault, "take a plug-in and a haros-ci that fit")
+    _refuse(
+        name,
+        f"{fault}, where the code of a program is typed nodes (haros_ci.api.syntax) in place of tuples",
+        f"adapt it as 'From API 1 to 2' in docs/plugins.md says, then write REQUIRES_API = {API_VERSION}",
     )
 
 

@@ -38,6 +38,8 @@ CHANNELS = {
     "services": (("servers", "servers"), ("clients", "clients")),
     "actions": (("action_servers", "servers"), ("action_clients", "clients")),
 }
+_WHAT = {kind: what for what, kinds in CHANNELS.items() for kind, _ in kinds}
+_SCALARS = (bool, float, int, str, type(None))
 _BROKEN_LEVELS = 6  # containers this deep stand on one line: an endpoint, a location
 _DEEPEST = 50
 _LARGEST = 10**300
@@ -76,8 +78,13 @@ def render(architecture: Architecture) -> str:
     A location's package is the innermost one around its path, and its file is relative to that package. A value that
     JSON cannot hold is text: ``nan``, a date; what is nested deeper than anyone writes is ``?``.
     """
+    return laid_out(document_of(architecture))
+
+
+def document_of(architecture: Architecture) -> dict[str, Any]:
+    """The document as JSON holds it. What is the same in several places, endpoints above all, is one object."""
     place = Places(architecture.packages)
-    document = {
+    return {
         "schema_version": SCHEMA_VERSION,
         "configurations": [
             _configuration(item, place) for item in sorted(architecture.configurations, key=lambda item: item.name)
@@ -88,17 +95,29 @@ def render(architecture: Architecture) -> str:
             for item in sorted(architecture.problems, key=lambda item: (item.path, item.line or 0, item.message))
         ],
     }
+
+
+def laid_out(document: Mapping[str, Any]) -> str:
+    """The text of a *document*, as ``render`` gives it."""
     parts: list[str] = []
-    _lay_out(document, 0, parts)
-    return "".join(parts).replace("##[", r"##\u005b") + "\n"  # else a command to a GitHub runner
+    _lay_out(document, 0, parts, {})
+    return no_command("".join(parts)) + "\n"
+
+
+def no_command(text: str) -> str:
+    """JSON *text* that says the same and is no command to a GitHub runner."""
+    return text.replace("##[", r"##\u005b")
 
 
 def channels(configuration: Configuration) -> tuple[Channel, ...]:
     """What the endpoints of *configuration* connect, topics first, by name; two unknown names are never one channel."""
     found = []
-    for what, kinds in CHANNELS.items():
-        wanted = {kind for kind, _ in kinds}
-        ends = [(node, end) for node in nodes_of(configuration) for end in endpoints_of(node) if end.kind in wanted]
+    every: dict[str, list[tuple[Node, Endpoint]]] = {what: [] for what in CHANNELS}
+    for node in nodes_of(configuration):
+        for end in endpoints_of(node):
+            if end.kind in _WHAT:
+                every[_WHAT[end.kind]].append((node, end))
+    for what, ends in every.items():
         ends.sort(key=lambda pair: pair[1].name)
         for name, group in groupby(ends, key=lambda pair: pair[1].name):
             together = tuple(group)
@@ -148,11 +167,14 @@ def plain(value: object, depth: int = 0) -> Any:
 class Places:
     """Where packages are, to say a location by its package."""
 
-    __slots__ = ("_packages", "_split")
+    __slots__ = ("_locations", "_packages", "_split", "made")
 
     def __init__(self, packages: Iterable[Package]) -> None:
         self._packages = {package.path: package.name for package in packages}
         self._split: dict[str, tuple[str | None, str]] = {}
+        self._locations: dict[Location, dict[str, Any]] = {}
+        #: What has been made of endpoints: they stand in many configurations.
+        self.made: dict[object, dict[str, Any]] = {}
 
     def split(self, path: str) -> tuple[str | None, str]:
         """The innermost package around *path* and the path in it; None and *path* outside any."""
@@ -172,9 +194,13 @@ class Places:
     def location(self, location: Location | None) -> dict[str, Any] | None:
         if location is None:
             return None
-        package, file = self.split(location.path)
-        line, column = location.line, location.column
-        return {"package": package, "file": file, "path": location.path, "line": line, "column": column}
+        found = self._locations.get(location)
+        if found is None:
+            package, file = self.split(location.path)
+            line, column = location.line, location.column
+            found = {"package": package, "file": file, "path": location.path, "line": line, "column": column}
+            self._locations[location] = found
+        return found
 
 
 def _configuration(configuration: Configuration, place: Places) -> dict[str, Any]:
@@ -212,6 +238,24 @@ def _node(node: Node, place: Places) -> dict[str, Any]:
 
 
 def _endpoint(end: Endpoint, place: Places) -> dict[str, Any]:
+    if not isinstance(end.value, _SCALARS) or not isinstance(end.effective, _SCALARS):
+        return _endpoint_anew(end, place)
+    qos = end.qos
+    times = () if qos is None else (qos.depth, qos.deadline, qos.lifespan, qos.lease)
+    # 1, 1.0 and True are equal, as 0.0 and -0.0 are, and are not written alike
+    key = (end, *map(_exact, (end.value, end.effective, end.queue_size, *(end.range or ()), *times)))
+    found = place.made.get(key)
+    if found is None:
+        found = place.made[key] = _endpoint_anew(end, place)
+    return found
+
+
+def _exact(value: object) -> object:
+    """What differs between two values that are equal and not written alike."""
+    return repr(value) if value.__class__ is float else value.__class__
+
+
+def _endpoint_anew(end: Endpoint, place: Places) -> dict[str, Any]:
     return {
         "name": end.name,
         "original_name": end.original_name,
@@ -317,17 +361,41 @@ def _place_key(location: Location | None) -> tuple[str, int, int, int, int]:
 
 
 _ENCODE = json.JSONEncoder(ensure_ascii=True, allow_nan=False).encode
+_STRING = json.encoder.encode_basestring_ascii
+#: Between members, by the level that they are on.
+_BREAKS = tuple("\n" + " " * level for level in range(_BROKEN_LEVELS + 1))
 
 
-def _lay_out(value: Any, level: int, parts: list[str]) -> None:
-    """JSON text with a line for each member of the upper levels, so that two models compare line by line."""
+def _lay_out(value: Any, level: int, parts: list[str], known: dict[int, str]) -> None:
+    """JSON text with a line for each member of the upper levels, so that two models compare line by line.
+
+    *known* are the texts of objects on one line, which may stand in many places.
+    """
     if level >= _BROKEN_LEVELS or not value or not isinstance(value, (dict, list)):
-        parts.append(_ENCODE(value))
+        parts.append(_on_one_line(value, known))
         return
     opening, closing = "{}" if isinstance(value, dict) else "[]"
-    pairs = value.items() if isinstance(value, dict) else ((None, item) for item in value)
-    for number, (key, item) in enumerate(pairs):
-        head = "" if key is None else f"{_ENCODE(key)}: "
-        parts.append(f"{',' if number else opening}\n{' ' * (level + 1)}{head}")
-        _lay_out(item, level + 1, parts)
-    parts.append(f"\n{' ' * level}{closing}")
+    level += 1
+    separator, follows = opening + _BREAKS[level], "," + _BREAKS[level]
+    is_last = level >= _BROKEN_LEVELS
+    for key, item in value.items() if isinstance(value, dict) else ((None, item) for item in value):
+        parts.append(separator if key is None else f"{separator}{_STRING(key)}: ")
+        separator = follows
+        if is_last or not item or not isinstance(item, (dict, list)):
+            parts.append(_on_one_line(item, known))
+        else:
+            _lay_out(item, level, parts, known)
+    parts.append(_BREAKS[level - 1] + closing)
+
+
+def _on_one_line(value: Any, known: dict[int, str]) -> str:
+    if isinstance(value, str):
+        return _STRING(value)
+    if value is None:
+        return "null"
+    if not isinstance(value, dict) or not value:
+        return _ENCODE(value)
+    text = known.get(id(value))
+    if text is None:
+        text = known[id(value)] = _ENCODE(value)
+    return text

@@ -9,11 +9,12 @@ from typing import Any
 
 import yaml
 
+from haros_ci.bounded_yaml import Limits, YamlFault, nodes
 from haros_ci.robot.unknown import UNKNOWN
 
 MAX_NODES = 50_000
 MAX_DEPTH = 60
-MAX_CHARACTERS = 500_000
+LIMITS = Limits(characters=500_000, depth=MAX_DEPTH, values=MAX_NODES)
 #: The longest number; ``1:20:20:…`` is one in base 60.
 MAX_NUMBER = 100
 #: The tags that xacro adds for units, with what they are multiplied by.
@@ -25,7 +26,6 @@ UNITS = {
     "!foot": 0.3048,
     "!inches": 0.0254,
 }
-_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _SAFE = yaml.SafeLoader("")
 
 
@@ -39,25 +39,13 @@ class _TooMuch(Exception):
 
 def yaml_value(text: str, number: Callable[[str], object]) -> object:
     """The value of the first document of *text*; UNKNOWN if it cannot be read. *number* evaluates what stands after a unit."""
-    if len(text) > MAX_CHARACTERS:
-        return UNKNOWN
     try:
-        if _is_too_deep(text):
+        documents = list(nodes(text, LIMITS))
+        if len(documents) > 1:
             return UNKNOWN
-        node = yaml.compose(text, Loader=_LOADER)
-        return None if node is None else _Reader(number).value(node, 0)
-    except (yaml.YAMLError, _TooMuch, RecursionError, ValueError, OverflowError):
+        return _Reader(number).value(documents[0], 0) if documents else None
+    except (YamlFault, yaml.YAMLError, _TooMuch, RecursionError, ValueError, OverflowError):
         return UNKNOWN
-
-
-def _is_too_deep(text: str) -> bool:
-    """Whether more than ``MAX_DEPTH`` collections are open at once, as composing them takes the stack of C."""
-    depth = 0
-    for event in yaml.parse(text, Loader=_LOADER):
-        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-        if depth > MAX_DEPTH:
-            return True
-    return False
 
 
 class _Reader:

@@ -46,6 +46,7 @@ from haros_ci.systems.launch_facts import Completion
 from haros_ci.systems.node_types import path_name, types_of
 from haros_ci.systems.ros2_library import Library, Seen
 from haros_ci.systems.system import Job, KnownNodes, Types
+from haros_ci.timing import timed
 
 #: A node with its endpoints, and what went wrong.
 Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
@@ -114,6 +115,7 @@ class Linked:
     sources: tuple[Source, ...]
 
 
+@timed("launch")
 def open_(
     types: Types,
     workspace: Workspace,

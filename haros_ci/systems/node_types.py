@@ -22,8 +22,10 @@ from haros_ci.substitutions.files import files_of
 from haros_ci.systems import ros2_entries
 from haros_ci.systems.entries import Programs, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.systems.system import KnownNodes, Types
+from haros_ci.timing import timed
 
 
+@timed("index")
 def types_of(
     workspace: Workspace,
     sources: Iterable[Source],

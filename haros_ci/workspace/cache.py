@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 from zlib import crc32
 
 from haros_ci.errors import UserError
+from haros_ci.timing import timed
 from haros_ci.workspace.files import TooLarge, read_regular
 
 T = TypeVar("T")
@@ -87,18 +88,23 @@ class DiskCache:
         self._cap = cap_bytes
         self._shards: dict[tuple[str, int], _Shard] = {}
 
+    @timed("cache")
     def get(self, group: str, path: str, key: str) -> object | None:
         return self._counted(self._shard(group, path).get(f"{key} {path}"))
 
+    @timed("cache")
     def put(self, group: str, path: str, key: str, value: object) -> None:
         self._shard(group, path).put(f"{key} {path}", value)
 
+    @timed("cache")
     def get_text(self, group: str, path: str, key: str) -> str | None:
         return self._counted(self._shard(group, path).get_text(f"{key} {path}"))
 
+    @timed("cache")
     def put_text(self, group: str, path: str, key: str, text: str) -> None:
         self._shard(group, path).put_text(f"{key} {path}", text)
 
+    @timed("cache")
     def flush(self) -> str | None:
         """Write what is new. A sentence if that is not possible; the run is none the worse for it."""
         changed = {_file_name(*place): shard for place, shard in self._shards.items() if shard.is_changed}

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.timing import timed
 from haros_ci.workspace.assemble import Alias, Content, Skipped, assemble
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import TooLarge, Tree, read_head, read_regular
@@ -32,6 +33,7 @@ _CAN_BE_SCRIPTS = (None, "python", "setup", "shell")
 _EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
 
 
+@timed("discover")
 def discover(
     root: Path,
     paths: tuple[str, ...],

@@ -53,7 +53,6 @@ NOT_FUZZED = {
     "linters.process": "opens the files that a tool's output goes to",
     "linters.text_worker": "reads what haros-ci writes to it, in a process of its own",
     "commands.merge": "opens the files that shards.shard_file reads",
-    "commands.model": "reads the file of --expect with PyYAML's safe loader; declared.expectation is reached by project-file",
     "commands.output": "opens files to write to, and the folder that haros_json.documents reads",
     "plugins.load": "reads a plug-in that the user names",
     "plugins.place": "reads a plug-in that the user names",

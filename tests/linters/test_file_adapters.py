@@ -262,7 +262,7 @@ REFUSED = [
     (yamllint, ".yamllint", "- a\n", "not a map"),
     (yamllint, ".yamllint", "rules: [a]\n", "rules is not a map"),
     (cmake_lint, ".cmake-format.yaml", "lint: [\n", "line 2: "),
-    (cmake_lint, ".cmake-format.json", "[" * 100, "nested too deeply"),
+    (cmake_lint, ".cmake-format.json", "[" * 100, "nested deeper than"),
 ]
 
 

@@ -60,9 +60,13 @@ REFUSED = [
     (CHECK + "CHECKS = (Check(id='odd', summary='', level=Level.NOTE, run=print),)\nPAGES = {'odd': '# even'}", "not made as pages"),
     (check_module("odd", "pass") + "CHECKS *= 2", "the check 'odd' is there twice"),
     (check_module("self-loop", "pass"), "the check 'self-loop' is one of haros-ci already"),
-    (check_module("odd", "pass") + "REQUIRES_API = (2, 0)", "made for the API"),
-    (check_module("odd", "pass") + "REQUIRES_API = (1, 999)", "made for the API"),
-    (check_module("odd", "pass") + "REQUIRES_API = 1", "made for the API"),
+    (check_module("odd", "pass") + "REQUIRES_API = (1, 0)", "made for the API 1.0; this is 2.0, where the code of a program is typed nodes"),
+    (check_module("odd", "pass") + "REQUIRES_API = (1, 999)", "made for the API 1.999; this is 2.0, where"),
+    (check_module("odd", "pass") + "REQUIRES_API = (3, 0)", "made for the API 3.0; this is 2.0"),
+    (check_module("odd", "pass") + "REQUIRES_API = (2, 999)", "made for the API 2.999; this is 2.0"),
+    (check_module("odd", "pass") + "REQUIRES_API = 1", "REQUIRES_API is 1"),
+    (check_module("odd", "pass") + "REQUIRES_API = ()", "REQUIRES_API is ()"),
+    (check_module("odd", "pass") + "REQUIRES_API = (2, 'x')", "REQUIRES_API is (2, 'x')"),
     ("LINTERS = (3,)", "the NAME of a linter is None"),
     ("class a: NAME = 'mine'\nLINTERS = (a,)", "linter mine: it has no LANGUAGES, WHEN, COST, locate"),
     (LINTER.format(name="pylint", error="ValueError"), "the linter 'pylint' is one of haros-ci already"),
@@ -112,7 +116,7 @@ def test_a_whole_plugin_is_taken_in(library: Path, tmp_path: Path) -> None:
     look = "def look(system):\n    return ()\n"
     inner = f"{CHECK}{look}CHECK = Check(id='odd-one', summary='', level=Level.NOTE, run=look)\n"
     outer = (
-        "from case_whole.checks.odd import CHECK\n__version__ = '3.1'\nREQUIRES_API = (1, 0)\nCHECKS = [CHECK]\n"
+        "from case_whole.checks.odd import CHECK\n__version__ = '3.1'\nREQUIRES_API = (2, 0)\nCHECKS = [CHECK]\n"
         "API_ROWS = ({'call': 'acme.f', 'args': [1], 'makes': [{'kind': 'publishers', 'name': '{0}'}]},)\n"
         "RENDERERS = {'acme': lambda report: 'x'}\n"
     )

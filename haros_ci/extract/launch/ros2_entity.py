@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
 
+from haros_ci.bounded_yaml import Limits, YamlFault, nodes
 from haros_ci.model.location import Location
 
-MAX_DEPTH = 50
-MAX_VALUES = 100_000
-MAX_CHARACTERS = 1_000_000
+LIMITS = Limits(values=100_000)
 #: Longer texts are no numbers.
 _MAX_NUMBER = 100
 _TAG = "tag:yaml.org,2002:"
@@ -40,39 +39,9 @@ class Entity:
         return tuple(child for child in self.children if child.tag in tags)
 
 
-class YamlError(Exception):
-    """Not YAML, or refused; *line* is 1-based."""
-
-    def __init__(self, message: str, line: int) -> None:
-        super().__init__(message)
-        self.line = line
-
-
 def compose(text: str) -> Any:
-    """The node graph of the first document in *text*, None if it is empty; YamlError for what is refused."""
-    if len(text) > MAX_CHARACTERS:
-        raise YamlError(f"more than {MAX_CHARACTERS} characters; split it", 1)
-    import yaml
-
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    depth = 0
-    try:
-        for count, event in enumerate(yaml.parse(text, Loader=loader)):
-            line = event.start_mark.line + 1 if event.start_mark else 1
-            if isinstance(event, yaml.CollectionStartEvent):
-                depth += 1
-            elif isinstance(event, yaml.CollectionEndEvent):
-                depth -= 1
-            if depth > MAX_DEPTH:
-                raise YamlError(f"nested deeper than {MAX_DEPTH} levels; flatten it", line)
-            if count > MAX_VALUES:
-                raise YamlError(f"more than {MAX_VALUES} values; split it", line)
-        return next(iter(yaml.compose_all(text, Loader=loader)), None)
-    except yaml.MarkedYAMLError as err:
-        mark = err.problem_mark or err.context_mark
-        raise YamlError(f"not valid YAML: {err.problem}; correct it", mark.line + 1 if mark else 1) from err
-    except (yaml.YAMLError, UnicodeError) as err:
-        raise YamlError("not valid YAML: it holds a control character; remove it", 1) from err
+    """The node graph of the first document in *text*, None if it is empty; YamlFault for what is refused."""
+    return next(nodes(text, LIMITS), None)
 
 
 def scalar(node: Any) -> Any:
@@ -94,7 +63,7 @@ def loaded(text: str) -> Any:
         return text
     try:
         node = compose(text)
-    except YamlError:
+    except YamlFault:
         return text
     if node is None or node.id == "mapping":
         return text

@@ -6,8 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from haros_ci.bounded_yaml import YamlFault
 from haros_ci.extract.launch.ros2_actions import Builder
-from haros_ci.extract.launch.ros2_entity import Entity, YamlError, compose, scalar
+from haros_ci.extract.launch.ros2_entity import Entity, compose, scalar
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.location import Location
 
@@ -29,7 +30,7 @@ def read_ros2_yaml(text: str, path: str) -> Description:
             return Description(problems=((line, "not a launch file: it needs the one key 'launch', with a list"),))
         key, content = root.value[0]
         top = reader.entity("launch", content, key, 0)
-    except YamlError as err:
+    except YamlFault as err:
         return Description(problems=((err.line, str(err)),))
     actions = reader.builder.actions(top.children)
     return Description(actions=actions, problems=tuple(reader.builder.problems))
@@ -48,7 +49,7 @@ class _Reader:
         self.entities += 1
         if depth > MAX_DEPTH or self.entities > MAX_ENTITIES:
             message = "the elements are nested too deeply, or are too many; flatten or split the file"
-            raise YamlError(message, mark.line + 1)
+            raise YamlFault(message, mark.line + 1)
         attributes: list[tuple[str, Any]] = []
         children: list[Entity] = []
         if node.id == "sequence":

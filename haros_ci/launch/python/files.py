@@ -6,13 +6,14 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from haros_ci.bounded_yaml import Limits, TooMuch, YamlFault, data
 from haros_ci.launch.python.heap import LARGEST
 from haros_ci.launch.python.paths import readable
 from haros_ci.launch.python.run import Run
 from haros_ci.launch.python.values import Call, Opened, PathValue, Text, Unknown, Value, why
 
 DEEPEST = 40
-NODES = 50_000
+LIMITS = Limits(characters=100_000_000, depth=DEEPEST, values=50_000)
 
 
 def file_text(run: Run, path: str) -> str | None:
@@ -54,39 +55,29 @@ def yaml_file(run: Run, path: Value, call: Call) -> Value:
 
 
 def yaml_data(run: Run, text: str, call: Call) -> Value:
-    import yaml
-
-    depth = count = 0
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     try:
-        for event in yaml.parse(text, Loader=loader):
-            count += 1
-            if isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
-                depth += 1
-            elif isinstance(event, (yaml.MappingEndEvent, yaml.SequenceEndEvent)):
-                depth -= 1
-            if depth > DEEPEST or count > NODES:
-                return run.unknown("the YAML is too large", call.location)
-        return own(run, yaml.load(text, Loader=loader), call, 0)
-    except (yaml.YAMLError, ValueError, TypeError, OverflowError, RecursionError, AttributeError, KeyError):
+        return own(run, data(text, LIMITS), call, 0)
+    except TooMuch:
+        return run.unknown("the YAML is too large", call.location)
+    except (YamlFault, RecursionError):
         return run.unknown("the YAML is not well-formed", call.location)
 
 
-def own(run: Run, data: Any, call: Call, depth: int) -> Value:
-    """A copy of *data* of the kinds that values have."""
+def own(run: Run, found: Any, call: Call, depth: int) -> Value:
+    """A copy of what was *found*, of the kinds that values have."""
     run.budget.take(1)
     if depth > DEEPEST:
         return run.unknown("the data is nested too deep", call.location)
-    if isinstance(data, dict):
+    if isinstance(found, dict):
         return {
             (key if isinstance(key, (str, bool, int, float, type(None))) else str(key)): own(run, item, call, depth + 1)
-            for key, item in data.items()
+            for key, item in found.items()
         }
-    if isinstance(data, list):
-        return [own(run, item, call, depth + 1) for item in data]
-    if data is None or isinstance(data, (bool, int, float, str)):
-        return run.made(data, call.location)
-    return run.unknown(f"a {type(data).__name__} in YAML is not supported", call.location)
+    if isinstance(found, list):
+        return [own(run, item, call, depth + 1) for item in found]
+    if found is None or isinstance(found, (bool, int, float, str)):
+        return run.made(found, call.location)
+    return run.unknown(f"a {type(found).__name__} in YAML is not supported", call.location)
 
 
 def json_load(run: Run, call: Call) -> Value:

@@ -12,8 +12,10 @@ from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import Files, files_of
 from haros_ci.substitutions.names import Text
+from haros_ci.timing import timed
 
 
+@timed("launch")
 def entry_files(workspace: Workspace, load: Callable[[str], LaunchFile | None]) -> tuple[str, ...]:
     """The ROS 1 launch files in packages that no other ROS 1 launch file includes, sorted (design: configurations).
 

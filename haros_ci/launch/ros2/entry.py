@@ -9,10 +9,12 @@ from haros_ci.launch.ros2.evaluate import Memo, launch_system
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.workspace import Workspace
+from haros_ci.timing import timed
 
 _NAMES = tuple(f"{mark}launch.{kind}" for mark in (".", "_") for kind in ("xml", "yaml", "yml", "py"))
 
 
+@timed("launch")
 def entry_files(
     workspace: Workspace,
     load: Callable[[str], Description | None],

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from haros_ci.bounded_yaml import YamlFault
 from haros_ci.launch.facts import ros2
 from haros_ci.launch.facts.sections import sections_of
 from haros_ci.launch.ros2.context import Context, Exhausted
@@ -15,7 +16,6 @@ from haros_ci.launch.ros2.parameter_yaml import (
     Map,
     Scalar,
     Tree,
-    YamlError,
     python_value,
     rcl_value,
     read_trees,
@@ -82,7 +82,7 @@ def values_in(text: str, path: str) -> tuple[ParameterRule, ...]:
     """What the parameter file with *text* gives as it stands, no substitution performed; () if it is not YAML."""
     try:
         trees = read_trees(literal(text))
-    except YamlError:
+    except YamlFault:
         return ()
     place = Location(path)
     return tuple(
@@ -173,7 +173,7 @@ def _trees(
     if trees_ is None:
         try:
             trees_ = read_trees(text)
-        except YamlError as err:
+        except YamlFault as err:
             context.problem(Location(found, err.line), str(err))
             raise _Missing(f"parameter file {quoted(found)}: {err}") from err
         context.places.parsed[key] = trees_

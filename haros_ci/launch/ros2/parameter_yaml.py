@@ -12,11 +12,12 @@ import re
 from dataclasses import dataclass
 from typing import Any, Union
 
+from haros_ci.bounded_yaml import Limits, YamlFault, nodes
 from haros_ci.substitutions.names import MARK, Text
 
 MAX_DEPTH = 50
 MAX_VALUES = 50_000
-MAX_CHARACTERS = 1_000_000
+LIMITS = Limits(depth=MAX_DEPTH)
 _MAX_NUMBER = 100
 _TAG = "tag:yaml.org,2002:"
 
@@ -26,14 +27,6 @@ _INTEGER = re.compile(r"[+-]?(0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)\Z")
 _FLOAT = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?\Z")
 _NO_NUMBER = re.compile(r"[+-]?\.?(nan|inf|infinity)\Z", re.IGNORECASE)
 _INT64 = range(-(2**63), 2**63)
-
-
-class YamlError(Exception):
-    """Not YAML, or refused; *line* is 1-based."""
-
-    def __init__(self, message: str, line: int) -> None:
-        super().__init__(message)
-        self.line = line
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,27 +58,9 @@ Tree = Union[Scalar, Map, Items]  # noqa: UP007
 
 
 def read_trees(text: Text) -> tuple[Tree, ...]:
-    """The documents of *text*; YamlError for what is not YAML or over a limit. Unknown parts stay inside scalars."""
-    if len(text.raw) > MAX_CHARACTERS:
-        raise YamlError(f"more than {MAX_CHARACTERS} characters; split it", 1)
-    import yaml
-
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    depth = 0
-    try:
-        for event in yaml.parse(text.raw, Loader=loader):
-            depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-            if depth > MAX_DEPTH:
-                line = event.start_mark.line + 1 if event.start_mark else 1
-                raise YamlError(f"nested deeper than {MAX_DEPTH} levels; flatten it", line)
-        reader = _Trees(text)
-        nodes = [node for node in yaml.compose_all(text.raw, Loader=loader) if node is not None]
-        return tuple(reader.tree(node, 0) for node in nodes)
-    except yaml.MarkedYAMLError as err:
-        mark = err.problem_mark or err.context_mark
-        raise YamlError(f"not valid YAML: {err.problem}; correct it", mark.line + 1 if mark else 1) from err
-    except (yaml.YAMLError, UnicodeError) as err:
-        raise YamlError("not valid YAML: it holds a control character; remove it", 1) from err
+    """The documents of *text*; YamlFault for what is not YAML or over a limit. Unknown parts stay inside scalars."""
+    reader = _Trees(text)
+    return tuple(reader.tree(node, 0) for node in nodes(text.raw, LIMITS))
 
 
 @dataclass(slots=True)
@@ -97,7 +72,7 @@ class _Trees:
         self.values += 1
         line = node.start_mark.line + 1
         if depth > MAX_DEPTH or self.values > MAX_VALUES:
-            raise YamlError("an alias contains itself, or there are too many values; write them out", line)
+            raise YamlFault("an alias contains itself, or there are too many values; write them out", line)
         if node.id == "scalar":
             return self.scalar(node, line)
         if node.id == "sequence":

@@ -7,9 +7,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
+from haros_ci.bounded_yaml import YamlFault
 from haros_ci.launch.ros2.context import Context, GlobalParameter
 from haros_ci.launch.ros2.parameter_files import Component, file_rules, missing, tree_value
-from haros_ci.launch.ros2.parameter_yaml import Items, Map, YamlError, dumped, rcl_value, read_trees
+from haros_ci.launch.ros2.parameter_yaml import Items, Map, dumped, rcl_value, read_trees
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.launch_actions import ParameterSource, Substitution
@@ -57,7 +58,7 @@ def _argument(made: tuple[str | None, Any, str]) -> tuple[str | None, Any, str]:
         return made
     try:
         trees = read_trees(literal(value))
-    except YamlError:
+    except YamlFault:
         return made
     return tree_value(trees[0], False) if len(trees) == 1 and not isinstance(trees[0], Map) else made
 
@@ -143,7 +144,7 @@ def _text_value(text: Text, kind: str | None) -> tuple[str | None, Any, str]:
         return "bool", text.raw == "1", ""
     try:
         trees = read_trees(text)
-    except YamlError:
+    except YamlFault:
         return typed, None, f"{quoted(text.raw)} is not valid YAML; give the value's type if it is text"
     if len(trees) != 1:
         return typed, None, f"{quoted(text.raw)} is no single value"

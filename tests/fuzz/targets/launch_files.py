@@ -8,13 +8,13 @@ import json
 from fuzz.targets.kit import ROOT, Entry, parts, ros_package, sound, text_of, workspace
 
 from haros_ci.analysis.architecture import architecture
+from haros_ci.bounded_yaml import Limits, YamlFault
+from haros_ci.bounded_yaml import data as yaml_data
 from haros_ci.config.settings import Settings
-from haros_ci.extract.launch.ros2_entity import YamlError as EntityError
 from haros_ci.extract.launch.ros2_entity import compose, loaded
 from haros_ci.extract.launch.xml import from_json, read_launch, to_json
 from haros_ci.index.behavior_tree_files import trees_of
 from haros_ci.launch.ros2.parameter_files import values_in
-from haros_ci.launch.ros2.parameter_yaml import YamlError as ParameterError
 from haros_ci.launch.ros2.parameter_yaml import python_value, rcl_value, read_trees
 from haros_ci.report.model_json import render as model_json
 from haros_ci.robot.commands import xacro_command
@@ -83,12 +83,16 @@ def parameter_yaml(data: bytes) -> object:
         trees = read_trees(literal(text))
         found.append(trees)
         found += [(rcl_value(tree), python_value(tree)) for tree in trees if hasattr(tree, "is_plain")]
-    except ParameterError as err:
+    except YamlFault as err:
         assert err.line >= 1 and str(err)
         found.append(str(err))
     try:
         found.append(compose(text) is None)
-    except EntityError as err:
+    except YamlFault as err:
+        assert err.line >= 1 and str(err)
+    try:
+        yaml_data(text, Limits())
+    except YamlFault as err:
         assert err.line >= 1 and str(err)
     return found, loaded(text), values_in(text, "bot/p.yaml")
 
@@ -157,7 +161,7 @@ TARGETS = {
     "parameter-yaml": Entry(
         parameter_yaml,
         "parameter files",
-        ("substitutions.yaml", "launch.ros2.parameter_yaml", "extract.launch.ros2_entity"),
+        ("bounded_yaml", "substitutions.yaml", "launch.ros2.parameter_yaml", "extract.launch.ros2_entity"),
         (
             b"!!binary ",
             b"!degrees ",

@@ -11,7 +11,7 @@ from haros_ci_example_plugin.tsv import render
 __version__ = "1.0.0"
 
 #: The version of haros_ci.api that this was written against; a haros-ci that is too old or too new refuses it.
-REQUIRES_API = (1, 0)
+REQUIRES_API = (2, 0)
 
 CHECKS = (CHECK,)
 LINTERS = (todo,)
