@@ -6,13 +6,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
-from haros_ci.api.packages import COUNTERPARTS, Dependency, holds, is_nested
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed
+from haros_ci.api.packages import COUNTERPARTS, Dependency, holds, is_nested, repositories_named
 
 #: What builds a package; of another one wrong-build-type tells.
 _TOOLS = ("buildtool_depend", "buildtool_export_depend", "doc_depend")
 _SHOWN = 5
 
+#: What makes code of interfaces, and what that code needs.
+_GENERATORS = frozenset(
+    ("message_generation", "message_runtime", "rosidl_default_generators", "rosidl_default_runtime")
+)
+_INTERFACES = (".msg", ".srv", ".action")
 _VERSION = re.compile(r"\$ROS_VERSION\s*==\s*['\"]?([12])")
 #: Files that bring sources of other repositories into the workspace.
 _SOURCES = re.compile(
@@ -31,7 +36,8 @@ def check(project: Project) -> Iterator[Finding]:
         found: dict[str, Dependency] = {}
         for need in package.raw.dependencies:
             if need.kind not in _TOOLS and _is_foreign(package, need):
-                if need.name in COUNTERPARTS[package.ros] or not brings_sources:
+                is_other = need.name in COUNTERPARTS[package.ros]
+                if is_other or not (brings_sources or _is_named(package, need.name) or _is_cloned(project, need.name)):
                     found.setdefault(need.name, need)
         if found:
             yield _finding(package, package.ros, list(found.values()))
@@ -81,20 +87,50 @@ def _finding(package: ProjectPackage, ros: int, found: list[Dependency]) -> Find
     found.sort(key=lambda need: (need.name not in COUNTERPARTS[ros], need.line or 0))
     names = [need.name for need in found]
     more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
-    instead = [f"{COUNTERPARTS[ros][name]} for {name}" for name in names[:_SHOWN] if COUNTERPARTS[ros].get(name)]
-    remedy = (
-        f"; write {', '.join(instead)}"
-        if instead
-        else "; depend on their replacements, or add their sources to the workspace"
-    )
+    shown = {name: _instead(package, ros, name) for name in names[:_SHOWN]}
+    known = [name for name in shown if name in COUNTERPARTS[ros]]
+    remove = [name for name in known if not shown[name]]
+    write = [f"{shown[name]} for {name}" for name in known if shown[name]]
+    remedy = [f"remove {listed(remove)}"] if remove else []
+    remedy += [f"write {', '.join(write)}"] if write else []
+    if not known:
+        one = "it" if len(names) == 1 else "them"
+        remedy = [f"nothing in the package names {one}: remove {one}, or add the sources to the workspace"]
     return Finding(
         at=_at(package, found[0]),
         message=f"{package.name} is a ROS {ros} package and depends on {', '.join(names[:_SHOWN])}{more}, which no ROS "
-        f"{ros} distribution has: rosdep stops here{remedy}",
+        f"{ros} distribution has: rosdep stops here; {', and '.join(remedy)}",
         about=(package.name,),
         related=tuple((_at(package, need), f"depends on {need.name}, too") for need in found[1:20]),
         level=None if names[0] in COUNTERPARTS[ros] else Level.WARNING,
     )
+
+
+def _instead(package: ProjectPackage, ros: int, name: str) -> str:
+    """What takes the place of *name*; "" where nothing does, the package declares it already, or has no need of it."""
+    counterpart = COUNTERPARTS[ros].get(name, "")
+    if name in _GENERATORS and not package.build.interfaces and not _has_interfaces(package):
+        return ""
+    if counterpart.startswith("rclcpp") and package.raw.build_type == "ament_python":
+        counterpart = "rclpy"  # which has actions and components, too
+    return "" if counterpart in package.declared else counterpart
+
+
+def _has_interfaces(package: ProjectPackage) -> bool:
+    inside = package.inside("")
+    return any(name.startswith(inside) and name.endswith(_INTERFACES) for name in package.project.workspace.names)
+
+
+def _is_cloned(project: Project, name: str) -> bool:
+    """Whether a page, a script or a workflow of the workspace tells to clone the repository of that name."""
+    return name in repositories_named(project.workspace)
+
+
+def _is_named(package: ProjectPackage, name: str) -> bool:
+    """Whether a file of the package beside its manifest has the name of a dependency: it is used, and its sources are at hand elsewhere."""
+    word = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+    paths = (file.path for file in package.files if file.path != package.manifest_path)
+    return any(word.search(text) for path in paths if name in (text := package.project.text(path)))
 
 
 def _at(package: ProjectPackage, need: Dependency) -> Location:

@@ -18,6 +18,7 @@ from haros_ci.api.code import (
     own_method,
     owner_of,
     type_name,
+    weighed,
 )
 
 #: By ROS: the required parameters of what is imported, by its module's first part and its own name, in their order.
@@ -78,6 +79,10 @@ _OLD = ("node_name", "node_namespace", "node_executable", "package_name", "node_
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from weighed(project, _found(project))
+
+
+def _found(project: Project) -> Iterator[Finding]:
     code = project.code
     names = {key.rpartition(".")[2] for table in _FUNCTIONS.values() for key in table}
     for routine, call in calls_of(code, *sorted(names)):

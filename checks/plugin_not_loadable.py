@@ -178,7 +178,7 @@ def _not_registered(each: PluginClass, library: Target, found: _Package, macros:
     alike = [m for m in found.by_last.get(last, ()) if m.type != each.type]
     related: tuple[tuple[Location, str], ...] = ()
     if macros:
-        hint = f"add {macros[0].location.path}, which registers it, to the library's sources"
+        hint = f"add {macros[0].location.path}, which registers it, to the sources if it compiles, or remove the class here"
         related = ((macros[0].location, "it is registered here"),)
     elif alike:
         hint = f"{alike[0].type} is registered: write the same name in both places"

@@ -20,6 +20,7 @@ from haros_ci.api.packages import (
     last_dependency,
     needs_of,
     others_of,
+    repositories_named,
 )
 
 #: The beginnings of names of packages that only the build needs.
@@ -31,6 +32,8 @@ _TOOLS = (
     "cmake_modules",
     "eigen3_cmake_module",
 )
+#: What rosdep's keys have beside the name of the library: libnlopt-cxx-dev.
+_AFFIXES = re.compile(r"^lib|-(?:dev|devel|cxx|cpp|all|vendor)\b|(?:-?\d[\d.]*)$|-dev\b")
 _GENERATORS = ("rosidl_default_generators", "message_generation")
 _SHOWN = 3
 #: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
@@ -146,8 +149,21 @@ def _finding(
             (use.location, f"needs {name}: {use.what}") for each in (uses, *brought) for use in each[:_SHOWN]
         ),
         apart=(name,),
+        level=Level.NOTE if _is_built_from_source(package.project, providers) else None,
         fixes=() if fix is None else (fix,),
     )
+
+
+def _is_built_from_source(project: Project, providers: frozenset[str]) -> bool:
+    """Whether a page, a script or a workflow of the workspace fetches the sources of a library of the system: rosdep would bring another one.
+
+    A package of ROS is to be declared all the same: build tools go by it.
+    """
+    if any(is_of_ros(name, project) for name in providers):
+        return False
+    fetched = {name.lower() for name in repositories_named(project.workspace)}
+    stems = {_AFFIXES.sub("", name.lower()) for name in providers}
+    return any(stem in fetched or f"lib{stem}" in fetched for stem in stems)
 
 
 def _circular(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, listed
-from haros_ci.api.code import Unset, unset_attributes
+from haros_ci.api.code import Unset, unset_attributes, weighed
 
 
 #: Methods by which a class shows that it is meant to be a node of rclpy.
@@ -20,6 +20,10 @@ OF_NODES = frozenset(
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from weighed(project, _found(project))
+
+
+def _found(project: Project) -> Iterator[Finding]:
     classes: dict[tuple[str, str], list[Unset]] = {}
     for each in unset_attributes(project):
         classes.setdefault((each.location.path, each.owner), []).append(each)

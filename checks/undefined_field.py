@@ -7,10 +7,15 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api.code import weighed
 from haros_ci.api.interfaces import MissingField, missing_fields
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from weighed(project, _found(project))
+
+
+def _found(project: Project) -> Iterator[Finding]:
     for each in missing_fields(project):
         yield Finding(
             at=each.location,

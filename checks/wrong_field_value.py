@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, syntax
-from haros_ci.api.code import Codebase, Routine, attribute_values, calls_of, owner_of
+from haros_ci.api.code import Codebase, Routine, attribute_values, calls_of, owner_of, weighed
 from haros_ci.api.interfaces import WrongValue, wrong_values
 
 #: What is published as it is.
@@ -20,6 +20,10 @@ _KINDS = {"int": "an int", "float": "a float", "bool": "a bool", "str": "a str",
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from weighed(project, _found(project))
+
+
+def _found(project: Project) -> Iterator[Finding]:
     for each in wrong_values(project):
         yield Finding(
             at=each.location,

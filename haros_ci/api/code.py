@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.attributes import Unset, unset_attributes
 from haros_ci.checking.republishing import publishes_again
+from haros_ci.checking.unstarted import weighed
 from haros_ci.code.body import (
     Body,
     Call,
@@ -122,4 +123,5 @@ __all__ = [
     "unset_attributes",
     "uses",
     "variable",
+    "weighed",
 ]

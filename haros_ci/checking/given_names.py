@@ -13,6 +13,8 @@ from haros_ci.model.architecture import RemapRule
 
 #: Of all systems that are seen together, what _ends() found.
 _FOUND: WeakKeyDictionary[Whole, Mapping[str, Mapping[str, frozenset[str]]]] = WeakKeyDictionary()
+#: Of the same, by package, what _has_foreign_part() found.
+_PARTS: WeakKeyDictionary[Whole, dict[str, bool]] = WeakKeyDictionary()
 #: What is read of a file, and how far before a string the call that it is given to may begin.
 _MOST, _BEFORE = 400_000, 400
 _COMMENT = re.compile(r"//[^\n]*|/\*.{0,4000}?\*/", re.DOTALL)
@@ -24,6 +26,14 @@ _OTHER = re.compile(
     r"|if|while|for|switch|return|print|assert\w*|static_assert|raise|throw|\w*_?error|\w*exception",
     re.IGNORECASE,
 )
+#: A variable of a class in a namespace, plain or behind a pointer; namespaces whose classes are followed, or make no topics.
+_HELD = re.compile(
+    r"\b(?:(?:std|boost)::(?:unique_ptr|shared_ptr|optional)<\s*)?((?:\w+::)+)(\w+)(?:<[^;{}()<>]{0,100}>)?[\s>]+(\w+)\s*[;({]"
+)
+_FOLLOWED = frozenset(
+    "std ros rclcpp rclcpp_lifecycle tf tf2 tf2_ros boost Eigen message_filters image_transport sensor_msgs".split()
+)
+_HANDLE = r"\b{}\s*[({{][^;{{}}]{{0,200}}?\b(?:\w*nh\w*|\w*node_?handle\w*|shared_from_this\s*\(\s*\)|node_?)\s*[,)}}]"
 _CALLEE = re.compile(r"(\w+)\s*(?:<[^;(){}]{0,200}>\s*)?(?:\w+\s*)?$")
 
 
@@ -35,6 +45,8 @@ def is_given_away(node: SystemNode, rule: RemapRule, system: System) -> bool:
     """
     if system.workspace is None:
         return False
+    if _has_foreign_part(node, system):
+        return True
     names = {rule.source, rule.source.lstrip("/"), rule.source.removeprefix("~/"), rule.source.removeprefix("~")}
     ends = _ends(system.whole)
     own = set(ends.get(node.type, ()))
@@ -48,6 +60,38 @@ def is_given_away(node: SystemNode, rule: RemapRule, system: System) -> bool:
             if name and name in text and name.rpartition("/")[2] not in followed and _is_argument(name, text):
                 return True
     return False
+
+
+def _has_foreign_part(node: SystemNode, system: System) -> bool:
+    """Whether the package of *node* gives a node handle to an object whose class no file of the workspace defines: it has topics of its own."""
+    key = node.package
+    kept = _PARTS.setdefault(system.whole, {})
+    if key not in kept and system.workspace is not None:
+        files = [each for each in system.workspace.files if each.package == node.package and each.language == "cpp"]
+        texts = [_COMMENT.sub("", system.workspace.text(file.path)[:_MOST]) for file in files]
+        held = {(match[2], match[3]) for text in texts for match in _HELD.finditer(text) if _is_foreign(match[1])}
+        given = {kind for kind, name in held if any(re.search(_HANDLE.format(re.escape(name)), text) for text in texts)}
+        kept[key] = bool(given) and not given <= _defined(given, system)
+    return kept.get(key, False)
+
+
+def _is_foreign(namespace: str) -> bool:
+    first = namespace.partition("::")[0]
+    return first not in _FOLLOWED and not first.endswith(("_msgs", "_srvs", "_interfaces"))
+
+
+def _defined(names: set[str], system: System) -> set[str]:
+    """Those of the class *names* that a file of the workspace defines or declares."""
+    found: set[str] = set()
+    for file in system.workspace.files if system.workspace is not None else ():
+        if file.language == "cpp" and len(found) < len(names):
+            text = system.workspace.text(file.path)[:_MOST] if system.workspace is not None else ""
+            found |= {
+                name
+                for name in names - found
+                if name in text and re.search(rf"\b(?:class|struct)\s[^;(){{}}]{{0,100}}\b{re.escape(name)}\b", text)
+            }
+    return found
 
 
 def _ends(whole: Whole) -> Mapping[str, Mapping[str, frozenset[str]]]:

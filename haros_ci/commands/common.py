@@ -70,15 +70,16 @@ def reported(
     """Write every output, and give the exit code."""
     warn_of_missing_base(settings, outputs)
     is_whole = written(report, workspace, outputs, renderers, settings, flags)
+    shown = view_of(workspace, flags, to_file=False).joined(report)
     on_stdout = [format for format, path in outputs if path is None]
     if flags["statistics"]:
         from haros_ci.report.statistics import render
 
-        click.echo(render(report), err=any(format != "text" for format in on_stdout), nl=False)
+        click.echo(render(shown), err=any(format != "text" for format in on_stdout), nl=False)
     if not on_stdout or SILENT.intersection(on_stdout):
         from haros_ci.report.text import summary_line
 
-        click.echo(summary_line(report), err=True)
+        click.echo(summary_line(shown), err=True)
     return exit_code(report, settings) if is_whole else EXIT_TOOL_TROUBLE
 
 
@@ -95,11 +96,10 @@ def written(
         from haros_ci.commands.folders import fill
 
         is_whole = fill(folders, report, workspace, settings, flags)
-    packages = {file.path: file.package or "" for file in workspace.files}
     for format, path in outputs:
         if format in FOLDERS:
             continue
-        view = View(workspace.text, flags, path is not None, lambda path: packages.get(path, ""))
+        view = view_of(workspace, flags, to_file=path is not None)
         try:
             text = rendered(report, format, view, renderers)
         except RendererError as err:
@@ -112,6 +112,12 @@ def written(
             say(f"error: {terminal(err.message)}", f"help: {terminal(err.help or '')}")
             is_whole = False
     return is_whole
+
+
+def view_of(workspace: Workspace, flags: Flags, *, to_file: bool) -> View:
+    """What a renderer may ask for of *workspace*."""
+    packages = {file.path: file.package or "" for file in workspace.files}
+    return View(workspace.text, flags, to_file, lambda path: packages.get(path, ""))
 
 
 def demand_base(settings: Settings) -> None:

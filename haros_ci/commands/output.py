@@ -39,6 +39,12 @@ class View:
     to_file: bool
     package: Callable[[str], str] = lambda path: ""
 
+    def joined(self, report: Report) -> Report:
+        """*report* with the same finding in copies of one text as one, for who reads it and does not match it place by place."""
+        from haros_ci.results.copied import together
+
+        return together(report, self.source, self.package)
+
 
 def text_style(*, to_file: bool) -> tuple[bool, int]:
     """Whether text is coloured, and how many columns it has."""
@@ -52,13 +58,14 @@ def _text(report: Report, view: View) -> str:
     from haros_ci.report.text import render
 
     color, width = text_style(to_file=view.to_file)
-    return render(report, color=color, width=width, why=view.flags["why"], source=view.source)
+    return render(view.joined(report), color=color, width=width, why=view.flags["why"], source=view.source)
 
 
 def _sarif(report: Report, view: View) -> str:
     from haros_ci.report.sarif import render
 
-    return render(report, audience=view.flags["sarif_for"], source=view.source)
+    audience = view.flags["sarif_for"]
+    return render(report if audience == "github" else view.joined(report), audience=audience, source=view.source)
 
 
 def _github(report: Report, view: View) -> str:
@@ -67,7 +74,7 @@ def _github(report: Report, view: View) -> str:
     page = os.environ.get("GITHUB_STEP_SUMMARY")
     if page:
         try:
-            append(Path(page), summary(report))
+            append(Path(page), summary(view.joined(report)))
         except (RunFailure, UserError) as err:
             from haros_ci.report.escape import terminal
 
@@ -78,7 +85,7 @@ def _github(report: Report, view: View) -> str:
 def _json(report: Report, view: View) -> str:
     from haros_ci.report.json_report import render
 
-    return render(report)
+    return render(view.joined(report))
 
 
 def _junit(report: Report, view: View) -> str:
@@ -114,7 +121,7 @@ def _csv(report: Report, view: View) -> str:
 def _markdown(report: Report, view: View) -> str:
     from haros_ci.report.markdown import render
 
-    return render(report)
+    return render(view.joined(report))
 
 
 FORMATS: dict[str, Callable[[Report, View], str]] = {

@@ -280,7 +280,7 @@ GROUPS: tuple[Group, ...] = (
             ("suspiciousCase", "Bw", "Case label with || or &&."),
             ("suspiciousSemicolon", "Bw", "Semicolon after if, for or while."),
             ("thisSubtraction", "Bw", "`this-x` instead of `this->x`."),
-            ("unreachableCode", "Rs", "Unreachable statement."),
+            ("unreachableCode", "Ss", "Unreachable statement."),
             ("unreachableSwitchCase", "Ss", "Unreachable case of a switch."),
             ("unsignedLessThanZero", "Ss", "Unsigned value tested for a negative value."),
             ("unsignedPositive", "Ss", "Unsigned value tested for at least zero."),

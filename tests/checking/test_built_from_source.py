@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A library of the system that the repository's own pages build from source is a note; a package of ROS is to be declared all the same."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from haros_ci.api.testing import said
+from haros_ci.checking.page import Example
+from haros_ci.registry import checks
+from haros_ci.results.rule import Level
+
+MANIFEST = (
+    '<package format="2"><name>demo</name><version>1.0.0</version><description>d</description>'
+    '<maintainer email="a@example.org">m</maintainer><license>MIT</license><buildtool_depend>catkin</buildtool_depend>'
+    "<depend>roscpp</depend></package>\n"
+)
+CMAKE = """cmake_minimum_required(VERSION 3.0.2)
+project(demo)
+find_package(catkin REQUIRED COMPONENTS roscpp)
+catkin_package()
+include_directories(${catkin_INCLUDE_DIRS})
+add_executable(solve solve.cpp)
+target_link_libraries(solve ${catkin_LIBRARIES})
+"""
+LIBRARY = "#include <ros/ros.h>\n#include <nlopt.hpp>\nint main() {}\n"
+PACKAGE = "#include <ros/ros.h>\n#include <tf2_ros/buffer.h>\nint main() {}\n"
+CLONE = "git clone -b v2 https://example.org/solvers/{}.git && cd {} && make && sudo make install\n"
+
+
+@pytest.mark.parametrize(
+    ("code", "more", "expected"),
+    [
+        (LIBRARY, {}, Level.ERROR),
+        (LIBRARY, {"README.md": "It needs nlopt.\n"}, Level.ERROR),
+        (LIBRARY, {"README.md": CLONE.replace("{}", "ipopt")}, Level.ERROR),
+        (LIBRARY, {"README.md": CLONE.replace("{}", "nlopt")}, Level.NOTE),
+        (LIBRARY, {"docker/Dockerfile": "RUN " + CLONE.replace("{}", "nlopt")}, Level.NOTE),
+        (LIBRARY, {".gitlab-ci.yml": "  - " + CLONE.replace("{}", "nlopt")}, Level.NOTE),
+        (PACKAGE, {"README.md": CLONE.replace("{}", "tf2_ros")}, Level.ERROR),
+    ],
+)
+def test_levels(code: str, more: dict[str, str], expected: Level, tmp_path: Path) -> None:
+    check = next(check for check in checks() if check.id == "undeclared-dependency")
+    files = {"package.xml": MANIFEST, "CMakeLists.txt": CMAKE, "solve.cpp": code, **more}
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level is expected
