@@ -15,10 +15,27 @@ _HEADERS = (".h", ".hpp", ".hh", ".hxx")
 #: Commands that make no headers, though they may name something alike.
 _QUIET = frozenset(
     (
-        *("add_executable", "add_library", "target_link_libraries", "install", "ament_target_dependencies", "include_directories"),
-        *("target_include_directories", "find_package", "catkin_package", "ament_export_dependencies", "add_dependencies"),
+        *(
+            "add_executable",
+            "add_library",
+            "target_link_libraries",
+            "install",
+            "ament_target_dependencies",
+            "include_directories",
+        ),
+        *(
+            "target_include_directories",
+            "find_package",
+            "catkin_package",
+            "ament_export_dependencies",
+            "add_dependencies",
+        ),
         *("set_target_properties", "ament_export_targets", "ament_export_libraries", "target_sources", "project"),
-        *("rclcpp_components_register_node", "rclcpp_components_register_nodes", "pluginlib_export_plugin_description_file"),
+        *(
+            "rclcpp_components_register_node",
+            "rclcpp_components_register_nodes",
+            "pluginlib_export_plugin_description_file",
+        ),
     )
 )
 #: Files that templates make: ``version.h`` of ``version.h.in``.
@@ -47,7 +64,9 @@ class Headers:
     def below(self, package: ProjectPackage) -> list[str]:
         """The headers of *package* as code includes them: what follows ``include/``, below its own name."""
         begin = f"{package.inside('include')}/"
-        found = (path.removeprefix(begin) for paths in self.by_name.values() for path in paths if path.startswith(begin))
+        found = (
+            path.removeprefix(begin) for paths in self.by_name.values() for path in paths if path.startswith(begin)
+        )
         return sorted(each for each in found if each.startswith(f"{package.name}/"))
 
 

@@ -12,7 +12,12 @@ from haros_ci.api.packages import CMakeCommand
 #: Commands that stop with an error if CATKIN_ENABLE_TESTING is off (gtest.cmake, nosetests.cmake, download_test_data.cmake, rostest-extras.cmake).
 _OF_CATKIN = frozenset(
     (
-        *("catkin_add_gtest", "catkin_add_gmock", "catkin_add_executable_with_gtest", "catkin_add_executable_with_gmock"),
+        *(
+            "catkin_add_gtest",
+            "catkin_add_gmock",
+            "catkin_add_executable_with_gtest",
+            "catkin_add_executable_with_gmock",
+        ),
         *("catkin_add_nosetests", "catkin_download_test_data", "add_rostest", "add_rostest_gtest", "add_rostest_gmock"),
     )
 )
@@ -42,7 +47,9 @@ def check(project: Project) -> Iterator[Finding]:
         switch = "CATKIN_ENABLE_TESTING" if package.ros == 1 else "BUILD_TESTING"
         otherwise = re.compile(_OTHERWISE.format(switch), re.IGNORECASE)
         found = [each for each in (_catkin(package) if package.ros == 1 else _ament(package))]
-        if found and not any(otherwise.search(project.text(path)) for path in {c.location.path for c in package.build.commands}):
+        if found and not any(
+            otherwise.search(project.text(path)) for path in {c.location.path for c in package.build.commands}
+        ):
             yield _finding(package, switch, found)
 
 
