@@ -6,15 +6,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project
-from haros_ci.api.code import parsed, undefined_names
+from haros_ci.api.code import LOADS, parsed, undefined_names
 
 
 def check(project: Project) -> Iterator[Finding]:
+    loads: dict[str | None, bool] = {}
     for file in project.workspace.files:
         if file.language != "python" or file.is_generated:
             continue
         found = parsed(project.text(file.path))
         if found is None or not found[2]:
+            continue
+        if file.package not in loads:
+            loads[file.package] = any(
+                LOADS.search(project.text(each.path))
+                for each in project.workspace.files
+                if each.package == file.package and each.language == "python"
+            )
+        if loads[file.package]:
             continue
         for name, line in undefined_names(found[0], found[1]):
             yield Finding(

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.checking.attributes import Unset, unset_attributes
-from haros_ci.checking.old_python import Misfit, misfits, parsed, undefined_names
+from haros_ci.checking.old_python import LOADS, Misfit, misfits, parsed, undefined_names
 from haros_ci.checking.republishing import publishes_again
 from haros_ci.code.body import (
     Body,
@@ -74,6 +74,7 @@ __all__ = [
     "Callback",
     "Codebase",
     "FunctionParameter",
+    "LOADS",
     "Made",
     "Misfit",
     "Place",

@@ -24,6 +24,10 @@ _NAMES = frozenset(dir(builtins)) | frozenset(
     __file__ __name__ __doc__ __builtins__ __package__ __path__ __loader__ __spec__ __class__ __module__ __qualname__ __metaclass__ exec
     """.split()
 )
+#: How a module is loaded that may be given names from outside.
+LOADS = re.compile(
+    r"\bload_source\b|\bload_module\b|\bexec_module\b|\bimport_module\b|\b__import__\b|\bexecfile\b|\bexec[ \t(]"
+)
 #: What defines names in ways that no table shows, or asks for a name that may be missing.
 _OPEN = re.compile(
     r"\bimport[ \t]*\(?[ \t]*\*|\bexec\b|\bexecfile\b|\bglobals[ \t]*\(|\blocals[ \t]*\(|\bNameError\b|\b__builtin__\b|\bvars[ \t]*\("
@@ -47,11 +51,12 @@ def parsed(text: str) -> tuple[ast.Module, str, bool] | None:
     if len(text) > MAX_SOURCE:
         return None
     text = text.replace("\r\n", "\n")
-    for number, source in enumerate((text, _modern(text))):
+    tabs = text.replace("\t", "        ")
+    for number, source in enumerate((text, tabs, _modern(text))):
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                return ast.parse(source), source, number > 0
+                return ast.parse(source), source, number > 1
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             continue
     return None
