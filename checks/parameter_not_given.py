@@ -63,9 +63,10 @@ def _read(system: System) -> Iterator[Finding]:
         missing: dict[str, End] = {}
         for end in node.of("getters"):
             key = end.name.removeprefix(begin)
-            if end.name.startswith(begin) and end.known and key not in missing and _fails(system, end):
-                if not _may_have(system, node, key):
-                    missing[key] = end
+            if not end.name.startswith(begin) or not end.known or key in missing or not _fails(system, end):
+                continue
+            if not _may_have(system, node, key):
+                missing[key] = end
         if missing:
             keys = list(missing)
             end = missing[keys[0]]

@@ -77,7 +77,7 @@ def _finding(package: ProjectPackage, switch: str, found: list[CMakeCommand]) ->
     first = found[0]
     places = tuple((each.location, "here, too") for each in found[1:] if each.location != first.location)
     if package.ros == 1:
-        why = "catkin stops with an error where tests are switched off (-DCATKIN_ENABLE_TESTING=OFF), as in builds for release"
+        why = "catkin stops with an error where tests are switched off (-DCATKIN_ENABLE_TESTING=OFF)"
     else:
         name = _OF_AMENT[first.name]
         why = f"{name} is found for tests alone, so that CMake stops at an unknown command with -DBUILD_TESTING=OFF"
