@@ -12,6 +12,7 @@ from haros_ci.api.interfaces import of_include
 from haros_ci.api.packages import is_ignored, is_told_of, may_appear, may_have_more
 
 _HEADERS = (".h", ".hpp", ".hh", ".hxx")
+_INTERFACES = (".msg", ".srv", ".action", ".idl")
 #: Commands that make no headers, though they may name something alike.
 _QUIET = frozenset(
     (
@@ -81,7 +82,7 @@ def check(project: Project) -> Iterator[Finding]:
             owner = project.package(name.partition("/")[0])
             if name in told or owner is None or headers.are_there(name):
                 continue
-            if owner.build.interfaces and of_include(name) is not None:
+            if _is_of_an_interface(owner, name):
                 continue  # undefined-interface
             if owner.name not in owners:
                 owners[owner.name] = headers.below(owner) if _is_known(owner) else None
@@ -97,6 +98,15 @@ def _included(package: ProjectPackage) -> Iterator[tuple[str, Location]]:
         if target.kind in ("executable", "library", "object") and not target.is_conditional:
             found: Mapping[str, Location] = package.included.of(target)
             yield from ((name, place) for name, place in found.items() if "/" in name and name.endswith(_HEADERS))
+
+
+def _is_of_an_interface(owner: ProjectPackage, name: str) -> bool:
+    """Whether the header is, or may be, one that is made of a message, service or action of *owner*, however that is spelt."""
+    stem = posixpath.basename(name).partition(".")[0].replace("_", "").lower()
+    begin = "" if owner.path == "." else f"{owner.path}/"
+    files = (each for each in owner.project.workspace.names if each.startswith(begin) and each.endswith(_INTERFACES))
+    stems = {posixpath.basename(each).partition(".")[0].replace("_", "").lower() for each in files}
+    return any(stem.startswith(each) for each in stems) or (bool(stems) and of_include(name) is not None)
 
 
 def _is_known(owner: ProjectPackage) -> bool:
