@@ -145,7 +145,7 @@ def _finding(package: ProjectPackage, owner: ProjectPackage, name: str, place: L
 CHECK = Check(
     id="header-not-found",
     summary="Header of a package of the workspace that does not exist.",
-    level=Level.ERROR,
+    level=Level.WARNING,
     tags=("build",),
     project=check,
 )
