@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""dynamic_reconfigure files that generate a class of another name than their own (dynamic_reconfigure-macros.cmake, NAME_WE)."""
+"""dynamic_reconfigure files that generate a class of another name than their own (dynamic_reconfigure-macros.cmake, NAME_WE), or in the name space of
+another package (parameter_generator_catkin.py, generate)."""
 
 from __future__ import annotations
 
@@ -7,12 +8,56 @@ import posixpath
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 
 _CALL = re.compile(r"\bgenerate\s*\(")
+_GENERATE = re.compile(r"\bgenerate\s*\(\s*(?:[\"'](\w+)[\"']|(\w+))\s*,")
+_ASSIGNED = r"^{0}\s*=\s*[\"'](\w+)[\"']\s*(?:#.*)?$"
 
 
 def check(project: Project) -> Iterator[Finding]:
+    yield from _classes(project)
+    for package in project.packages:
+        for config in package.build.configs:
+            yield from _name_spaces(package, config.path, config.name)
+
+
+def _name_spaces(package: ProjectPackage, path: str, name: str) -> Iterator[Finding]:
+    """The C++ class is in the name space that generate() is given first, its header in the directory of CMake's project."""
+    project = package.project
+    listed = (c.place(word) for c in package.commands("generate_dynamic_reconfigure_options") for word in c.arguments)
+    text = project.text(path)
+    calls = list(_GENERATE.finditer(text))
+    if path not in listed or len(calls) != 1:
+        return
+    given = calls[0]
+    assigned = re.findall(_ASSIGNED.format(re.escape(given[2])), text, re.MULTILINE) if given[2] else [given[1]]
+    other = assigned[0] if len(assigned) == 1 else package.name
+    if other == package.name or project.package(other) is not None or project.knowledge.is_known(other):
+        return
+    header, right = f"{other}/{name}Config.h", f"{package.name}/{name}Config.h"
+    is_used = re.compile(rf"(?<![\w:]){re.escape(package.name)}::{re.escape(name)}Config\b")
+    for file in package.files:
+        code = project.text(file.path) if file.language == "cpp" else ""
+        includes = re.search(rf"^[ \t]*#[ \t]*include[ \t]*[<\"]{re.escape(header)}[>\"]", code, re.MULTILINE)
+        found = includes or is_used.search(code)
+        if found is None:
+            continue
+        line = code.count("\n", 0, found.start()) + 1
+        said = f"includes {header}" if includes else f"uses {package.name}::{name}Config"
+        yield Finding(
+            at=Location(path, text.count("\n", 0, given.start()) + 1),
+            message=f"{posixpath.basename(path)} generates {name}Config for the package {other}, but it belongs to {package.name}: the header is "
+            f"{right}, with the class in the name space {other}, and {file.path} {said}, so that it does not build; write "
+            f'"{package.name}" as the package, and in the code {right} and {package.name}::{name}Config',
+            about=(package.name, path),
+            related=((Location(file.path, line), said),),
+            level=Level.ERROR,
+        )
+        return
+
+
+def _classes(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         listed = {
             command.place(word): command
@@ -38,7 +83,7 @@ def check(project: Project) -> Iterator[Finding]:
 
 CHECK = Check(
     id="config-name-mismatch",
-    summary="Configuration of dynamic_reconfigure that is not named like its file.",
+    summary="Configuration of dynamic_reconfigure that is not named like its file, or its package.",
     level=Level.WARNING,
     tags=("build", "parameters"),
     project=check,

@@ -1,14 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parameters that a node declares without a value, and that nothing gives it: it throws when it starts."""
+"""Parameters that a node declares or reads without a value, and that nothing gives it: it throws, or ends, when it starts."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Level, System, near
+from haros_ci.api import Check, End, Finding, Level, System, SystemNode, near
+
+#: ``if (!node.getParam("x", x)) {`` …, and what ends the program in there. Of the text behind the call so much is looked at.
+_FAILS = re.compile(
+    r"\s*if\s*\(\s*(?:!\s*|false\s*==\s*)[\w.>\-()]{0,80}?(?:getParam|param::get)\s*\([^;{}]{0,200}?\)\s*(?:==\s*false\s*)?\)\s*\{?"
+)
+_ENDS = re.compile(
+    r"\bexit\s*\(|\bthrow\b|\bros::(?:requestS|s)hutdown\s*\(|\bROS_BREAK\b|\breturn\s+(?:-\s*1|1|EXIT_FAILURE)\s*;|\babort\s*\("
+)
+_MAX_TEXT = 1_000
+#: Where people are told, or scripts say, what to give a node.
+_PAGES = (".md", ".rst", ".txt", ".sh", ".bash", ".yml")
 
 
 def check(system: System) -> Iterator[Finding]:
+    yield from _declared(system)
+    yield from _read(system)
+
+
+def _declared(system: System) -> Iterator[Finding]:
     for node in system.nodes:
         if node.ros != 2 or not node.is_launched or not node.known or node.raw.conditions:
             continue
@@ -37,6 +54,111 @@ def check(system: System) -> Iterator[Finding]:
             )
 
 
+def _read(system: System) -> Iterator[Finding]:
+    """Private parameters of ROS 1 nodes that no launch file which starts them sets."""
+    for node in system.nodes:
+        if node.ros != 1 or not node.is_launched or not node.known or node.raw.conditions or not node.is_default:
+            continue
+        begin = f"{node.name}/"
+        missing: dict[str, End] = {}
+        for end in node.of("getters"):
+            key = end.name.removeprefix(begin)
+            if not end.name.startswith(begin) or not end.known or key in missing or not _fails(system, end):
+                continue
+            if not _may_have(system, node, key):
+                missing[key] = end
+        if missing:
+            keys = list(missing)
+            end = missing[keys[0]]
+            given = [each.name.removeprefix(begin) for each in system.parameters if each.name.startswith(begin)]
+            meant = near(
+                keys[0],
+                [each for each in given if each not in {e.name.removeprefix(begin) for e in node.ends}],
+                dot="/",
+            )
+            effect = (
+                "rospy raises KeyError there"
+                if end.location.path.endswith(".py") or end.raw.is_strict
+                else "the node ends there"
+            )
+            yield Finding(
+                at=node.location,
+                message=f"{node} does not get {_listed(keys, 'private parameter')}, which {node.type} reads without a default: {effect}; set it here"
+                + (f"; {meant} is set, but not read" if meant else ""),
+                about=(node, *missing.values()),
+                related=((end.location, f"{keys[0]} is read without a default"),),
+            )
+
+
+def _fails(system: System, end: End) -> bool:
+    """Whether the node cannot go on without the parameter that *end* reads."""
+    if (
+        end.conditions
+        or end.raw.value is not None
+        or not end.in_source
+        or end.raw.unknowns
+        and any(u.field == "name" for u in end.raw.unknowns)
+    ):
+        return False
+    if system.workspace is None or end.location.line is None:
+        return False
+    lines = system.workspace.text(end.location.path).split("\n")
+    if end.location.path.endswith(".py") or end.raw.is_strict:
+        return end.raw.is_strict and not _is_tried(lines[: end.location.line])
+    text = "\n".join(lines[end.location.line - 1 : end.location.line + 20])[:_MAX_TEXT]
+    start = _FAILS.match(text)
+    if start is None:
+        return False
+    body = text[start.end() :].partition("}" if start[0].endswith("{") else ";\n")[0]
+    return _ENDS.search(f"{body};") is not None
+
+
+def _is_tried(lines: list[str]) -> bool:
+    """Whether the last of *lines*, of Python, stands in a ``try`` of its function, or of the module."""
+    margin = len(lines[-1]) - len(lines[-1].lstrip()) if lines else 0
+    for line in reversed(lines[:-1]):
+        inner = line.lstrip()
+        if inner and not inner.startswith("#") and len(line) - len(inner) < margin:
+            if inner.startswith("try:"):
+                return True
+            if inner.startswith(("def ", "class ")):
+                return False
+            margin = len(line) - len(inner)
+    return False
+
+
+def _may_have(system: System, node: SystemNode, key: str) -> bool:
+    """Whether something may give the parameter: a launch file that starts a node of the type, another node, a command that people are told."""
+    for each in system.whole.systems:
+        for other in each.nodes:
+            if other.type == node.type and _is_given(each, other, key):
+                return True
+    last = key.rpartition("/")[2]
+    return any(f"_{key}:=" in text or (last in text and "rosparam set" in text) for text in _pages(system))
+
+
+def _is_given(system: System, node: SystemNode, key: str) -> bool:
+    name = f"{node.name}/{key}"
+    if "?" in node.name or f"_{key}:=" in node.raw.arguments or "?" in node.raw.arguments or "$(" in node.raw.arguments:
+        return True
+    for parameter in system.parameters:
+        given = parameter.name
+        if "?" in given:
+            shape = ".*".join(map(re.escape, given.split("?")))
+            if re.fullmatch(shape, name) or name.startswith(given.partition("?")[0]):
+                return True
+        elif given == name or name.startswith(f"{given.rstrip('/')}/") or given.startswith(f"{name}/"):
+            return True
+    return any(end.name == name or "?" in end.name for end in system.ends if end.kind == "setters")
+
+
+def _pages(system: System) -> Iterator[str]:
+    if system.workspace is not None:
+        for path in system.workspace.names:
+            if path.lower().endswith(_PAGES):
+                yield system.workspace.text(path)
+
+
 def _is_needed(end: End, key: str) -> bool:
     raw = end.raw
     if not raw.is_strict or raw.unknowns or end.conditions or "?" in key or raw.is_dynamic or end.type is None:
@@ -44,10 +166,10 @@ def _is_needed(end: End, key: str) -> bool:
     return raw.value is None and raw.effective is None
 
 
-def _listed(keys: list[str]) -> str:
+def _listed(keys: list[str], word: str = "parameter") -> str:
     shown = ", ".join(keys[:3])
     more = f" and {len(keys) - 3} more" if len(keys) > 3 else ""
-    return f"the parameter{'s' if len(keys) > 1 else ''} {shown}{more}"
+    return f"the {word}{'s' if len(keys) > 1 else ''} {shown}{more}"
 
 
 CHECK = Check(

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.checking.attributes import Unset, unset_attributes
+from haros_ci.checking.old_python import LOADS, Misfit, misfits, parsed, undefined_names
 from haros_ci.checking.republishing import publishes_again
 from haros_ci.checking.unstarted import weighed
 from haros_ci.code.body import (
@@ -74,7 +75,9 @@ __all__ = [
     "Callback",
     "Codebase",
     "FunctionParameter",
+    "LOADS",
     "Made",
+    "Misfit",
     "Place",
     "Program",
     "Reached",
@@ -108,17 +111,20 @@ __all__ = [
     "is_node",
     "last_part",
     "methods",
+    "misfits",
     "names_in",
     "node_name",
     "nodes",
     "own_method",
     "owner_of",
+    "parsed",
     "publishes_again",
     "reached",
     "resolved",
     "ros_type",
     "type_name",
     "type_of",
+    "undefined_names",
     "undone_ways",
     "unset_attributes",
     "uses",

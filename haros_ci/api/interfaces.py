@@ -10,7 +10,7 @@ from haros_ci.checking.interface_users import InterfaceUsers, always_at, changes
 from haros_ci.checking.message_fields import Missing as MissingField
 from haros_ci.checking.message_fields import missing_fields
 from haros_ci.interfaces.references import Reference as InterfaceReference
-from haros_ci.interfaces.references import references_to
+from haros_ci.interfaces.references import of_include, references_to
 
 __all__ = [
     "InterfaceChange",
@@ -24,6 +24,7 @@ __all__ = [
     "containing",
     "defined_in",
     "missing_fields",
+    "of_include",
     "references_to",
     "wrong_values",
 ]

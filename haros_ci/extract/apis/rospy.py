@@ -47,6 +47,11 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "rospy.wait_for_service"},
 
     # rospy/client.py, wiki.ros.org/rospy/Overview/Parameter Server. search_param starts at the node's own name.
+    # Without a default they raise KeyError where the parameter is not set.
+    {"call": "rospy.get_param", "args": [1],
+     "makes": [{"kind": "getters", "name": "{0|param_name}", "type": "{typeof(1|default)}", "value": "{1|default}",
+                "strict": True}],
+     "returns": "{parameter}"},
     {"call": "rospy.get_param",
      "makes": [{"kind": "getters", "name": "{0|param_name}", "type": "{typeof(1|default)}", "value": "{1|default}"}],
      "returns": "{parameter}"},

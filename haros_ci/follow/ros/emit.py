@@ -72,6 +72,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             is_exact=applied.is_exact,
             unknowns=tuple(unknowns),
             written=written,
+            is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
         )
     )
     if entry.kind == "setters" and entry.each is None:

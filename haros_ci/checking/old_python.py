@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python as modules of the standard library read it, Python 2 tolerated: undefined names, and formats that do not fit their values. Nothing is run."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import re
+import string
+import symtable
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+MAX_SOURCE = 500_000
+_PRINT = re.compile(r"(^[ \t]*|[:;][ \t]*)print[ \t]*(?:>>[ \t]*|(?<=[ \t])(?=[\"'\w\[{`-]))", re.MULTILINE)
+_EXCEPT = re.compile(r"^([ \t]*except[ \t]+[\w.]+|[ \t]*except[ \t]*\([\w., \t]+\)),[ \t]*(\w+)[ \t]*:", re.MULTILINE)
+_RAISE = re.compile(r"^([ \t]*raise[ \t]+[\w.]+),[ \t]*(.+)$", re.MULTILINE)
+_OCTAL = re.compile(r"(?<![\w.])0([0-7]+)[lL]?(?![\w.])")
+#: What Python 2 has besides (docs.python.org/2/library/functions.html), and what every module has.
+_NAMES = frozenset(dir(builtins)) | frozenset(
+    """
+    unicode xrange raw_input basestring long reduce file cmp unichr execfile reload apply buffer intern coerce StandardError WindowsError
+    __file__ __name__ __doc__ __builtins__ __package__ __path__ __loader__ __spec__ __class__ __module__ __qualname__ __metaclass__ exec
+    """.split()
+)
+#: How a module is loaded that may be given names from outside.
+LOADS = re.compile(
+    r"\bload_source\b|\bload_module\b|\bexec_module\b|\bimport_module\b|\b__import__\b|\bexecfile\b|\bexec[ \t(]"
+)
+#: What defines names in ways that no table shows, or asks for a name that may be missing.
+_OPEN = re.compile(
+    r"\bimport[ \t]*\(?[ \t]*\*|\bexec\b|\bexecfile\b|\bglobals[ \t]*\(|\blocals[ \t]*\(|\bNameError\b|\b__builtin__\b|\bvars[ \t]*\("
+)
+_PLACE = re.compile(r"%(?:\((\w*)\))?[#0\- +]*(\*|\d+)?(?:\.(\*|\d+))?[hlL]?([diouxXeEfFgGcrsa%])")
+_LOGS = frozenset("logdebug loginfo logwarn logerr logfatal debug info warn warning error critical fatal".split())
+
+
+@dataclass(frozen=True, slots=True)
+class Misfit:
+    """A format with *places* for values and *given* of them, on *line*; *is_open* if the values stand behind it without parentheses."""
+
+    line: int
+    places: int
+    given: int
+    is_open: bool = False
+
+
+def parsed(text: str) -> tuple[ast.Module, str, bool] | None:
+    """The module, the text that it was read of, and whether Python 3 refuses the file; None if nobody can read it."""
+    if len(text) > MAX_SOURCE:
+        return None
+    text = text.replace("\r\n", "\n")
+    tabs = text.replace("\t", "        ")
+    for number, source in enumerate((text, tabs, _modern(text))):
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                return ast.parse(source), source, number > 1
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            continue
+    return None
+
+
+def _modern(text: str) -> str:
+    """*text* with what is written otherwise in Python 3, as far as it is common; lines keep their numbers. What is printed stands alone."""
+    text = _PRINT.sub(r"\1", text)
+    text = _EXCEPT.sub(r"\1 as \2:", text)
+    text = _RAISE.sub(r"\1(\2)", text)
+    return _OCTAL.sub(r"0o\1", text).replace("\t", "        ")
+
+
+def undefined_names(module: ast.Module, source: str) -> Iterator[tuple[str, int]]:
+    """Names that some scope reads and nothing in the file defines, with the first line that does."""
+    if _OPEN.search(source):
+        return
+    try:
+        top = symtable.symtable(source, "module", "exec")
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return
+    tables = [top]
+    for table in tables:
+        tables += table.get_children()
+    defined = set(_NAMES)
+    defined |= {each.get_name() for each in top.get_symbols() if _is_made(each)}
+    for table in tables:
+        defined |= {each.get_name() for each in table.get_symbols() if each.is_declared_global() and _is_made(each)}
+    for node in ast.walk(module):  # Python 2 leaves the variables of a list behind
+        if isinstance(node, ast.comprehension):
+            defined |= {each.id for each in ast.walk(node.target) if isinstance(each, ast.Name)}
+    missing = {
+        each.get_name()
+        for table in tables
+        for each in table.get_symbols()
+        if each.is_referenced() and not _is_made(each) and (table is top or each.is_global())
+    } - defined
+    first: dict[str, int] = {}
+    for node in ast.walk(module):
+        if isinstance(node, ast.Name) and node.id in missing and isinstance(node.ctx, ast.Load):
+            first[node.id] = min(node.lineno, first.get(node.id, node.lineno))
+    yield from sorted(first.items(), key=lambda pair: (pair[1], pair[0]))
+
+
+def _is_made(symbol: symtable.Symbol) -> bool:
+    return symbol.is_assigned() or symbol.is_imported() or symbol.is_namespace() or symbol.is_parameter()
+
+
+def misfits(module: ast.Module, is_old: bool) -> Iterator[Misfit]:
+    """Formats whose values are too few or too many: all in a file that *is_old*, else those alone that linters for Python 3 cannot know."""
+    for node in ast.walk(module):
+        if isinstance(node, ast.Call) and len(node.args) > 1:
+            found = _unparenthesised(node)
+            if found is not None:
+                yield found
+        if is_old:
+            found = (
+                _percent(node) if isinstance(node, ast.BinOp) else _format(node) if isinstance(node, ast.Call) else None
+            )
+            if found is not None:
+                yield found
+
+
+def _unparenthesised(call: ast.Call) -> Misfit | None:
+    """``loginfo("%s of %s" % one, other)``"""
+    first, function = call.args[0], call.func
+    if not isinstance(function, ast.Attribute) or function.attr not in _LOGS:
+        return None
+    if not re.search("log|ros", ast.dump(function.value), re.IGNORECASE) or not isinstance(first, ast.BinOp):
+        return None
+    places = _places(first)
+    is_one = isinstance(first.right, (ast.Attribute, ast.Name, ast.Subscript, ast.Call, ast.Constant))
+    if places is None or places != len(call.args) or not is_one or any(isinstance(a, ast.Starred) for a in call.args):
+        return None
+    return Misfit(first.lineno, places, 1, is_open=True)
+
+
+def _places(node: ast.BinOp) -> int | None:
+    """For how many values the text left of ``%`` has room; None if it is none, or has names."""
+    left = node.left
+    if not isinstance(node.op, ast.Mod) or not isinstance(left, ast.Constant) or not isinstance(left.value, str):
+        return None
+    places = 0
+    rest = _PLACE.sub("", left.value)
+    if "%" in rest:
+        return None
+    for name, width, precision, kind in _PLACE.findall(left.value):
+        if name:
+            return None
+        places += (kind != "%") + (width == "*") + (precision == "*")
+    return places
+
+
+def _percent(node: ast.BinOp) -> Misfit | None:
+    places, right = _places(node), node.right
+    if places is None:
+        return None
+    if isinstance(right, ast.Tuple):
+        given = len(right.elts)
+        return Misfit(node.lineno, places, given) if given != places and not _starred(right.elts) else None
+    is_one = isinstance(right, (ast.Constant, ast.JoinedStr, ast.Compare, ast.List, ast.ListComp))
+    return Misfit(node.lineno, places, 1) if is_one and places != 1 else None
+
+
+def _format(node: ast.Call) -> Misfit | None:
+    function = node.func
+    if (
+        not isinstance(function, ast.Attribute)
+        or function.attr != "format"
+        or not isinstance(function.value, ast.Constant)
+    ):
+        return None
+    text = function.value.value
+    if not isinstance(text, str) or _starred(node.args) or any(each.arg is None for each in node.keywords):
+        return None
+    try:
+        fields = [
+            field
+            for _, field, spec, _ in string.Formatter().parse(text)
+            if field is not None and "{" not in (spec or "")
+        ]
+    except ValueError:
+        return None
+    words = [re.split(r"[.\[]", each)[0] for each in fields]
+    plain = words.count("")
+    numbers = [int(word) + 1 for word in words if word.isdigit() and len(word) < 4]
+    needed = max([plain, *numbers])
+    return Misfit(node.lineno, needed, len(node.args)) if needed > len(node.args) else None
+
+
+def _starred(nodes: list[ast.expr]) -> bool:
+    return any(isinstance(each, ast.Starred) for each in nodes)
