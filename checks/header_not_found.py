@@ -147,5 +147,6 @@ CHECK = Check(
     summary="Header of a package of the workspace that does not exist.",
     level=Level.WARNING,
     tags=("build",),
+    profiles=("strict",),
     project=check,
 )
