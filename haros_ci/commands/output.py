@@ -64,8 +64,7 @@ def _text(report: Report, view: View) -> str:
 def _sarif(report: Report, view: View) -> str:
     from haros_ci.report.sarif import render
 
-    audience = view.flags["sarif_for"]
-    return render(report if audience == "github" else view.joined(report), audience=audience, source=view.source)
+    return render(report, audience=view.flags["sarif_for"], source=view.source)
 
 
 def _github(report: Report, view: View) -> str:
@@ -84,8 +83,9 @@ def _github(report: Report, view: View) -> str:
 
 def _json(report: Report, view: View) -> str:
     from haros_ci.report.json_report import render
+    from haros_ci.results.copied import copy_of
 
-    return render(view.joined(report))
+    return render(report, copy_of(view.joined(report)))
 
 
 def _junit(report: Report, view: View) -> str:

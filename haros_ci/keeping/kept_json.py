@@ -170,23 +170,25 @@ def from_json(data: Any, depth: int = 0) -> Any:
     return kind(**dict(zip(CLASSES[kind], held, strict=True)))
 
 
-def moved(data: Any, lines: Mapping[str, Mapping[int, int]]) -> Any:
+def moved(data: Any, lines: Mapping[str, Mapping[int, int]], depth: int = 0) -> Any:
     """*data*, as ``to_json`` has written it, with the new *lines* of places in edited files; Lost where one is not known."""
     if data.__class__ is not list:
         return data
+    if depth > 2 * DEEPEST:
+        raise Unfit
     if len(data) == len(CLASSES[Location]) + 1 and data[0] == Location.__name__:
         known = lines.get(data[1]) if isinstance(data[1], str) else None
         if known is None:
             return data
         name, path, line, column, end_line, end_column = data
         return [name, path, _now(line, known), column, _now(end_line, known), end_column]
-    return [moved(item, lines) if item.__class__ is list else item for item in data]
+    return [moved(item, lines, depth + 1) if item.__class__ is list else item for item in data]
 
 
 def _now(line: Any, known: Mapping[int, int]) -> int | None:
     if line is None:
         return None
-    if line not in known:
+    if line.__class__ is not int or line not in known:
         raise Lost
     return known[line]
 

@@ -11,7 +11,8 @@ source, available, message} or null, ``silenced`` by the change
 {tool, rule, level, message, path, line, column, endLine, endColumn, open, state, reason, scope, value, limit,
 subject, roles, also, occurrence, snippet, related [{path, line, column, message}], flow (as related, in order), graph,
 edges [[id, id]], fixes [{description, edits [{path, start [line, column], end, text} or {path, executable}]}],
-suppressions [{kind, justification}]}. ``subject`` are the ROS names that it is about, ``roles`` what
+suppressions [{kind, justification}], copyOf {path, line} where the same finding in another copy of the text stands for it in what
+people read}. ``subject`` are the ROS names that it is about, ``roles`` what
 they are; ``graph`` names the configuration through which the ``edges`` go, from id to id (``node:/talker``).
 A key without a value is null; lines and columns count as SARIF's do.
 """
@@ -19,9 +20,12 @@ A key without a value is null; lines and columns count as SARIF's do.
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 from haros_ci import __version__
+from haros_ci.model.location import Location
 from haros_ci.report import summary
 from haros_ci.report.escape import terminal
 from haros_ci.report.message import label, number, plain
@@ -32,8 +36,8 @@ from haros_ci.results.result import Notification, Related, Report, Result, Run, 
 SCHEMA_VERSION = 1
 
 
-def render(report: Report) -> str:
-    """The document; ASCII, with a final newline."""
+def render(report: Report, copy_of: Mapping[int, Location] = MappingProxyType({})) -> str:
+    """The document; ASCII, with a final newline. *copy_of* has the place of what stands for a result, by its identity."""
     counts = summary.count(report)
     head: dict[str, Any] = {
         "schemaVersion": SCHEMA_VERSION,
@@ -63,7 +67,7 @@ def render(report: Report) -> str:
         "runs": [_run(run) for run in sorted(report.runs, key=lambda run: (run.imported, run.tool.name))],
         "notifications": [_notification(note) for note in summary.notifications(report)],
     }
-    results = ",\n".join(_dumps(_result(result)) for result in report.results)
+    results = ",\n".join(_dumps(_result(result, copy_of.get(id(result)))) for result in report.results)
     return f'{_dumps(head)[:-1]},"results":[\n{results}\n]}}\n' if results else f'{_dumps(head)[:-1]},"results":[]}}\n'
 
 
@@ -71,7 +75,7 @@ def _dumps(value: object) -> str:
     return json.dumps(value, ensure_ascii=True, allow_nan=False)
 
 
-def _result(result: Result) -> dict[str, Any]:
+def _result(result: Result, original: Location | None) -> dict[str, Any]:
     place, identity = result.location, result.identity
     return {
         "tool": result.tool,
@@ -100,6 +104,7 @@ def _result(result: Result) -> dict[str, Any]:
         "edges": [list(edge) for edge in result.edges],
         "fixes": [_fix(fix) for fix in result.fixes],
         "suppressions": [{"kind": s.kind, "justification": s.justification or None} for s in result.suppressions],
+        "copyOf": {"path": original.path, "line": original.line} if original is not None else None,
     }
 
 

@@ -303,31 +303,13 @@ def _properties(result: Result) -> dict[str, object]:
     """What SARIF has no place for; ``template`` restores the identity, as the message's text gets links and a period."""
     properties: dict[str, object] = {
         "also": [terminal(rule) for rule in result.also] or None,
-        "copies": [_copy(copy) for copy in result.copies] or None,
         "limit": number(result.limit),
-        "ownMessage": terminal(result.own_message) or None,
         "reason": terminal(result.reason) or None,
         "roles": [terminal(role) for role in result.roles] or None,
         "template": (terminal(result.identity.template) if result.identity else "") or None,
         "value": number(result.value),
     }
     return {name: value for name, value in properties.items() if value is not None}
-
-
-def _copy(copy: Result) -> dict[str, object]:
-    """A finding that another one stands for: what tells it from others, so that a log of them knows each."""
-    identity = copy.identity
-    return {
-        "uri": uri(copy.location.path),
-        "line": copy.location.line or 0,
-        "message": terminal(copy.message),
-        "scope": terminal(identity.scope if identity else copy.scope),
-        "template": terminal(identity.template if identity else ""),
-        "snippet": terminal(identity.snippet if identity else ""),
-        "subject": [terminal(name) for name in copy.subject],
-        "roles": [terminal(role) for role in copy.roles],
-        "fingerprints": dict(sorted(partial_fingerprints(copy).items())),
-    }
 
 
 def _line(place: Location, setting: Setting) -> str:

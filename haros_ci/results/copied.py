@@ -11,10 +11,11 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from posixpath import splitext
 
+from haros_ci.model.location import Location
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.result import BaselineState, Related, Report, Result, Run
 from haros_ci.results.scope import scopes
@@ -47,13 +48,9 @@ def together(report: Report, text: Callable[[str], str], package: Callable[[str]
     return replace(report, runs=tuple(_joined_run(run, texts) for run in report.runs))
 
 
-def apart(result: Result) -> tuple[Result, ...]:
-    """The findings that *result* was joined of, itself first as it was."""
-    if not result.copies:
-        return (result,)
-    places = {copy.location for copy in result.copies}
-    related = tuple(near for near in result.related if near.location not in places)
-    return (replace(result, message=result.own_message or result.message, related=related, copies=()), *result.copies)
+def copy_of(joined: Report) -> Mapping[int, Location]:
+    """Of the results that others of *joined* stand for, by identity, the place of the one that does."""
+    return {id(copy): one.location for run in joined.runs for one in run.results for copy in one.copies}
 
 
 def _joined_run(run: Run, texts: _Texts) -> Run:
@@ -101,7 +98,6 @@ def _joined(first: Result, others: Sequence[Result]) -> Result:
     return replace(
         first,
         message=f"{first.message.rstrip('.')}; and the same in {count} ({names}{more})",
-        own_message=first.message,
         related=(*first.related, *places),
         copies=tuple(others),
     )

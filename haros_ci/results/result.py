@@ -73,7 +73,7 @@ class Result:
     ``edges`` what it traverses of the run's ``Graph`` called ``graph``: pairs of ids. ``also`` are
     ``tool:rule`` of other tools that found the same defect. ``state`` is None where no baseline was given, and
     ``reason`` says why it is new or how it was matched (``--why``). ``fixes`` are ways to mend it, the best first.
-    ``copies`` are the same finding in copies of the text, which this one also stands for; ``own_message`` is then what it says without them.
+    ``copies`` are the same finding in copies of the text, which this one also stands for.
     """
 
     tool: str
@@ -97,7 +97,6 @@ class Result:
     suppressions: tuple[Suppression, ...] = ()
     fixes: tuple[Fix, ...] = ()
     copies: tuple[Result, ...] = ()
-    own_message: str = ""
 
     @property
     def sort_key(self) -> tuple[object, ...]:

@@ -13,7 +13,6 @@ from haros_ci.results.fingerprint import message_template, restore_identity
 from haros_ci.results.json_shape import boolean, items, mapping, natural, number, string, strings
 from haros_ci.results.result import Identity, Notification, Related, Result, Run, Suppression, Tool
 from haros_ci.results.rule import Level, Rule
-from haros_ci.results.sarif_copies import spread
 from haros_ci.results.sarif_file import SarifError, parse
 from haros_ci.results.sarif_graph_reader import ReadGraph, read_graphs, traversed
 from haros_ci.results.sarif_uri import UriError, workspace_path
@@ -94,7 +93,7 @@ def _run(run: dict[str, object], where: str, name: str, root: str) -> Run:
     for component in reading.rules:
         for entry in component:
             _learn(reading, mapping(entry))
-    results: list[Result] = []
+    results = []
     for entry in items(run, "results"):
         try:
             result = _result(reading, entry)
@@ -104,8 +103,8 @@ def _run(run: dict[str, object], where: str, name: str, root: str) -> Run:
             reading.trouble[str(err)] += 1
         else:
             if result is not None:
-                results += spread(result, mapping(mapping(entry), "properties"))
-    results = sorted(results[:MAX_RESULTS], key=lambda result: result.sort_key)
+                results.append(result)
+    results.sort(key=lambda result: result.sort_key)
     invocations = [mapping(entry) for entry in items(run, "invocations")[:_MAX_NOTIFICATIONS]]
     return Run(
         tool=Tool(

@@ -89,8 +89,9 @@ def repositories(names: Iterable[str], left: set[str], seed: int, count: int) ->
 
 
 def group(result: Mapping[str, Any]) -> str | None:
-    """Which group of a sheet a result of a report is in; None for notes of our own checks, and for what is not open."""
-    if not result["open"]:
+    """Which group of a sheet a result of a report is in; None for notes of our own checks, for what is not open, and for
+    copies of what another stands for."""
+    if not result["open"] or result.get("copyOf"):
         return None
     if result["tool"] != OURS:
         return "linter"

@@ -80,7 +80,7 @@ def read(report: Path, said: str) -> dict[str, Any]:
         return row | {"report": False}
     counts: Counter[str] = Counter()
     for result in data["results"]:
-        if result["open"]:
+        if result["open"] and not result.get("copyOf"):
             counts[f"{result['level']} {result['tool']} {result['rule']}"] += 1
     notes = [note for note in data["notifications"] if TROUBLE.search(note["message"])]
     row |= {key: data["coverage"][key] for key in ("packages", "files", "lines")}
