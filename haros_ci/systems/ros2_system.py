@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from haros_ci.follow.follow import Entry
+from haros_ci.follow.ros import behavior_trees
 from haros_ci.follow.ros.ends import endpoints
 from haros_ci.follow.ros.ros2_nodes import ALONE, SIM_TIME, UNDECLARED
 from haros_ci.follow.run import Context, Made
@@ -265,7 +266,14 @@ def _remaps(node: RosNode, ends: tuple[Endpoint, ...]) -> tuple[tuple[str, str],
 
 
 def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
-    """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again."""
+    """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again.
+
+    With the nodes of every behaviour tree it is followed only where it creates one that is not known without them.
+    """
+    if started.has_trees:
+        plain = run_process(types, entry, files, replace(started, has_trees=False), node)
+        if behavior_trees.UNKNOWN not in plain.gaps and not plain.problems:
+            return plain
     kinds = (started.is_component, started.has_plugins, started.has_trees, started.around)
     key = (2, entry.key, files_key(files), started.rules, started.words, *kinds)
     earlier = types.followed.setdefault(key, [])
