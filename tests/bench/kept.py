@@ -91,7 +91,7 @@ def edited(chance: random.Random, text: str, other: str, path: Path) -> str:
     """*text* after a random edit; *other* is the text of a file from which lines may be taken."""
     lines = text.split("\n")
     here = chance.randrange(len(lines))
-    kind = chance.randrange(8)
+    kind = chance.randrange(12)
     if kind == 0:
         return f"{text}\n{added(path)[0]}\n"
     if kind == 1:
@@ -110,6 +110,13 @@ def edited(chance: random.Random, text: str, other: str, path: Path) -> str:
         return "\n".join(lines)
     if kind == 6:
         return f"{text}\n{added(path)[1]}\n"
+    inside = [n for n, line in enumerate(lines) if line.startswith("  ") and line.endswith(";")]
+    if kind in (7, 8, 9) and inside and path.suffix in (".cpp", ".hpp", ".h"):  # what a function does
+        here = chance.choice(inside)
+        more = ("  // words", "  int extra_value = 1;", "  extra_call(extra_value, 2);", lines[here])
+        return "\n".join([*lines[: here + 1], chance.choice(more), *lines[here + 1 :]])
+    if kind == 10:
+        return "\n".join([*lines[:here], added(path)[0], *lines[here:]])
     taken = other.split("\n")
     there = chance.randrange(len(taken))
     return "\n".join(lines[:here] + taken[there : there + 3] + lines[here:])
