@@ -14,7 +14,9 @@ _MARKERS = "share/ament_index/resource_index/packages"
 _NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
 #: What sets the directory of programs in setup.py: an attribute or option, or a command class of the project's own.
 _SETS = re.compile(r"[.'\"](?:install_scripts|script_dir)\b")
-_COMMANDS = re.compile(r"[\"'](?:install|develop|install_scripts|easy_install)[\"']\s*[:\]]|\b(?:install|develop|install_scripts)\s*=")
+_COMMANDS = re.compile(
+    r"[\"'](?:install|develop|install_scripts|easy_install)[\"']\s*[:\]]|\b(?:install|develop|install_scripts)\s*="
+)
 _COMPUTED = re.compile(r"\bcmdclass\s*=(?!=)\s*(?!\{|dict\b)")
 _REMARKS = re.compile(r"#[^\n]*|\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
 _SECTIONS = {"develop": "script_dir", "install": "install_scripts"}
