@@ -555,3 +555,28 @@ def test_a_nodelet_that_nothing_loads(files: dict[str, str], base: str, expected
     package["CMakeLists.txt"] = LIBRARY
     assert levels("target-not-installed", {**package, **files}, tmp_path) == [expected]
     assert levels("directory-not-installed", {**package, **files}, tmp_path / "other") == []
+
+
+@pytest.mark.parametrize(
+    ("launch", "comment", "expected"),
+    [
+        ("benchmark.launch", "## Add the non-installed benchmark", []),
+        ("test_speed.launch", "# not installed", []),
+        ("speed.launch", "## Add the non-installed benchmark", [Level.WARNING]),
+        ("benchmark.launch", "## Add the benchmark", [Level.WARNING]),
+        ("benchmark.launch", "## FIXME: not installed", [Level.WARNING]),
+        ("benchmark.launch", "# a\n\n# not installed\n\n", [Level.WARNING]),
+    ],
+)
+def test_a_program_that_is_not_to_be_installed(
+    launch: str, comment: str, expected: list[Level], tmp_path: Path
+) -> None:
+    text = f"{comment}\nadd_executable(speed a.cpp)\ninstall(FILES a.yaml DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})\n"
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN + text,
+        "a.cpp": "int main() { ros::init(); }\n",
+        "a.yaml": "",
+    }
+    started = '<launch><node pkg="demo" type="speed" name="s"/></launch>\n'
+    assert levels("target-not-installed", {**files, f"launch/{launch}": started}, tmp_path) == expected

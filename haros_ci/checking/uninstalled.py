@@ -82,8 +82,12 @@ def uninstalled(package: ProjectPackage, programs: Programs) -> Iterator[Uninsta
 
 
 def _is_left_out(package: ProjectPackage, each: Uninstalled) -> bool:
-    """Whether a comment at an install() has the program, or one above the target of what no launch file starts says so: it is meant."""
-    if each.kind == "executable" and not each.related and is_said_not_installed(package, each.at):
+    """Whether a comment at an install() has the program, or one above the target says so: it is meant.
+
+    The latter counts where only launch files that are for developers, too, start the program.
+    """
+    is_aside = all(_ASIDE.search(place.path.rpartition("/")[2].lower()) for place, _ in each.related)
+    if each.kind == "executable" and is_aside and is_said_not_installed(package, each.at):
         return True
     words = left_out_on_purpose(package)
     return bool(words) and not words.isdisjoint((each.name, posixpath.basename(each.name)))
