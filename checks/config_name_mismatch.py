@@ -71,14 +71,33 @@ def _classes(project: Project) -> Iterator[Finding]:
                 continue
             text = project.text(config.path)
             calls = list(_CALL.finditer(text))
+            use = f"include <{package.name}/{stem}Config.h>"
+            if not _is_included(package, (stem, config.name)):
+                use = f"import {stem}Config from {package.name}.cfg"
             yield Finding(
                 at=Location(config.path, text.count("\n", 0, calls[-1].start()) + 1 if calls else 1),
                 message=f"{posixpath.basename(config.path)} generates {config.name}Config, but CMake waits for {stem}Config: the headers are "
                 "made again in each build, with all that includes them, or not in time; give generate() the name of the file, "
-                f'"{stem}", and include <{package.name}/{stem}Config.h>, or rename the file to {config.name}.cfg',
+                f'"{stem}", and {use}, or rename the file to {config.name}.cfg',
                 about=(package.name, config.path),
                 related=((command.location, "CMake takes the name from the file's name here"),),
             )
+
+
+def _is_included(package: ProjectPackage, names: tuple[str, str]) -> bool:
+    """Whether C++ of the workspace includes a header of one of the *names*, or no Python imports such a class: C++ elsewhere may."""
+    project = package.project
+    words = "|".join(re.escape(name) for name in names)
+    header = re.compile(rf"\b{re.escape(package.name)}/(?:{words})Config\.h\b")
+    imported = re.compile(rf"\b{re.escape(package.name)}\.cfg\b[^\n]{{0,200}}\b(?:{words})Config\b")
+    texts = [
+        (file.language, project.text(file.path))
+        for file in project.workspace.files
+        if file.language in ("cpp", "python")
+    ]
+    if any(language == "cpp" and header.search(text) for language, text in texts):
+        return True
+    return not any(language == "python" and imported.search(text) for language, text in texts)
 
 
 CHECK = Check(

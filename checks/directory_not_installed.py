@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     installs_nothing,
     landings,
     left_out_on_purpose,
+    lost_plugins,
     uninstalled,
 )
 
@@ -76,6 +77,9 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         meant = left_out_on_purpose(package)
         things = {thing: need for thing, need in things.items() if need.wrong or thing not in meant}
+        if package.ros == 1 and not installs_nothing(package):  # target-not-installed tells of it with the library
+            told = {each.location.path for plugins in lost_plugins(package).values() for each in plugins}
+            things = {thing: need for thing, need in things.items() if not _is_told(package, thing, need, told)}
         if not things:
             continue
         if not installs_nothing(package):
@@ -85,6 +89,11 @@ def check(project: Project) -> Iterator[Finding]:
             # else target-not-installed tells that the package has no install() at all
             is_one = len(things) == 1 and package.ros == 2
             yield _finding(package, *next(iter(things.items()))) if is_one else _nothing(package, things)
+
+
+def _is_told(package: ProjectPackage, thing: str, need: _Need, told: set[str]) -> bool:
+    """Whether *thing* describes plug-ins whose library is not installed, either, and the manifest alone needs it."""
+    return package.inside(thing) in told and all(place.path == package.manifest_path for place, _ in need.places)
 
 
 def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
@@ -108,7 +117,7 @@ def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
             yield Location(package.manifest_path, plain.count("\n", 0, match.start()) + 1), package.name, match[1]
     for path in sorted(project.workspace.names):
         if path.endswith(_MODELS):
-            text = project.text(path)
+            text = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), project.text(path))
             for match in _NAMED.finditer(text):
                 yield Location(path, text.count("\n", 0, match.start()) + 1), match[1] or match[2], match[3]
 

@@ -3,11 +3,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import ConstructUse, included_by, owner
 from haros_ci.api.packages import Package, serves_both
+
+
+#: Words of names by which a launch file is meant for the ROS of that number.
+_MEANT = {
+    1: re.compile(r"(?<![a-z0-9])(?:ros_?1|roslaunch|indigo|kinetic|melodic|noetic)(?![a-z0-9])"),
+    2: re.compile(
+        r"(?<![a-z0-9])(?:ros_?2|dashing|eloquent|foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling)(?![a-z0-9])"
+    ),
+}
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -24,7 +34,15 @@ def check(system: System) -> Iterator[Finding]:
         unported |= found.keys() & set(leftovers)
         if found and min(found) in leftovers:
             yield _of_package(package, found)
-    yield from (_of_file(path, uses) for path, uses in files.items() if path not in unported)
+    for path, uses in files.items():
+        if path not in unported:
+            yield _of_file(path, uses, owner(system, Location(path, 1)))
+
+
+def _is_meant(path: str, package: Package | None, other: int) -> bool:
+    """Whether the name of the file, or of a directory that it is in inside its package, says that it is for the *other* ROS."""
+    inner = path if package is None or package.path == "." else path.removeprefix(f"{package.path}/")
+    return _MEANT[other].search(inner.lower()) is not None
 
 
 def _serves_both(path: str, system: System) -> bool:
@@ -33,17 +51,19 @@ def _serves_both(path: str, system: System) -> bool:
     return package is not None and system.workspace is not None and serves_both(package, system.workspace.text)
 
 
-def _of_file(path: str, uses: Sequence[ConstructUse]) -> Finding:
+def _of_file(path: str, uses: Sequence[ConstructUse], package: Package | None) -> Finding:
     first = uses[0]
     texts = list(dict.fromkeys(use.text for use in uses))
     other = _other(uses)
+    is_whole = _is_whole(uses, other)
+    is_aside = (other == 1 and first.is_installed is False) or (is_whole and _is_meant(path, package, other))
     return Finding(
         at=first.location,
-        message=_leftover(texts, other) if _is_whole(uses, other) else _half_ported(first, texts, other),
+        message=_leftover(texts, other) if is_whole else _half_ported(first, texts, other),
         about=(path,),
         related=tuple((use.location, f"{use.text}, too") for use in uses[1:20]),
         flow=included_by(first),
-        level=Level.NOTE if other == 1 and first.is_installed is False else None,
+        level=Level.NOTE if is_aside else None,
     )
 
 
@@ -63,6 +83,7 @@ def _of_package(package: Package, found: Mapping[str, Sequence[ConstructUse]]) -
     first, *rest = sorted(found)
     other = _other(found[first])
     is_aside = other == 1 and all(uses[0].is_installed is False for uses in found.values())
+    is_aside = is_aside or all(_is_meant(path, package, other) for path in found)
     return Finding(
         at=found[first][0].location,
         message=f"all {len(found)} launch files of {package.name}, a ROS {3 - other} package, are written for ROS {other}: "

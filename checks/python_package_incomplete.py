@@ -12,6 +12,13 @@ from haros_ci.api.packages import EntryPoint
 
 _MARKERS = "share/ament_index/resource_index/packages"
 _NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
+#: What sets the directory of programs in setup.py: an attribute or option, or a command class of the project's own.
+_SETS = re.compile(r"[.'\"](?:install_scripts|script_dir)\b")
+_COMMANDS = re.compile(
+    r"[\"'](?:install|develop|install_scripts|easy_install)[\"']\s*[:\]]|\b(?:install|develop|install_scripts)\s*="
+)
+_COMPUTED = re.compile(r"\bcmdclass\s*=(?!=)\s*(?!\{|dict\b)")
+_REMARKS = re.compile(r"#[^\n]*|\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
 _SECTIONS = {"develop": "script_dir", "install": "install_scripts"}
 
 
@@ -177,8 +184,16 @@ def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Ite
                 about=(package.name, section),
                 fixes=(Fix(f"put them into lib/{package.name}", tuple(fixes)),),
             )
-    if "install" not in given:
+    if "install" not in given and not _is_set_by_setup(package):
         yield _no_directory(package, nodes[0], path, given)
+
+
+def _is_set_by_setup(package: ProjectPackage) -> bool:
+    """Whether setup.py sets the directory for programs itself, or has command classes that may."""
+    text = _REMARKS.sub("", package.project.text(package.inside("setup.py")))
+    if _SETS.search(text) is not None or _COMPUTED.search(text) is not None:
+        return True
+    return "cmdclass" in text and _COMMANDS.search(text) is not None
 
 
 def _no_directory(package: ProjectPackage, node: EntryPoint, path: str, given: dict[str, tuple[str, int]]) -> Finding:

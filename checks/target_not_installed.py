@@ -14,7 +14,10 @@ from haros_ci.api.packages import (
     install_line,
     installs_nothing,
     is_program,
+    is_said_not_installed,
+    lost_plugins,
     may_be_installed,
+    plugin_library,
     uninstalled,
 )
 
@@ -23,6 +26,11 @@ _SHOWN = 5
 _HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl")
 #: How the reason ends where nothing is seen to need the library.
 _ALONE = "nothing can load it"
+#: How it ends where a class loader needs it.
+_BY_CLASS = "is loaded from it"
+_NODELET = "nodelet::Nodelet"
+#: Languages of files that load nodelets by name.
+_LOADERS = ("launch", "python", "yaml", "xml", "shell")
 _ORDER = (Level.ERROR, Level.WARNING, Level.NOTE)
 
 
@@ -144,6 +152,7 @@ def _elsewhere(package: ProjectPackage, programs: Programs) -> Iterator[Finding]
 def _libraries(package: ProjectPackage) -> Iterator[Finding]:
     """Libraries that something needs when it runs, or that are exported."""
     cmake, said = package.cmake, set[str]()
+    lost = lost_plugins(package) if package.ros == 1 else {}
     for target, why, where in _needed(package):
         if target.name in said or may_be_installed(package, target) or target.is_conditional:
             continue
@@ -154,14 +163,18 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
         hint = (
             "; it has only headers, and the linker may leave it out: make it an INTERFACE library" if is_empty else ""
         )
+        described = sorted({posixpath.basename(each.location.path) for each in lost.get(target.name, ())})
+        if described:
+            hint += f"; neither is {described[0]}, which describes it"
+        level = Level.ERROR if package.ros == 2 and not is_empty and not why.endswith(_ALONE) else Level.WARNING
         yield _finding(
             package,
             target.name,
             f"the library {target.name} is not installed, but {why}{hint}",
-            level=Level.ERROR if package.ros == 2 and not is_empty and not why.endswith(_ALONE) else Level.WARNING,
+            level=Level.NOTE if why.endswith(_BY_CLASS) and _is_idle(package, target) else level,
             at=target.location,
             related=where,
-            fix=_fix(package, target),
+            fix=_fix(package, target, described),
         )
     if package.ros == 2:
         for each in package.build.plugins:
@@ -182,6 +195,20 @@ def _libraries(package: ProjectPackage) -> Iterator[Finding]:
             )
 
 
+def _is_idle(package: ProjectPackage, target: Target) -> bool:
+    """Whether *target* holds nodelets alone, and no launch file, script or page of the workspace names one of them."""
+    plugins = [each for each in package.build.plugins if plugin_library(package, each) is target]
+    if package.ros != 1 or not plugins or any(each.base != _NODELET for each in plugins):
+        return False
+    names = {name for each in plugins for name in (each.name, each.type.replace("::", "/"))}
+    described = {each.location.path for each in plugins} | {package.manifest_path}
+    workspace = package.project.workspace
+    paths = {file.path for file in workspace.files if file.language in _LOADERS}
+    paths |= {path for path in workspace.names if path.lower().endswith((".md", ".rst", ".launch", ".test"))}
+    texts = (package.project.text(path) for path in sorted(paths - described) if "CHANGELOG" not in path)
+    return not any(name in text for text in texts for name in names)
+
+
 def _has_no_code(target: Target) -> bool:
     """Whether all sources of a library are headers: it exports nothing, and linkers with --as-needed drop it."""
     return bool(target.sources) and all(path.endswith(_HEADERS) for path in target.sources)
@@ -197,12 +224,10 @@ def _needed(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[tuple[
                 at_run = "fails to start" if target.kind == "executable" else "cannot be loaded"
                 why = f"the installed {what} {target.name} is linked with it and {at_run} from the install space"
                 yield other, why, ((target.location, f"{target.name}, which is installed"),)
-    by_output = {f"{t.prefix or 'lib'}{t.output}": t for t in cmake.targets.values()}
     for each in package.build.plugins:
-        base = posixpath.basename(each.library).removesuffix(".so")
-        found = cmake.targets.get(base) or by_output.get(base) or by_output.get(f"lib{base}")
+        found = plugin_library(package, each)
         if found is not None:
-            yield found, f"{each.type} is loaded from it", ((each.location, f"declares {each.type}"),)
+            yield found, f"{each.type} {_BY_CLASS}", ((each.location, f"declares {each.type}"),)
     yield from _left_of_many(package)
     keywords = ("INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
     for command in package.commands("ament_export_libraries", "catkin_package"):
@@ -218,7 +243,7 @@ def _left_of_many(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[
     cmake = package.cmake
     every = [t for t in cmake.targets.values() if t.kind == "library" and not t.is_test and cmake.is_shared(t) is True]
     left = [target for target in every if not may_be_installed(package, target)]
-    if len(left) != 1 or len(every) < 4:
+    if len(left) != 1 or len(every) < 4 or is_said_not_installed(package, left[0].location):
         return
     if any(left[0].name in each.arguments[1:] for each in package.commands("target_link_libraries")):
         return
@@ -258,8 +283,8 @@ def _misplaced(
     )
 
 
-def _fix(package: ProjectPackage, target: Target) -> Fix | None:
-    """An install() of its own for a library."""
+def _fix(package: ProjectPackage, target: Target, described: Iterable[str] = ()) -> Fix | None:
+    """An install() of its own for a library, and one for the files that describe its plug-ins."""
     if target.location.path != package.cmake_path:
         return None
     if package.ros == 2:
@@ -267,6 +292,8 @@ def _fix(package: ProjectPackage, target: Target) -> Fix | None:
     else:
         place = "${CATKIN_PACKAGE_LIB_DESTINATION}"
         line = f"install(TARGETS {target.name} ARCHIVE DESTINATION {place} LIBRARY DESTINATION {place})"
+    for name in described:
+        line += f"\ninstall(FILES {name} DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})"
     return install_line(package, line, f"install {target.name}")
 
 

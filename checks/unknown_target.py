@@ -205,7 +205,7 @@ def _needed(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[s
         if project.knowledge.is_package(name) is None or known or package.build.problems:
             continue
         if not any(path.endswith((f"Find{name}.cmake", f"{name}Config.cmake")) for path in scripts):
-            yield name, "this package does not exist, and packages that use it stop at find_package()"
+            yield name, "find_package() finds no package of this name, and packages that use it stop there"
 
 
 def _is_made(package: ProjectPackage, name: str) -> bool:
@@ -234,13 +234,15 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
         names = [each for each in names if package.cmake.targets[each].kind != "executable"]
     if command.name == "ament_export_dependencies":
         names = sorted({word for each in package.commands("find_package") for word in each.arguments[:1]})
-    near = [] if is_made else [each for each in names if each.lower() == name.lower()]
+    near = [] if is_made else [each for each in names if _squeezed(each) == _squeezed(name)]
     near = near or ([] if is_made else get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75))
     is_only_exported = is_made or command.name == "ament_export_dependencies"
     hint = f"; did you mean {near[0]}?" if near else "" if is_only_exported else _instead(names)
     if is_library and not names and package.cmake.targets:
         where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
         hint = f"; {where} takes libraries, and the package builds none: remove the name"
+    if near and command.name == "ament_export_dependencies" and _squeezed(near[0]) == _squeezed(name):
+        hint = f"; write {near[0]}, as find_package() has it here"
     said = (
         f"{package.name} exports {name}"
         if is_only_exported
@@ -253,6 +255,11 @@ def _finding(package: ProjectPackage, command: CMakeCommand, name: str, what: st
         apart=(name,),
         level=Level.WARNING if command.name in _OF_USERS else None,  # this package builds
     )
+
+
+def _squeezed(name: str) -> str:
+    """*name* without what names of CMake, ROS and file systems differ in: case, hyphens and underscores."""
+    return re.sub(r"[-_]", "", name).lower()
 
 
 def _instead(targets: list[str]) -> str:

@@ -17,12 +17,13 @@ from haros_ci.linters.linter import LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files
 from haros_ci.linters.pylint_surroundings import is_refuted_around
 from haros_ci.linters.recorded import Testimony
+from haros_ci.linters.said_by_ours import unrepeated
 from haros_ci.linters.undefined_names import weighed_names
 from haros_ci.model.workspace import Workspace
 from haros_ci.registry import Registry
 from haros_ci.results import own
 from haros_ci.results.result import Result, Run
-from haros_ci.results.rule import Rule
+from haros_ci.results.rule import Level, Rule
 
 #: The metrics of both languages are one run, whatever measured them.
 METRICS = "metrics"
@@ -87,6 +88,21 @@ def worthwhile(
             kept.append((result, extra))
     left = unused({result.location.path for result, extra in kept if extra})
     return tuple(result for result, extra in kept if not extra or result.location.path not in left)
+
+
+def without_hints(
+    results: Iterable[Result], every: Iterable[Result], workspace: Workspace, selection: Selection
+) -> tuple[Result, ...]:
+    """*results* without those of catkin_lint that repeat a hint of ours, of *every* result, which the profile passes over."""
+    hints = [
+        each
+        for each in every
+        if each.tool == own.TOOL
+        and each.level is Level.NOTE
+        and selection.wants(each.tool, each.rule, each.location.path)
+        and selection.decide(each.tool, each.rule, each.location.path, default=each.level) is None
+    ]
+    return unrepeated(results, hints, workspace.package_finder())
 
 
 def heard(tool: str, path: str, selection: Selection) -> Iterable[str]:

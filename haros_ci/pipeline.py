@@ -33,6 +33,7 @@ from haros_ci.linting import (
     lint_options,
     with_names,
     with_queries,
+    without_hints,
     worthwhile,
 )
 from haros_ci.model.workspace import Store, Workspace
@@ -188,7 +189,8 @@ def examine(
     if has_structure(workspace, selection):
         raw = (*raw, structured(workspace, architectures, progress) if told is None else told.whole(STRUCTURE))
     runs = (own_one, *with_metrics(raw))
-    results = selected(drop_unfounded(results_of(runs), workspace.text), selection, workspace, unused)
+    every = drop_unfounded(results_of(runs), workspace.text)
+    results = without_hints(selected(every, selection, workspace, unused), every, workspace, selection)
     results = with_names(results, workspace, selection)
     of_plugins = hosted(workspace, selection, architectures, results, progress)
     runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace, unused))

@@ -44,6 +44,37 @@ def test_a_launch_file_of_ros1_that_is_left_over(install: str, expected: Level, 
     assert levels("foreign-launch-construct", files, tmp_path) == [expected]
 
 
+INSTALLED = CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)")
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("launch/ros1_tf.launch", Level.NOTE),
+        ("launch/tf_ros1.launch", Level.NOTE),
+        ("launch/Noetic.launch", Level.NOTE),
+        ("launch/melodic/a.launch", Level.NOTE),
+        ("launch/a-ros_1.launch", Level.NOTE),
+        ("launch/ros2_tf.launch", Level.WARNING),
+        ("launch/humble.launch", Level.WARNING),
+        ("launch/ros10.launch", Level.WARNING),
+        ("launch/kros1.launch", Level.WARNING),
+        ("launch/ros.launch", Level.WARNING),
+    ],
+)
+def test_a_launch_file_that_is_meant_for_ros1(path: str, expected: Level, tmp_path: Path) -> None:
+    files = {"package.xml": ROS2, "CMakeLists.txt": INSTALLED, path: OLD}
+    assert levels("foreign-launch-construct", files, tmp_path) == [expected]
+    other = path.replace("launch/", "launch/x/")
+    assert levels("foreign-launch-construct", {**files, other: OLD}, tmp_path / "two") == [expected]
+
+
+def test_a_launch_file_that_is_half_ported_is_not_meant_for_ros1(tmp_path: Path) -> None:
+    half = '<launch><node pkg="demo" exec="n"><param name="x" value="$(find demo)"/></node></launch>\n'
+    files = {"package.xml": ROS2, "CMakeLists.txt": INSTALLED, "launch/ros1.launch.xml": half}
+    assert levels("foreign-launch-construct", files, tmp_path) == [Level.WARNING]
+
+
 @pytest.mark.parametrize(
     ("call", "expected"),
     [
@@ -492,3 +523,60 @@ def test_blocks_of_a_robot_that_are_repeated(again: str, expected: str, tmp_path
     check = next(check for check in checks() if check.id == "broken-robot-model")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert result.message.endswith(expected)
+
+
+NODELETS = PACKAGE.format("catkin", "nodelet", '<export><nodelet plugin="${prefix}/nodelets.xml"/></export>')
+FILTERS = '<library path="lib/libf"><class name="demo/Filter" type="demo::Filter" base_class_type="{}"/></library>\n'
+LIBRARY = (
+    CATKIN + "add_library(f SHARED f.cpp)\ninstall(FILES a.yaml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("files", "base", "expected"),
+    [
+        ({}, "nodelet::Nodelet", Level.NOTE),
+        ({"CHANGELOG.rst": "* add demo/Filter\n"}, "nodelet::Nodelet", Level.NOTE),
+        ({"README.md": "It filters.\n"}, "nodelet::Nodelet", Level.NOTE),
+        ({}, "filters::FilterBase<double>", Level.WARNING),
+        ({"README.md": "    rosrun nodelet nodelet standalone demo/Filter\n"}, "nodelet::Nodelet", Level.WARNING),
+        (
+            {
+                "launch/a.launch": '<launch><node pkg="nodelet" type="nodelet" name="f" args="load demo/Filter m"/></launch>'
+            },
+            "nodelet::Nodelet",
+            Level.WARNING,
+        ),
+        ({"b.yaml": "plugins: [demo/Filter]\n"}, "nodelet::Nodelet", Level.WARNING),
+    ],
+)
+def test_a_nodelet_that_nothing_loads(files: dict[str, str], base: str, expected: Level, tmp_path: Path) -> None:
+    package = {"package.xml": NODELETS, "nodelets.xml": FILTERS.format(base), "f.cpp": "", "a.yaml": "a: 1\n"}
+    package["CMakeLists.txt"] = LIBRARY
+    assert levels("target-not-installed", {**package, **files}, tmp_path) == [expected]
+    assert levels("directory-not-installed", {**package, **files}, tmp_path / "other") == []
+
+
+@pytest.mark.parametrize(
+    ("launch", "comment", "expected"),
+    [
+        ("benchmark.launch", "## Add the non-installed benchmark", []),
+        ("test_speed.launch", "# not installed", []),
+        ("speed.launch", "## Add the non-installed benchmark", [Level.WARNING]),
+        ("benchmark.launch", "## Add the benchmark", [Level.WARNING]),
+        ("benchmark.launch", "## FIXME: not installed", [Level.WARNING]),
+        ("benchmark.launch", "# a\n\n# not installed\n\n", [Level.WARNING]),
+    ],
+)
+def test_a_program_that_is_not_to_be_installed(
+    launch: str, comment: str, expected: list[Level], tmp_path: Path
+) -> None:
+    text = f"{comment}\nadd_executable(speed a.cpp)\ninstall(FILES a.yaml DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})\n"
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN + text,
+        "a.cpp": "int main() { ros::init(); }\n",
+        "a.yaml": "",
+    }
+    started = '<launch><node pkg="demo" type="speed" name="s"/></launch>\n'
+    assert levels("target-not-installed", {**files, f"launch/{launch}": started}, tmp_path) == expected

@@ -115,3 +115,52 @@ def test_a_name_that_only_distributions_long_gone_have_is_not_proposed(ros: str,
     found = messages(MANIFEST.format(' format="2"', ROS1), cmake, "int a;\n", tmp_path)
     assert len(found) == 1 and "<depend>lib" in found[0], found
     assert not any(word in found[0] for word in ("pcl<", "opencv2", "or pcl", ", pcl"))
+
+
+@pytest.mark.parametrize(
+    ("found", "hint"),
+    [
+        ("HouseOfGears", "; write HouseOfGears, as find_package() has it here"),
+        ("HOUSE-OF_GEARS", "; write HOUSE-OF_GEARS, as find_package() has it here"),
+        ("house_of_gear", "; did you mean house_of_gear?"),
+        ("Eigen3", "packages that use it stop there"),
+    ],
+)
+def test_an_exported_package_that_cmake_calls_otherwise(found: str, hint: str, tmp_path: Path) -> None:
+    text = f"find_package(ament_cmake REQUIRED)\nfind_package({found})\nament_export_dependencies(house_of_gears)\nament_package()"
+    files = {"package.xml": MANIFEST.format(' format="3"', ROS2.format("")), "CMakeLists.txt": CMAKE.format(text)}
+    check = next(check for check in checks() if check.id == "unknown-target")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.message.rstrip(".").endswith(hint) and "finds no package of this name" in result.message
+
+
+CFG = (
+    "from dynamic_reconfigure.parameter_generator_catkin import *\ngen = ParameterGenerator()\n"
+    'gen.add("speed", double_t, 0, "Speed", 1.0, 0.0, 2.0)\nexit(gen.generate("demo", "driver", "Driver"))\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("more", "advice"),
+    [
+        ({"n.py": "from demo.cfg import DriverConfig\n"}, "and import settingsConfig from demo.cfg"),
+        ({"n.cpp": "#include <demo/settingsConfig.h>\n"}, "and include <demo/settingsConfig.h>"),
+        (
+            {"n.py": "from demo.cfg import DriverConfig\n", "n.cpp": '#include "demo/DriverConfig.h"\n'},
+            "and include <demo/settingsConfig.h>",
+        ),
+        ({}, "and include <demo/settingsConfig.h>"),
+        ({"n.py": "import demo\n"}, "and include <demo/settingsConfig.h>"),
+    ],
+)
+def test_who_uses_a_configuration_of_another_name(more: dict[str, str], advice: str, tmp_path: Path) -> None:
+    needs = "<buildtool_depend>catkin</buildtool_depend><depend>dynamic_reconfigure</depend>"
+    text = "find_package(catkin REQUIRED COMPONENTS dynamic_reconfigure)\ngenerate_dynamic_reconfigure_options(cfg/settings.cfg)\ncatkin_package()"
+    files = {
+        "package.xml": MANIFEST.format(' format="2"', needs),
+        "CMakeLists.txt": CMAKE.format(text),
+        "cfg/settings.cfg": CFG,
+    }
+    check = next(check for check in checks() if check.id == "config-name-mismatch")
+    (result,) = said(check, Example("", True, {**files, **more}), tmp_path)
+    assert advice in result.message

@@ -19,7 +19,14 @@ from haros_ci.checking.editing import (
     set_text,
 )
 from haros_ci.checking.imports import imports_of, is_called_after
-from haros_ci.checking.installing import install_directory, install_line, install_place, landings, left_out_on_purpose
+from haros_ci.checking.installing import (
+    install_directory,
+    install_line,
+    install_place,
+    is_said_not_installed,
+    landings,
+    left_out_on_purpose,
+)
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
 from haros_ci.checking.manifests import (
@@ -83,7 +90,9 @@ from haros_ci.checking.uninstalled import (
     Uninstalled,
     installs_nothing,
     is_program,
+    lost_plugins,
     may_be_installed,
+    plugin_library,
     uninstalled,
 )
 from haros_ci.checking.using import Using
@@ -174,6 +183,7 @@ __all__ = [
     "is_nested",
     "is_of_ros",
     "is_program",
+    "is_said_not_installed",
     "is_to_be_had",
     "is_told_of",
     "is_written",
@@ -184,6 +194,7 @@ __all__ = [
     "loaders",
     "lookups",
     "loose",
+    "lost_plugins",
     "may_appear",
     "meant_here",
     "meant_released",
@@ -196,6 +207,7 @@ __all__ = [
     "own_classes",
     "pinned",
     "place",
+    "plugin_library",
     "plugins_in_parameters",
     "plugins_in_yaml",
     "provided",

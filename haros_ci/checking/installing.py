@@ -14,6 +14,15 @@ _PACKAGE_CALL = re.compile(r"(?m)^(?:ament_package|ament_auto_package|autoware_a
 #: The start of an install() in a comment; the line above which the template of catkin_create_pkg has there.
 _COMMENTED_CALL = re.compile(r"^[ \t]*#[ \t#]*install[ \t]*\(", re.IGNORECASE)
 _CALL = re.compile(r"^[ \t]*install[ \t]*\(", re.IGNORECASE)
+#: A comment above a target by which it is not to be installed; and what makes one of a task, or of something else.
+_NOT_INSTALLED = re.compile(
+    r"\bnon-?[ ]?installed\b|\bnot[ ]+(?:to[ ]+be[ ]+|be[ ]+|being[ ]+)?install(?:ed|able)?\b|\b(?:don'?t|never)[ ]+install(?:ed)?\b|\bno[ ]+install\b"
+    r"|\buninstalled\b|\bfor[ ]+(?:local[ ]+)?(?:development|developers|debugging)\b|\b(?:development|developers?|debugging)[ ]+only\b",
+    re.IGNORECASE,
+)
+_TASK = re.compile(r"\b(?:todo|fixme|xxx|bug|why|if|when|unless|until|yet|might|may)\b|\?", re.IGNORECASE)
+#: Lines of comments above a target that are read.
+_ABOVE = 2
 _WORD = re.compile(r"[\w./+${}-]+")
 
 
@@ -29,6 +38,19 @@ def left_out_on_purpose(package: ProjectPackage) -> frozenset[str]:
             text = package.project.text(path)
             found.update(_left_out(text) if "install" in text else ())
     return frozenset(word.replace("${PROJECT_NAME}", package.name).rstrip("/") for word in found)
+
+
+def is_said_not_installed(package: ProjectPackage, at: Location) -> bool:
+    """Whether a comment just above the target at *at*, or behind its name, says that it is not to be installed."""
+    lines = package.project.text(at.path).splitlines()
+    if not at.line or at.line > len(lines):
+        return False
+    said = [lines[at.line - 1].partition("#")[2]]
+    for line in reversed(lines[max(at.line - 1 - _ABOVE, 0) : at.line - 1]):
+        if not line.lstrip().startswith("#"):
+            break
+        said.append(line)
+    return any(_NOT_INSTALLED.search(each) and not _TASK.search(each) for each in said)
 
 
 def _left_out(text: str) -> Iterator[str]:

@@ -8,9 +8,9 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.checking.installing import landings, left_out_on_purpose
+from haros_ci.checking.installing import is_said_not_installed, landings, left_out_on_purpose
 from haros_ci.checking.project import Project, ProjectPackage
-from haros_ci.model.build import Target
+from haros_ci.model.build import PluginClass, Target
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
 from haros_ci.results.rule import Level
@@ -82,7 +82,13 @@ def uninstalled(package: ProjectPackage, programs: Programs) -> Iterator[Uninsta
 
 
 def _is_left_out(package: ProjectPackage, each: Uninstalled) -> bool:
-    """Whether a comment at an install() has the program: it is left out on purpose."""
+    """Whether a comment at an install() has the program, or one above the target says so: it is meant.
+
+    The latter counts where only launch files that are for developers, too, start the program.
+    """
+    is_aside = all(_ASIDE.search(place.path.rpartition("/")[2].lower()) for place, _ in each.related)
+    if each.kind == "executable" and is_aside and is_said_not_installed(package, each.at):
+        return True
     words = left_out_on_purpose(package)
     return bool(words) and not words.isdisjoint((each.name, posixpath.basename(each.name)))
 
@@ -96,6 +102,30 @@ def is_program(package: ProjectPackage, target: Target) -> bool:
     """Whether *target* is an executable that the build always makes and that is no test and no component's."""
     is_one = target.kind == "executable" and not target.is_test and not target.is_conditional and not target.component
     return is_one and package.raw.build_type != "cmake"
+
+
+def plugin_library(package: ProjectPackage, plugin: PluginClass) -> Target | None:
+    """The target of *package* that makes the library of *plugin*, as its description names it."""
+    targets = package.cmake.targets
+    base = posixpath.basename(plugin.library).removesuffix(".so")
+    by_output = {f"{target.prefix or 'lib'}{target.output}": target for target in targets.values()}
+    return targets.get(base) or by_output.get(base) or by_output.get(f"lib{base}")
+
+
+def lost_plugins(package: ProjectPackage) -> Mapping[str, tuple[PluginClass, ...]]:
+    """By target the plug-ins of *package* whose libraries, and the descriptions of these beside package.xml, are not installed either."""
+    found: dict[str, tuple[PluginClass, ...]] = {}
+    if not package.build.commands or not package.cmake.is_whole or package.cmake.installs_unknown:
+        return found
+    for plugin in package.build.plugins:
+        target, path = plugin_library(package, plugin), plugin.location.path
+        if target is None or may_be_installed(package, target) or target.is_conditional:
+            continue
+        if path != package.inside(posixpath.basename(path)) or not path.endswith(".xml") or landings(package, path):
+            continue
+        if posixpath.basename(path) not in package.cmake.mentioned and package.cmake.is_shared(target) is True:
+            found[target.name] = (*found.get(target.name, ()), plugin)
+    return found
 
 
 def _documented(project: Project) -> dict[tuple[str, str], Location]:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
+from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_spelled_out
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -104,6 +105,10 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
     if rule == "moduloofone":  # by a constant with a name, which may be another number tomorrow
         here = "\n".join(text.split("\n")[max(line - 1, 0) : line + 1])
         return _BY_NAME.search(here) is not None and _BY_ONE.search(here) is None
+    if rule in OF_VALUES and has_large_constant(message, _line(text, line)):
+        return True
+    if rule == "multiCondition":
+        return is_spelled_out(message, line, text)
     if rule in _OF_CONDITIONS:
         return is_switched_by_hand(line, text)
     if rule == "duplicateExpression":

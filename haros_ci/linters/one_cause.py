@@ -48,6 +48,9 @@ OF_A_NAME = frozenset("pylint:undefined-variable ruff:F821 flake8:F821 mypy:name
 #: Rules that both speak of a pointer into a text that ends with the function: those of one line have one cause.
 OF_A_TEXT = frozenset(("cppcheck:stlcstr", "cppcheck:returnDanglingLifetime"))
 
+#: Rules that speak once of each variable of a declaration (``int a, b;``): those of one statement have one cause.
+OF_A_DECLARATION = frozenset(("cppcheck:unusedVariable",))
+
 #: Rules that speak once of each item of ``__all__``, which a file has once.
 OF_A_FILE = frozenset(("pylint:invalid-all-object",))
 
@@ -59,6 +62,10 @@ _STRING = re.compile(r"'[^'\n]*'|\"[^\"\n]*\"")
 _CALLEE = re.compile(r"(\w+)\s*$")
 #: Lines of a call, and characters before its bracket, that are looked at.
 _LONGEST = 200
+
+_REMARK = re.compile(r"//[^\n]*|/\*.{0,2000}?\*/", re.DOTALL)
+#: Lines of a declaration that are looked at.
+_DECLARATION = 8
 
 #: A variable in a message: in quotes, or after the colon at the end, where a full stop may follow.
 _NAME = re.compile(r"'(\w+)'|: ([\w.>-]*[\w>-])\.?$")
@@ -89,6 +96,9 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             lines["stlcstr", result.location.path, result.location.line].append(i)
         elif result.full_id in OF_A_NAME:
             lines[result.full_id, result.location.path, result.message].append(i)
+        elif result.full_id in OF_A_DECLARATION and result.location.line:
+            start = _start_of(result, text)
+            lines[result.full_id, result.location.path, start].append(i)
         elif result.full_id in OF_A_FILE:
             lines[result.full_id, result.location.path, None].append(i)
     for here in lines.values():
@@ -103,6 +113,21 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
                 merged[first] = _joined(given[first], [given[i] for i in others])
                 dropped.update(others)
     return tuple(merged.get(i, result) for i, result in enumerate(given) if i not in dropped)
+
+
+def _start_of(result: Result, text: Callable[[str], str]) -> tuple[int, int, bool]:
+    """The place where the statement that *result* is in begins, line and column; the place itself where that is not seen."""
+    at = result.location
+    line, column = at.line or 0, at.column or 0
+    lines = text(at.path).split("\n")[max(line - _DECLARATION, 0) : line]
+    if not column or len(lines) < min(line, _DECLARATION):
+        return line, column, False
+    lines[-1] = lines[-1][: column - 1]
+    before = _REMARK.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), "\n".join(lines))
+    end = max(before.rfind(mark) for mark in ";{}")
+    if end < 0:
+        return line, column, False
+    return line - before.count("\n", end), end - before.rfind("\n", 0, end), True
 
 
 def _called(result: Result, text: Callable[[str], str]) -> str:

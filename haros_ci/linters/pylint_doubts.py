@@ -15,6 +15,7 @@ from haros_ci.linters.pylint_idioms import (
     is_left_to_subclasses,
     is_one_of_several,
     is_placeholder,
+    is_stub,
 )
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
@@ -70,7 +71,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         return _is_decorated(text, line, column)
     if rule in ("pointless-statement", "expression-not-assigned"):
         is_call = rule == "expression-not-assigned" and (_is_loop(text, line, column) or is_choice_of_calls(text, line))
-        return is_call or _is_on_purpose(text, line)
+        return is_call or is_stub(text, line) or _is_on_purpose(text, line)
     if rule == "unreachable":
         return _is_unwritten(text, line)
     if rule == "trailing-comma-tuple":

@@ -97,3 +97,24 @@ def _statement(text: str, line: int) -> ast.stmt | None:
 def _class_of(scope: str) -> str:
     """The class that *scope*, a class or one of its methods, is of."""
     return scope.partition(".")[0]
+
+
+def is_stub(text: str, line: int) -> bool:
+    """Whether the expression at *line* is ``None`` or ``...``, and the whole body of a function: it stands for ``pass``."""
+    lines = text.split("\n")
+    here = lines[line - 1].partition("#")[0].strip() if 0 < line <= len(lines) else ""
+    if not here.endswith(("None", "...")):
+        return False
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    for function in ast.walk(tree):
+        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
+            body = function.body[1:] if ast.get_docstring(function, clean=False) is not None else function.body
+            if len(body) == 1 and isinstance(body[0], ast.Expr) and body[0].lineno == line:
+                value = body[0].value
+                return isinstance(value, ast.Constant) and value.value in (None, ...)
+    return False

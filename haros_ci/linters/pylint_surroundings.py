@@ -23,6 +23,12 @@ _OF_PYTHON3 = frozenset(
     "anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
     " deprecated-module".split()
 )
+#: What pylint says of a call by the signature that the installed version of a library has.
+_OF_SIGNATURES = frozenset(
+    "missing-kwoa no-value-for-parameter redundant-keyword-arg too-many-function-args unexpected-keyword-arg".split()
+)
+_PYTHON2 = re.compile(r"#![^\n]*\bpython2")
+_CALLEE = re.compile(r"([A-Za-z_]\w*)(?:[ \t]*\.[ \t]*\w+)*[ \t]*\(")
 #: Files of a package that are asked for their Python.
 _MOST_FILES = 300
 _NAME = re.compile(r"[A-Za-z_]\w*")
@@ -39,6 +45,8 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
     is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None
     if (is_of_yaml or result.rule in _OF_PYTHON3) and _is_python2(result.location.path, workspace):
         return True
+    if result.rule in _OF_SIGNATURES and _is_of_library(result, line, workspace):
+        return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
 
 
@@ -52,6 +60,30 @@ def _is_python2(path: str, workspace: Workspace) -> bool:
     texts = (workspace.text(each) for each in files[:_MOST_FILES])
     manifest = workspace.text(f"{package.path}/package.xml" if package.path != "." else "package.xml")
     return is_of_python2(workspace.text(path), texts, manifest)
+
+
+def _is_of_library(result: Result, line: int, workspace: Workspace) -> bool:
+    """Whether a script that asks for Python 2 calls there what a module outside the workspace has: in another version than the one here."""
+    text = workspace.text(result.location.path)
+    lines = text.split("\n")
+    if not _PYTHON2.match(text) or line > len(lines):
+        return False
+    called = _CALLEE.match(lines[line - 1][max((result.location.column or 1) - 1, 0) :][:_LONGEST])
+    if called is None:
+        return False
+    name = called[1]
+    imported = re.search(
+        rf"(?m)^[ \t]*(?:import[ \t]+(?:[\w., \t]{{0,200}},[ \t]*)?(?:([A-Za-z_]\w*)[\w.]{{0,200}}[ \t]+as[ \t]+{name}|({name}))\b"
+        rf"|from[ \t]+([A-Za-z_]\w*)[\w.]{{0,200}}[ \t]+import[ \t][^\n#]{{0,300}}\b{name}\b)",
+        text,
+    )
+    if imported is None or re.search(rf"(?m)^[ \t]*(?:def|class)[ \t]+{name}\b|^{name}[ \t]*=(?!=)", text):
+        return False
+    module = imported[1] or imported[2] or imported[3]
+    ends = (f"/{module}.py", f"/{module}/__init__.py")
+    return not any(f"/{each}".endswith(ends) for each in workspace.names) and module not in {
+        each.name for each in workspace.packages
+    }
 
 
 def _is_helper(line: int, text: str, workspace: Workspace) -> bool:

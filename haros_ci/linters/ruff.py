@@ -36,7 +36,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["4", sorted(ruff_config.LEFT_OUT)])
+    return json.dumps(["5", sorted(ruff_config.LEFT_OUT)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:

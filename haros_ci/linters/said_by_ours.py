@@ -82,6 +82,23 @@ def said_once(results: Iterable[Result], package_of: Callable[[str], str | None]
     )
 
 
+def unrepeated(
+    results: Iterable[Result], hidden: Iterable[Result], package_of: Callable[[str], str | None]
+) -> tuple[Result, ...]:
+    """*results* without those of catkin_lint that repeat one of ours in *hidden*: hints, which are left out by themselves."""
+    by_package: dict[str, list[Result]] = defaultdict(list)
+    for result in hidden:
+        package = package_of(result.location.path) if result.tool == OURS else None
+        if package:
+            by_package[package].append(result)
+    return tuple(
+        result
+        for result in results
+        if result.tool != TOOL
+        or not any(_is_same(result, ours) for ours in by_package.get(package_of(result.location.path) or "", ()))
+    )
+
+
 def _of_one_target(results: Iterable[Result], package_of: Callable[[str], str | None]) -> tuple[Result, ...]:
     """*results* in their order, those of one target that is not installed as one: the first, which names the others' places."""
     kept: list[Result] = []

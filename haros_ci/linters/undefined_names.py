@@ -45,7 +45,8 @@ def weighed_names(
 
     Or that nothing evaluates: in annotations, where the file imports them from __future__ (PEP 563). A name of Python 2 is defined in a package
     of ROS 1, all of whose distributions but the last have Python 2 (REP 3); may be, where the first line asks for Python 3. So may be a name
-    in a string, where annotations stand that are not evaluated; any name where the file makes names of strings. *text* reads
+    in a string, where annotations stand that are not evaluated; any name where the file makes names of strings, and one whose import
+    is in a comment: what uses it may be switched off like it. *text* reads
     a path, *is_ros1* tells of one whether it is of a package of ROS 1; where the level *is_given* by the settings it stands.
     In a file that another one loads by its path (*is_loaded*) any name may have been put there.
     """
@@ -62,6 +63,7 @@ def weighed_names(
             if old and not _PYTHON_3.match(whole) and not is_given(result):
                 continue
             unsure = old or _is_in_string(result, whole) or _is_in_annotation(result, whole)
+            unsure = unsure or _is_switched_off(name[1], whole)
             if (unsure or _MAKES_NAMES.search(whole)) and not is_given(result):
                 result = replace(result, level=max(result.level, Level.WARNING, key=lambda level: level.rank))
         weighed.append(result)
@@ -89,3 +91,14 @@ def _is_in_string(result: Result, text: str) -> bool:
         elif not quote and character in "'\"":
             quote = character
     return bool(quote) and not re.search(r"\b[fF][rR]?['\"]|\b[rR][fF]['\"]", lines[at.line - 1])
+
+
+def _is_switched_off(name: str, text: str) -> bool:
+    """Whether the import of *name* is in a comment, as that of a tool for debugging."""
+    imports = re.compile(
+        rf"^[ \t]*#[# \t]*(?:import[ \t]+(?:[\w., \t]{{0,200}}[ \t,])??{name}[ \t]*(?:$|[,#;])"
+        rf"|(?:import[ \t]+[\w.]{{1,200}}|from[ \t]+[\w.]{{1,200}}[ \t]+import[ \t]+[\w. \t,()]{{0,300}}?)\bas[ \t]+{name}\b"
+        rf"|from[ \t]+[\w.]{{1,200}}[ \t]+import[ \t(]+(?:\w[\w \t,]{{0,300}}?[ \t,])??{name}[ \t]*(?:$|[,#;)]))",
+        re.MULTILINE,
+    )
+    return imports.search(text) is not None

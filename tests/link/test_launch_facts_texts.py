@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages
+from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages, without_comments
 
 
 @pytest.mark.parametrize("path", ["a.yaml", "/x/a.launch.py", "$(find p)/a.b.c", "a-b.rviz"])
@@ -34,6 +34,23 @@ def test_a_file_of_which_a_part_is_not_known() -> None:
     assert list(named_files("$(find-pkg-share p)/a\ue000.yaml")) == [("$(find-pkg-share p)/a", False)]
     assert list(named_files("$(find-pkg-share p)/a_%d.yaml")) == [("$(find-pkg-share p)/a_", False)]
     assert list(named_files("no path, no $(env X)/a.yaml")) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ('<!-- of 1.0 -->\n<?xml version="1.0"?>\n<robot/>', '\n<?xml version="1.0"?>\n<robot/>'),
+        ("<robot><!-- $(find p)\n $(find q) --><link/></robot>", "<robot><link/></robot>"),
+        ("a<!----><!-- b -->c<!--d-->", "ac"),
+        ("a <!-- b", "a <!-- b"),
+        ("a --> b", "a --> b"),
+        ("$(find p)/a.yaml", "$(find p)/a.yaml"),
+        ("", ""),
+    ],
+)
+def test_a_text_without_the_comments_of_xml(text: str, expected: str) -> None:
+    assert without_comments(text) == expected
+    assert without_comments("<!--" * 5_000 + text[:0]) == "<!--" * 5_000
 
 
 PARTS = st.lists(

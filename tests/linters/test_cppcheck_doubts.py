@@ -244,3 +244,70 @@ def test_what_code_sets_is_no_switch(inner: str) -> None:
 )
 def test_the_modulo_of_a_named_one(line: str, expected: bool) -> None:
     assert is_refuted("moduloofone", "Modulo of one is always equal to zero.", 1, line) is expected
+
+
+NEVER = "Logical disjunction always evaluates to true: {0} < 0 || {0} > {1}."
+
+
+@pytest.mark.parametrize(
+    ("number", "expected"),
+    [
+        ("0xFFFFFFFFFFFFFFFF", True),
+        ("0xffffffffffffffffULL", True),
+        ("0xFFFF'FFFF'FFFF'FFFF", True),
+        ("0x8000000000000000u", True),
+        ("18446744073709551615", True),
+        ("9223372036854775808ull", True),
+        ("0x7FFFFFFFFFFFFFFF", False),
+        ("9223372036854775807", False),
+        ("0xFFFFFFFF", False),
+        ("-1", False),
+        ("2.5e30", False),
+        ("id0xFFFFFFFFFFFFFFFF", False),
+        ("0", False),
+    ],
+)
+def test_constants_that_cppcheck_takes_for_negative_ones(number: str, expected: bool) -> None:
+    line = f"if (n < 0 || n > {number}) {{\n"
+    assert is_refuted("incorrectLogicOperator", NEVER.format("n", number), 1, line) is expected
+    assert is_refuted("knownConditionTrueFalse", "Condition is always true", 1, line) is expected
+    assert is_refuted("incorrectLogicOperator", NEVER.format("n", number), 2, line) is expected  # it is in the message
+    assert not is_refuted("nullPointer", "Null pointer dereference: n", 1, line)
+
+
+OPPOSITE = "Expression is always true because 'else if' condition is opposite to previous condition at line 1."
+
+
+@pytest.mark.parametrize(
+    "after",
+    [
+        "{ b(); }\nc();\n",
+        "{\n  if (d) { b(); } else { c(); }\n}\n}\n",
+        '{\n  b("}");  // } else {\n}\n\n}\n',
+        "b();\nc();\n",
+        "\n  b();\n}\n",
+        "{ b('{'); } /* else */ c();\n",
+    ],
+)
+def test_a_condition_that_is_spelled_out(after: str) -> None:
+    assert is_refuted("multiCondition", OPPOSITE, 3, f"if (n == -1) {{\n  a();\n}} else if (n != -1) {after}")
+    assert is_refuted("multiCondition", OPPOSITE, 4, f"if (n == -1) {{\n  a();\n}} else\n  if (n != -1) {after}")
+
+
+@pytest.mark.parametrize(
+    ("message", "after"),
+    [
+        (OPPOSITE, "{ b(); } else { c(); }\n"),
+        (OPPOSITE, "{\n  b();\n}\n// never\nelse {\n  c();\n}\n"),
+        (OPPOSITE, "b();\nelse\n  c();\n"),
+        (OPPOSITE, "{ b(); } else if (m) { c(); }\n"),
+        (OPPOSITE, "{ b();"),
+        (OPPOSITE.replace("opposite to", "matches"), "{ b(); }\nc();\n"),
+        (
+            "Expression is always false because 'else if' condition matches previous condition at line 1.",
+            "{ b(); }\n}\n",
+        ),
+    ],
+)
+def test_a_condition_that_leaves_code_dead(message: str, after: str) -> None:
+    assert not is_refuted("multiCondition", message, 3, f"if (n == -1) {{\n  a();\n}} else if (n != -1) {after}")

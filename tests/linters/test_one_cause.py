@@ -172,3 +172,28 @@ def test_one_name_that_is_not_there(rule: str) -> None:
 def test_a_pointer_into_a_text_that_ends(first: tuple[str, int], second: tuple[str, int], expected: int) -> None:
     given = [found(line, name, rule=name) for name, line in (first, second)]
     assert len(one_cause(given, lambda path: TEXT)) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "places", "left"),
+    [
+        ("{\n  int a, b, c;\n}\n", [(2, 7), (2, 10), (2, 13)], 1),
+        ("{\n  int a,\n      b;\n}\n", [(2, 7), (3, 7)], 1),
+        ("{\n  int a, // the first; of two\n      b;\n}\n", [(2, 7), (3, 7)], 1),
+        ("{\n  int a; int b;\n}\n", [(2, 7), (2, 14)], 2),
+        ("{\n  int a;\n  int b;\n}\n", [(2, 7), (3, 7)], 2),
+        ("{ int a; } { int a; }\n", [(1, 7), (1, 18)], 2),
+        ("", [(2, 7), (2, 10)], 2),
+        ("{\n  int a, b;\n}\n", [(2, 0), (2, 0)], 1),
+    ],
+)
+def test_the_variables_of_one_declaration(text: str, places: list[tuple[int, int]], left: int) -> None:
+    given = [
+        Result(
+            "cppcheck", "unusedVariable", Level.NOTE, f"Unused variable: {i}", Location("a.cpp", line, column or None)
+        )
+        for i, (line, column) in enumerate(places)
+    ]
+    assert len(one_cause(given, lambda path: text)) == left
+    others = [Result("cppcheck", "unreadVariable", r.level, r.message, r.location) for r in given]
+    assert len(one_cause(others, lambda path: text)) == len(places)

@@ -266,3 +266,27 @@ def test_a_line_that_is_not_there(line: int) -> None:
 )
 def test_codes_of_other_tools_for_the_same(rule: str, line: str, expected: bool) -> None:
     assert is_silenced(rule, line) is expected
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "expected"),
+    [
+        ("def hook():\n    None\n", 2, True),
+        ("def hook():\n    ...\n", 2, True),
+        ("def hook(): ...\n", 1, True),
+        ("class A:\n    async def hook(self):\n        None  # nothing to do\n", 3, True),
+        ('def hook():\n    """Is called once."""\n    None\n', 3, True),
+        ("def hook(\n    a,\n):\n    # nothing\n    None\n\nb = 1\n", 5, True),
+        ("def hook():\n    a = 1\n    None\n", 3, False),
+        ("def hook():\n    None\n    return 1\n", 2, False),
+        ("if a:\n    None\n", 2, False),
+        ("def hook():\n    if a:\n        None\n", 3, False),
+        ("def hook():\n    a == None\n", 2, False),
+        ("def hook():\n    a\n", 2, False),
+        ("None\n", 1, False),
+        ("def hook(:\n    None\n", 2, False),
+    ],
+)
+def test_what_stands_for_pass(text: str, line: int, expected: bool) -> None:
+    assert is_refuted("pointless-statement", line, 4, text) is expected
+    assert is_refuted("expression-not-assigned", line, 4, text) is expected

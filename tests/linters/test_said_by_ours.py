@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.linters.said_by_ours import said_once
+from haros_ci.linters.said_by_ours import said_once, unrepeated
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -89,3 +89,16 @@ def test_other_targets_are_said_for_themselves() -> None:
     assert len(of_targets(left, (left[0], left[1], "arm/C"))) == 2
     assert len(of_targets(left, ("UNINSTALLED_PLUGIN", "plugin file 'core' is not installed.", "robot/C"))) == 2
     assert len(joined("UNINSTALLED_DEPEND", left[1], "target-not-installed", "left of robot is not installed")) == 2
+
+
+@pytest.mark.parametrize(
+    ("package", "text", "left"),
+    [("robot", DIRECTORY, 0), ("other", DIRECTORY, 1), ("robot", "the directory config of robot is not installed", 1)],
+)
+def test_a_hint_that_is_left_out_is_not_told_by_the_other(package: str, text: str, left: int) -> None:
+    hint = finding("haros-ci", "directory-not-installed", text, "robot/CMakeLists.txt")
+    theirs = finding("catkin_lint", "UNINSTALLED_PLUGIN", PLUGIN, f"{package}/CMakeLists.txt")
+    other = finding("pylint", "UNINSTALLED_PLUGIN", PLUGIN, "robot/a.py")
+    found = unrepeated([theirs, other], [hint], lambda path: path.partition("/")[0])
+    assert len(found) == left + 1 and found[-1] == other
+    assert unrepeated([theirs, other], [], lambda path: "robot") == (theirs, other)

@@ -134,3 +134,41 @@ def test_names_of_a_file_that_is_loaded() -> None:
     given = ([said], lambda path: "corners\n", lambda path: False, lambda result: False)
     assert weighed_names(*given, lambda path: path == "s/a.py") == ()
     assert weighed_names(*given, lambda path: False) == (said,)
+
+
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "#import matplotlib.pyplot as plt",
+        "    # import matplotlib.pyplot as plt  # to debug",
+        "# from matplotlib import pyplot as plt",
+        "##import numpy, plt",
+        "#import plt",
+        "# from tools import draw, plt",
+        "#from tools import plt, draw",
+        "# from tools import (draw, plt)",
+    ],
+)
+def test_names_whose_import_is_in_a_comment(comment: str) -> None:
+    said = Result("pylint", "undefined-variable", Level.ERROR, "Undefined variable 'plt'", Location("a.py", 1, 1))
+    (found,) = weighed_names([said], lambda path: f"plt.show()\n{comment}\n", lambda path: False)
+    assert found.level is Level.WARNING
+    assert weighed_names([said], lambda path: comment, lambda path: False, lambda result: True) == (said,)
+
+
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "# plt draws the map",
+        "# import matplotlib.pyplot as plot",
+        "# import plt2",
+        "# import the map and use plt for it",
+        "# from plt import draw",
+        "import matplotlib  # import matplotlib.pyplot as plt",
+        "print('# import plt')",
+        "#plt = None",
+    ],
+)
+def test_names_that_only_a_sentence_tells_of(comment: str) -> None:
+    said = Result("pylint", "undefined-variable", Level.ERROR, "Undefined variable 'plt'", Location("a.py", 1, 1))
+    assert weighed_names([said], lambda path: f"plt.show()\n{comment}\n", lambda path: False) == (said,)

@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.graph.words import split
-from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages
+from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages, without_comments
 from haros_ci.launch.ros1.dialect import foreign_constructs
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
@@ -74,14 +74,15 @@ def attribute(state: State, scope: Scope, tag: LaunchElement, name: str, text: T
         return
     at = place(scope, tag)
     called = tag.get("name") or name if tag.tag in ("param", "arg", "env") else name
-    for package in named_packages(text.raw):
+    raw = without_comments(text.raw)
+    for package in named_packages(raw):
         note(state, scope, PackageUse, at, kind="find", package=package, is_here=False)
         if kind == "include":
             note(state, scope, PackageUse, at, kind="include", package=package, is_here=False)
-    for path, is_whole in named_files(text.raw):
+    for path, is_whole in named_files(raw):
         if is_whole and is_file_name(path):
             note(state, scope, FileUse, at, kind=kind, text=path, name=called)
-    for how, path in absolute_paths(text.raw, kind in ("include", "parameters", "text")):
+    for how, path in absolute_paths(raw, kind in ("include", "parameters", "text")):
         note(state, scope, PathUse, at, kind=how, text=path, name=called)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci.launch.facts.conditions import comparisons, is_constant, written
 from haros_ci.launch.facts.record import MAX_FACTS
-from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages
+from haros_ci.launch.facts.texts import absolute_paths, is_file_name, named_files, named_packages, without_comments
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
     ArgumentRead,
@@ -52,6 +52,7 @@ def seen(context: Context, raw: str, location: Location, kind: str, name: str = 
     """As ``named``, of plain text."""
     if "/" not in raw and "$(" not in raw and not raw.startswith("~"):
         return
+    raw = without_comments(raw)
     for package in named_packages(raw):
         note(context, PackageUse, location, kind="find", package=package, is_here=False)
     for path, is_whole in named_files(raw):

@@ -19,6 +19,20 @@ _HOME = re.compile(r"~(/|\Z)|/(home|Users)/[^/]+/|/root/")
 _SYSTEM = tuple(f"/{name}/" for name in "dev tmp opt usr etc proc sys var bin sbin lib run mnt media".split())
 
 
+def without_comments(text: str) -> str:
+    """*text*, which may be that of a whole robot description, without the comments of XML: what they name nothing reads."""
+    at = text.find("<!--")
+    parts, last = [], 0
+    while at >= 0:
+        end = text.find("-->", at + 4)
+        if end < 0:
+            break
+        parts.append(text[last:at])
+        last = end + 3
+        at = text.find("<!--", last)
+    return "".join((*parts, text[last:]))
+
+
 def named_files(text: str) -> Iterator[tuple[str, bool]]:
     """The paths below packages in *text*, each as it begins (``$(find-pkg-share pkg)/x``), and whether all of it is known."""
     if "$(" not in text:

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Conditions of C++ of which cppcheck says what does not hold, or what makes no difference."""
+
+from __future__ import annotations
+
+import re
+
+#: Rules that compare values.
+OF_VALUES = frozenset(
+    """
+    compareValueOutOfTypeRangeError incorrectLogicOperator knownConditionTrueFalse oppositeInnerCondition redundantCondition
+    unsignedLessThanZero unsignedPositive
+    """.split()
+)
+_NUMBER = re.compile(r"(?<![\w.'])(?:0[xX]([0-9a-fA-F']{1,40})|([1-9][0-9']{0,40}))[uUlLzZ]{0,3}(?![\w']|\.\d)")
+_LARGEST = 2**63 - 1
+_OPPOSITE = re.compile(r"opposite to previous condition")
+_HIDDEN = re.compile(
+    r"//[^\n]*|/\*.{0,4000}?\*/|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
+)
+_ELSE_IF = re.compile(r"\belse\s+if\s*(?:constexpr\s*)?\(|\bif\s*(?:constexpr\s*)?\(")
+_ELSE = re.compile(r"\s*else\b")
+#: Characters that are read behind a condition.
+_LONGEST = 20_000
+
+
+def has_large_constant(*texts: str) -> bool:
+    """Whether one of *texts* has a constant above the largest signed number of 64 bits, which cppcheck takes for a negative one."""
+    for text in texts:
+        for number in _NUMBER.finditer(text[:2000]):
+            digits = (number[1] or number[2]).replace("'", "")
+            if digits and int(digits, 16 if number[1] else 10) > _LARGEST:
+                return True
+    return False
+
+
+def is_spelled_out(message: str, line: int, text: str) -> bool:
+    """Whether the condition at *line* repeats the opposite of the one before it, and no ``else`` follows that it would make dead."""
+    lines = text.split("\n")
+    if _OPPOSITE.search(message) is None or not 0 < line <= len(lines):
+        return False
+    first = line - 2 if line > 1 and lines[line - 2].rstrip().endswith("else") else line - 1
+    rest = "\n".join(lines[first:])[:_LONGEST]
+    rest = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), rest)
+    condition = _ELSE_IF.search(rest)
+    if condition is None or rest.count("\n", 0, condition.start()) > 1:
+        return False
+    end = _closed(rest, condition.end(), "(", ")")
+    if end is None:
+        return False
+    opened = re.match(r"\s*\{", rest[end:])
+    if opened is not None:
+        after = _closed(rest, end + opened.end(), "{", "}")
+    else:
+        statement = re.match(r"(?!\s*(?:if|for|while|do|switch|try|else)\b)[^;{}]{0,2000};", rest[end:])
+        after = end + statement.end() if statement is not None else None
+    return after is not None and _ELSE.match(rest, after) is None and bool(rest[after:].strip())
+
+
+def _closed(text: str, start: int, opening: str, closing: str) -> int | None:
+    """The position behind the bracket that closes the one before *start*."""
+    depth = 1
+    for bracket in re.finditer(rf"[{re.escape(opening + closing)}]", text[start:]):
+        depth += 1 if bracket[0] == opening else -1
+        if depth == 0:
+            return start + bracket.end()
+    return None
