@@ -84,8 +84,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     answers = json.loads(output.stdout)
     broken = {paths.get(said["filename"]): said["location"]["row"] for said in reversed(answers) if _is_syntax(said)}
     old = {path for path in broken if path is not None and python2.is_python2(batch.workspace.text(path))}
-    for path in sorted(old):
-        yield GaveUp(path, "it is Python 2", broken[path])
+    for each in sorted(old):
+        yield GaveUp(each, "it is Python 2", broken[each])
     for said in answers:
         path, rule = paths.get(said["filename"]), said["code"] or SYNTAX
         if path is None or path in old or (path in broken and rule != SYNTAX):
