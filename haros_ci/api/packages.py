@@ -18,7 +18,7 @@ from haros_ci.checking.editing import (
     set_attribute,
     set_text,
 )
-from haros_ci.checking.imports import imports_of, is_called_after
+from haros_ci.checking.imports import imported, imports_of, is_called_after
 from haros_ci.checking.installing import install_directory, install_line, install_place, landings, left_out_on_purpose
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
@@ -161,6 +161,7 @@ __all__ = [
     "first_provider",
     "holds",
     "holds_for_python",
+    "imported",
     "imports_of",
     "is_called_after",
     "insert_line",
