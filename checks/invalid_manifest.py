@@ -173,7 +173,14 @@ def _dependencies(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         if whole == "test_depend"
         else ["build_depend", "build_export_depend", "exec_depend"]
     )
-    wider = {_key(each): each for each in root.all(whole)}
+    wider: dict[tuple[str | None, ...], Element] = {}
+    again: dict[tuple[str | None, ...], list[Element]] = {}
+    for each in root.all(whole):
+        if wider.setdefault(_key(each), each) is not each and whole == "depend":
+            again.setdefault(_key(each), []).append(each)
+    for key, others in again.items():
+        if word(others[0]) != package.name:
+            yield _twice(package, wider[key], others)
     for child in root.all(*parts):
         other = wider.get(_key(child))
         if other is None or word(child) == package.name:
@@ -204,8 +211,19 @@ def _metapackage(package: ProjectPackage, root: Element) -> Iterator[Finding]:
         )
 
 
-def _key(element: Element) -> tuple[str, frozenset[tuple[str, str]]]:
-    return word(element), frozenset(element.attributes.items())
+def _key(element: Element) -> tuple[str | None, ...]:
+    """What makes two dependencies the same for catkin_pkg: all but the tag, conditions as they are written."""
+    return word(element), *(element.attributes.get(name) for name in (*VERSIONS, "condition"))
+
+
+def _twice(package: ProjectPackage, first: Element, others: list[Element]) -> Finding:
+    """*others* repeat the <depend> *first*, which catkin_pkg calls redundant with all that it stands for."""
+    name = word(first)
+    parts = [drop_element(package, each, f"drop the second <depend> on {name}") for each in others]
+    edits = tuple(edit for part in parts if part is not None for edit in part.edits)
+    fixes = (Fix(f"drop the second <depend> on {name}", edits),) if None not in parts else ()
+    what = f"<depend> on {name} repeats that of line {place(package, first).line}; remove it"
+    return _finding(package, others[0], what, f"depend {name}", fixes)
 
 
 def _plugins(package: ProjectPackage, root: Element) -> Iterator[Finding]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, is_slip
-from haros_ci.api.packages import Need, Sources, imports_of, needs_of
+from haros_ci.api.packages import Need, Sources, distributions_of, holds_for_python, imports_of, needs_of, normal
 
 #: Of so many names of one package it is told what is meant by them, and so many needs are looked at for it.
 MAX_UNKNOWN = 100
@@ -16,14 +16,15 @@ MAX_NEEDS = 2_000
 def check(project: Project) -> Iterator[Finding]:
     sources = Sources(project)
     for package in project.packages:
-        unknown = [name for name in sorted(package.declared) if _is_nowhere(name, package)]
+        declared = _declared(package)
+        unknown = [name for name in sorted(declared) if _is_nowhere(name, package)]
         if not unknown or package.manifest is None:
             continue
         needs = [
             need
             for tests in (False, True)
             for need in (*needs_of(package, sources, tests=tests), *imports_of(package, sources, tests=tests))
-            if not need.providers & package.declared
+            if not need.providers & declared
         ]
         for name in unknown[:MAX_UNKNOWN]:
             meant = next(
@@ -31,7 +32,7 @@ def check(project: Project) -> Iterator[Finding]:
                     (each, need)
                     for need in needs[:MAX_NEEDS]
                     for each in sorted(need.providers)
-                    if _is_meant(name, each)
+                    if _is_meant(name, each, need)
                 ),
                 None,
             )
@@ -45,9 +46,20 @@ def _is_nowhere(name: str, package: ProjectPackage) -> bool:
     return project.package(name) is None and knowledge.is_package(name) is False and not knowledge.is_key(name)
 
 
-def _is_meant(name: str, provider: str) -> bool:
-    """Whether somebody who wrote *name* may have meant *provider*: one slip, or the module's name for that of its key."""
-    return is_slip(name, provider) or provider in (f"python3-{name}", f"python-{name}")
+def _declared(package: ProjectPackage) -> frozenset[str]:
+    """What *package* depends on with Python 3: the key for Python 2 beside a slip is none for it."""
+    needs = package.raw.dependencies
+    return frozenset(each.name for each in needs if holds_for_python(each.condition, "3") is not False)
+
+
+def _is_meant(name: str, provider: str, need: Need) -> bool:
+    """Whether somebody who wrote *name* may have meant *provider*: one slip, or the name of the module, or of pip, for that of its key."""
+    if is_slip(name, provider) or provider in (f"python3-{name}", f"python-{name}"):
+        return True
+    first, _, module = need.what.partition("import ")
+    prefix, _, stem = normal(name).partition("-") if name.startswith("python3-") else ("python3", "", normal(name))
+    called = distributions_of(module.partition(".")[0]) if module and not first else frozenset()
+    return "-" in name and stem in called and provider.startswith(f"{prefix}-") and not provider.endswith("-pip")
 
 
 def _finding(package: ProjectPackage, name: str, meant: str, need: Need) -> Finding:

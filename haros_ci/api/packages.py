@@ -18,7 +18,7 @@ from haros_ci.checking.editing import (
     set_attribute,
     set_text,
 )
-from haros_ci.checking.imports import imports_of, is_called_after
+from haros_ci.checking.imports import imported, imports_of, is_called_after
 from haros_ci.checking.installing import (
     install_directory,
     install_line,
@@ -38,6 +38,7 @@ from haros_ci.checking.manifests import (
     build_types,
     exports,
     holds,
+    holds_for_python,
     is_nested,
     needs,
     place,
@@ -168,6 +169,8 @@ __all__ = [
     "file_name",
     "first_provider",
     "holds",
+    "holds_for_python",
+    "imported",
     "imports_of",
     "is_called_after",
     "insert_line",

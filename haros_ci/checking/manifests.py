@@ -26,6 +26,11 @@ def holds(package: ProjectPackage, condition: str | None) -> bool | None:
     return evaluate(condition, {"ROS_VERSION": str(package.ros)} if package.ros else {})
 
 
+def holds_for_python(condition: str | None, version: str) -> bool | None:
+    """Whether *condition* holds where ROS_PYTHON_VERSION is *version*; None if it depends on anything else."""
+    return True if condition is None else evaluate(condition, {"ROS_PYTHON_VERSION": version})
+
+
 def applying(package: ProjectPackage, parent: Element, *tags: str) -> tuple[Element, ...]:
     """The children of *parent* with *tags* that no condition rules out."""
     return tuple(each for each in parent.all(*tags) if holds(package, each.attributes.get("condition")) is not False)

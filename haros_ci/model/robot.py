@@ -15,7 +15,7 @@ Way = tuple[tuple[Location, str], ...]
 class Fault:
     """Something for which xacro stops, or that it leaves out.
 
-    *kind*: ``property``, ``argument``, ``macro`` and ``block`` (not defined), ``parameter`` (not given to macro *of*), ``extra`` (given, but the
+    *kind*: ``property``, ``argument``, ``macro`` and ``block`` (not defined; *of* is its name where a plain parameter has it), ``parameter`` (not given to macro *of*), ``extra`` (given, but the
     macro *of* has none such), ``include`` (the file is missing), ``default`` (an xacro:arg without one), ``unprefixed`` (a call
     of a macro without ``xacro:``, which is left out), ``expression`` and ``syntax`` (cannot be evaluated here). *certain* says that
     nothing unknown can make it right. *defined_later* says that the name is defined further down.

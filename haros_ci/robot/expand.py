@@ -156,10 +156,11 @@ class Expansion(Calling):
             else:
                 self.inside(block, macros, scope, into)
             return
-        if self.world.is_open:
+        is_parameter = name in scope.entries and scope.parent is not None  # meant, but without its ``*``
+        if self.world.is_open and not is_parameter:
             self.is_whole = False
         else:
-            self.fault("block", name, node)
+            self.fault("block", name, node, of=name if is_parameter else "")
 
     def condition(self, node: Node, macros: Macros, scope: Scope, into: Node) -> None:
         value = self.value(node.attributes.get("value", ""), scope, node)
