@@ -2,9 +2,12 @@
 """Whether the model with what earlier runs followed is the model without it, after random edits of a repository.
 
     python tests/bench/kept.py CHECKOUT SEED ROUNDS
+    python tests/bench/kept.py CHECKOUT SEED ROUNDS --statements
 
 The checkout is copied first. Each round edits a source, launch file, parameter file or CMake file, most of them for that
 round only, and prints the seconds with the record and without. The exit code is 1 if a model was another; both are then left in the copy's place.
+With ``--statements`` each edit adds a statement to a random function of a C++ source and is taken back; only the seconds with the record are
+told, with their median and 90th percentile, for how many nodes are followed anew.
 """
 
 from __future__ import annotations
@@ -23,6 +26,7 @@ from typing import Any
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.report.model_json import render
+from haros_ci.systems import ros2_system, system
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 
@@ -31,6 +35,8 @@ SUFFIXES = (".cpp", ".hpp", ".h", ".py")
 OTHERS = (".launch", ".xml", ".yaml", "CMakeLists.txt")
 SELDOM = 4
 LINKED = "linked"
+#: The files in which what is followed begins, in order.
+FOLLOWED: list[str] = []
 
 
 class Written(MemoryCache):
@@ -69,6 +75,16 @@ class Forgetful:
 
     def put_text(self, group: str, path: str, key: str, text: str) -> None:
         self._store.put_text(group, path, key, text)
+
+
+def counted(types: Any, entry: Any, *rest: Any) -> Any:
+    FOLLOWED.append(entry.source.path)
+    return _followed_in(types, entry, *rest)
+
+
+_followed_in = system.followed_in
+system.followed_in = counted
+ros2_system.followed_in = counted
 
 
 def model(root: Path, store: Any) -> tuple[str, float]:
@@ -122,11 +138,34 @@ def edited(chance: random.Random, text: str, other: str, path: Path) -> str:
     return "\n".join(lines[:here] + taken[there : there + 3] + lines[here:])
 
 
+def statements(root: Path, store: Written, chance: random.Random, rounds: int) -> None:
+    """The seconds of a model after a statement was added to a random function, and how many nodes are followed."""
+    found = []
+    sources = [path for path in sorted(root.rglob("*.cpp")) if "test" not in path.parts]
+    for number in range(rounds):
+        path = chance.choice(sources)
+        old = path.read_text(encoding="utf-8", errors="surrogateescape")
+        lines = old.split("\n")
+        inside = [n for n, line in enumerate(lines) if line.startswith("  ") and line.endswith(";")] or [len(lines) - 1]
+        here = chance.choice(inside) + 1
+        new = "\n".join([*lines[:here], "  int extra_value = extra_call(2);", *lines[here:]])
+        path.write_text(new, encoding="utf-8", errors="surrogateescape")
+        before = len(FOLLOWED)
+        seconds = model(root, store)[1]
+        path.write_text(old, encoding="utf-8", errors="surrogateescape")
+        found.append((seconds, len(FOLLOWED) - before))
+        print(f"{number} {path.relative_to(root)}:{here} {seconds:.2f} s, {found[-1][1]} followed", flush=True)
+    for what, values in (("seconds", [each[0] for each in found]), ("followed", [each[1] for each in found])):
+        ranked = sorted(values)
+        print(f"{what}: median {ranked[len(ranked) // 2]:.2f}, 90th percentile {ranked[len(ranked) * 9 // 10]:.2f}")
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("checkout", type=Path)
     parser.add_argument("seed", type=int)
     parser.add_argument("rounds", type=int)
+    parser.add_argument("--statements", action="store_true")
     given = parser.parse_args()
     chance = random.Random(given.seed)
     place = Path(tempfile.mkdtemp(prefix="kept-"))
@@ -136,6 +175,10 @@ def main() -> int:
     others = sorted(path for path in root.rglob("*") if path.name.endswith(OTHERS) and path.is_file())
     store = Written()
     print(f"cold {model(root, store)[1]:.2f}", flush=True)
+    if given.statements:
+        statements(root, store, chance, given.rounds)
+        shutil.rmtree(place)
+        return 0
     different = 0
     for number in range(given.rounds):
         path = chance.choice(others if others and chance.randrange(SELDOM) == 0 else files)
