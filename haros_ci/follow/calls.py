@@ -21,10 +21,11 @@ from haros_ci.follow import (
     static_types,
     twins,
 )
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, forwarding
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression

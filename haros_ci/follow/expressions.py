@@ -21,8 +21,9 @@ from haros_ci.follow import (
     static_types,
     uncertain,
 )
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression

@@ -9,8 +9,9 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods, statements
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import formats, python_kinds, texts
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.types import STRINGS
 from haros_ci.syntax import Expression
 from haros_ci.values import iterators

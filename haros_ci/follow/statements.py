@@ -8,8 +8,9 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import construct, expressions, lookup, loops, members
+from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop
 from haros_ci.follow.libraries import harmless
-from haros_ci.follow.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop, Run
+from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Statement
 from haros_ci.values.abstract import Cell, Known, Library, Object, Sequence, Value

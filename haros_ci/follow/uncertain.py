@@ -8,7 +8,8 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, copies, dispatch, expressions, havoc, members, statements
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import (
     NONE,

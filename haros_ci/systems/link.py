@@ -9,9 +9,9 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
+from haros_ci.follow.context import Exact
 from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import behavior_trees
-from haros_ci.follow.run import Exact
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.index import Source

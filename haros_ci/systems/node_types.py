@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
+from haros_ci.follow.context import Exact
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.ros import api_rows
-from haros_ci.follow.run import Exact
 from haros_ci.graph.parameters import yaml_reader
 from haros_ci.index import behavior_tree_files
 from haros_ci.index.behavior_tree_files import TreeFiles

@@ -16,8 +16,9 @@ from haros_ci import syntax
 from haros_ci.follow import activation, callbacks, construct, methods
 from haros_ci.follow.call_arguments import Argument
 from haros_ci.follow.follow import Entry
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee

@@ -8,9 +8,11 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
+from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.follow import Entry, follow
+from haros_ci.follow.made import Made
 from haros_ci.follow.ros.ends import ANONYMOUS, UNNAMED, by, endpoints
-from haros_ci.follow.run import Context, Exact, Made, Renamed, Run
+from haros_ci.follow.run import Renamed, Run
 from haros_ci.graph.names import clean, pattern, resolve, resolve_target
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.remap_rules import of_ros1_node, written_rule

@@ -22,7 +22,7 @@ import haros_ci.systems.ros2_system as ros2_system
 import haros_ci.systems.system as system
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
-from haros_ci.follow.run import Made
+from haros_ci.follow.made import Made
 from haros_ci.graph.ros2_process import RosNode, Rule
 from haros_ci.keeping import kept, kept_json
 from haros_ci.model.location import Location

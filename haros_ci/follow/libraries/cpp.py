@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     algorithms,
     text_methods,
@@ -28,7 +29,7 @@ from haros_ci.follow.libraries import (
     yaml as library_yaml,
 )
 from haros_ci.follow.ros import loaders, ros2_selectors
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.mentions import LOADERS
 from haros_ci.index.types import STRINGS, pointee
 from haros_ci.model.location import Location

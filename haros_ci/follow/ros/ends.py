@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
-from haros_ci.follow.run import Made
+from haros_ci.follow.made import Made
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.types import data_type
 from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
