@@ -17,7 +17,6 @@ from haros_ci.follow import (
     lookup,
     members,
     operators,
-    statements,
     static_types,
     uncertain,
 )
@@ -84,7 +83,7 @@ def _this(run: Run, frame: Frame, expression: syntax.This) -> Value:
 
 
 def _conditional(run: Run, frame: Frame, expression: syntax.Conditional) -> Value:
-    holds = statements.truth(evaluate(run, frame, expression.test))
+    holds = conversions.truth(evaluate(run, frame, expression.test))
     ways = [lambda side=side: evaluate(run, frame, side) for side in (expression.then, expression.other)]
     if holds is None:
         return run.either_way(ways, "it stands in one side of a conditional expression")

@@ -27,8 +27,9 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems import ros2_system
+from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_system import Started
-from haros_ci.systems.system import PROGRAM, Job, Types
+from haros_ci.systems.system import PROGRAM, Job
 from haros_ci.values.abstract import Callable, Object
 
 #: Why the name of the node is not known.

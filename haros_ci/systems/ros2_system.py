@@ -24,8 +24,9 @@ from haros_ci.model.location import Location
 from haros_ci.model.presence import together
 from haros_ci.model.workspace import Problem
 from haros_ci.systems import outside
+from haros_ci.systems.following import Types, files_key, followed_in, incomplete, same
 from haros_ci.systems.ros2_implicit import implicit
-from haros_ci.systems.system import PROGRAM, Job, Types, files_key, followed_in, incomplete, same
+from haros_ci.systems.system import PROGRAM, Job
 from haros_ci.values.abstract import Known, Opaque, Value
 
 NOTHING = ParameterServer(())

@@ -16,7 +16,8 @@ from haros_ci.follow.ros import behavior_tree_ports, behavior_trees, ros2_nodes,
 from haros_ci.follow.ros.emit import emit
 from haros_ci.follow.run import Run
 from haros_ci.graph.names import clean
-from haros_ci.index.types import SEQUENCES, STRINGS, parameter_type, pointee
+from haros_ci.index.ros_types import parameter_type
+from haros_ci.index.types import SEQUENCES, STRINGS, pointee
 from haros_ci.model.api import Entry, Row
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type

@@ -13,7 +13,8 @@ from haros_ci.follow.ros.ends import UNNAMED
 from haros_ci.follow.run import Renamed, Run
 from haros_ci.graph.names import pattern, resolve
 from haros_ci.index.common_messages import COMMON
-from haros_ci.index.types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, pointee, ros2_type
+from haros_ci.index.ros_types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, ros2_type
+from haros_ci.index.types import pointee
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location

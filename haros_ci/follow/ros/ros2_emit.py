@@ -11,7 +11,7 @@ from haros_ci.follow.made import Made, make
 from haros_ci.follow.ros import forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
-from haros_ci.index.types import ros2_data_type, ros2_parameter_type
+from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS, Qos
 from haros_ci.model.location import Location
