@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a node is given from outside, and what the exact tier tells of its calls: it stays while the node is followed."""
+"""What a node is given from outside, and what the exact tier tells of its calls: it stays as it is meanwhile."""
 
 from __future__ import annotations
 
