@@ -6,7 +6,7 @@ Most runs need one of these ways or none, so each is imported where it is taken.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -211,44 +211,11 @@ def sarif_runs(data: bytes, name: str, root: Path) -> tuple[Run, ...]:
         raise UserError(f"{name}: {err}", help="give a SARIF 2.1.0 log, or leave the file out") from err
 
 
-def sides(
-    workspace: Workspace,
-    runs: tuple[Run, ...],
-    paths: tuple[str, ...],
-    base: Workspace | None = None,
-    renames: Mapping[str, str] | None = None,
-    past: tuple[Run, ...] | None = None,
-) -> Sides:
-    """The files on the two sides of a comparison, as the matcher asks for them.
-
-    *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone, nor of a
-    finding of the architecture in them, as what it is about may lie outside. *past* are the runs
-    of the past, for the names that were.
-    """
-    from haros_ci.results.known import Sides, names_in, rule_aliases
-
-    language = {file.path: file.language for side in (base, workspace) if side for file in side.files}
-    present = {file.path for file in workspace.files}
-    analysed = {run.tool.name: run.analysed for run in runs}
-    above = tuple(f"{path}/" for path in paths if path != ".")
-    return Sides(
-        head=workspace.text,
-        language=lambda path: language.get(path, ""),
-        exists=lambda path: path in present or ("." not in paths and not path.startswith(above)),
-        analysed=lambda tool, path: path in analysed.get(tool, ()),
-        base=base.text if base else None,
-        renames=renames or {},
-        aliases=rule_aliases(runs),
-        partial=workspace.targets is not None,
-        architecture="." in paths and any(run.architecture for run in runs),
-        head_names=names_in(runs),
-        base_names=None if past is None else names_in(past),
-    )
-
-
 def _against_file(
     runs: tuple[Run, ...], workspace: Workspace, settings: Settings, base: Base | BaselineUnavailable | None
 ) -> Comparison:
+    from haros_ci.results.known import sides
+
     known, past = _held(settings)
     missing = (_no_baseline(str(base)),) if isinstance(base, BaselineUnavailable) else ()
     kind = "file" if settings.baseline_rev is None else "file at revision"
@@ -275,7 +242,7 @@ def _difference(settings: Settings) -> tuple[Notification, ...]:
 def _against_revision(
     runs: tuple[Run, ...], workspace: Workspace, settings: Settings, rev: str, base: Base, examine: Examine
 ) -> Comparison:
-    from haros_ci.results.known import known_from_results
+    from haros_ci.results.known import known_from_results, sides
 
     past = examine(base.workspace)
     known = known_from_results(result for run in past for result in run.results)

@@ -15,6 +15,8 @@ from haros_ci.commands.flags import (
     analysis_options,
     completion_of,
     costs_option,
+    file_option,
+    format_option,
     plugin_option,
     report_options,
     what_options,
@@ -128,11 +130,6 @@ def baseline() -> None:
     """Keep the file of known findings (.haros-ci-baseline.jsonl)."""
 
 
-file_option = click.option(
-    "--file", type=click.Path(dir_okay=False), help="Default: .haros-ci-baseline.jsonl at the root."
-)
-
-
 @baseline.command()
 @what_options
 @file_option
@@ -176,11 +173,8 @@ def show(**flags: Any) -> int:
 
 @haros_ci.command()
 @click.argument("paths", nargs=-1, type=click.Path())
-@click.option(
-    "--format",
-    type=click.Choice(["text", "json", "dot", "mermaid", "sqlite", "nodl", "readme"]),
-    default="text",
-    show_default=True,
+@format_option(
+    *("text", "json", "dot", "mermaid", "sqlite", "nodl", "readme"),
     help="As a table, data, a picture, a database, or files for each node type or package.",
 )
 @click.option("--compact", is_flag=True, help="With json: on one line, and what several configurations have once.")
@@ -214,9 +208,7 @@ def model(**flags: Any) -> int:
     "--scope", type=click.Choice(["configuration", "package", "global"]), default="configuration", show_default=True,
     help="What the query is asked of, one after the other.",
 )  # fmt: skip
-@click.option(
-    "--format", type=click.Choice(["text", "json"]), default="text", show_default=True, help="As a table or as data."
-)
+@format_option("text", "json", help="As a table or as data.")
 @click.option("--fail-on-match", is_flag=True, help="Exit with 1 if anything matches.")
 @click.option("--configuration", metavar="NAME", multiple=True, help="Only these configurations.")
 @click.option("--launch", metavar="FILE", multiple=True, help="These launch files as one configuration.")
@@ -231,10 +223,7 @@ def query(**flags: Any) -> int:
 
 @haros_ci.command()
 @click.argument("paths", nargs=-1, type=click.Path())
-@click.option(
-    "--format", type=click.Choice(["text", "json", "csv"]), default="text", show_default=True,
-    help="A line for each function, class, file and package, or data.",
-)  # fmt: skip
+@format_option("text", "json", "csv", help="A line for each function, class, file and package, or data.")
 @click.option("--output", type=click.Path(dir_okay=False), help="File to write; default: stdout.")
 @click.option(
     "--level", type=click.Choice(["package", "file", "class", "function"]), multiple=True, help="Only values of these."
@@ -269,13 +258,7 @@ def policy(**flags: Any) -> int:
 @haros_ci.command()
 @click.argument("base")
 @click.argument("head", required=False)
-@click.option(
-    "--format",
-    type=click.Choice(["text", "markdown", "json"]),
-    default="text",
-    show_default=True,
-    help="For a terminal, a pull request or a program.",
-)
+@format_option("text", "markdown", "json", help="For a terminal, a pull request or a program.")
 @click.option("--output", type=click.Path(), help="File to write; default: stdout.")
 @click.option("--merge-base", is_flag=True, help="Compare with the commit at which HEAD's history left BASE's.")
 @click.option("--exit-code", is_flag=True, help="Exit with 1 if anything has changed.")

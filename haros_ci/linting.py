@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from itertools import islice
 
+from haros_ci import PROJECT_URL, __version__
 from haros_ci.analysis.inspection import asks
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import is_glob
@@ -22,7 +23,7 @@ from haros_ci.linters.undefined_names import weighed_names
 from haros_ci.model.workspace import Workspace
 from haros_ci.registry import Registry
 from haros_ci.results import own
-from haros_ci.results.result import Result, Run
+from haros_ci.results.result import Result, Run, Tool, results_of
 from haros_ci.results.rule import Level, Rule
 
 #: The metrics of both languages are one run, whatever measured them.
@@ -203,3 +204,21 @@ def confinement(runs: tuple[Run, ...], settings: Settings, told: Testimony | Non
     from haros_ci.linters.sandbox import state
 
     return frozenset({state(settings.trust_config)})
+
+
+def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
+    """The runs that measure joined into the one named ``metrics``, after the linters."""
+    runs = tuple(runs)
+    parts = [run for run in runs if run.tool.name in MEASURED_BY]
+    others = tuple(run for run in runs if run.tool.name not in MEASURED_BY)
+    if not parts:
+        return others
+    by = ", ".join(f"{run.tool.name} {run.tool.version}".strip() for run in parts)
+    metrics = Run(
+        tool=Tool(METRICS, __version__, PROJECT_URL, f"haros-ci metrics (measured by {by})"),
+        results=results_of(parts),
+        notifications=tuple(n for run in parts for n in run.notifications),
+        analysed=frozenset().union(*(run.analysed for run in parts)),
+        successful=all(run.successful for run in parts),
+    )
+    return (*others, metrics)

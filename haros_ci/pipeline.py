@@ -25,12 +25,12 @@ from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
 from haros_ci.linters.settings_changes import notifications as changed_settings
 from haros_ci.linting import (
-    MEASURED_BY,
     METRICS,
     confinement,
     contradictions,
     heard,
     lint_options,
+    with_metrics,
     with_names,
     with_queries,
     without_hints,
@@ -42,13 +42,24 @@ from haros_ci.results import own
 from haros_ci.results.counted import count_metrics, raise_crossings
 from haros_ci.results.coverage import coverage
 from haros_ci.results.fingerprint import fingerprint
-from haros_ci.results.result import Artifact, Baseline, Notification, Report, Result, Run, Silenced, Tool
+from haros_ci.results.result import (
+    Artifact,
+    Baseline,
+    Notification,
+    Report,
+    Result,
+    Run,
+    Silenced,
+    Tool,
+    distribute,
+    results_of,
+)
 from haros_ci.results.rule import Level, Rule
 from haros_ci.results.suppress import suppress
 from haros_ci.timing import timed
 from haros_ci.workspace.base import Base
 from haros_ci.workspace.discover import discover
-from haros_ci.workspace.git import provenance
+from haros_ci.workspace.provenance import provenance
 from haros_ci.workspace.unused import Unused
 
 Progress = Callable[[str], None]
@@ -311,44 +322,12 @@ def selected(
     return worthwhile(kept, workspace, selection, unused.among if unused else lambda paths: ())
 
 
-def results_of(runs: Iterable[Run]) -> tuple[Result, ...]:
-    return tuple(result for run in runs for result in run.results)
-
-
-def distribute(runs: Iterable[Run], results: Iterable[Result]) -> tuple[Run, ...]:
-    """The same runs with *results* in place of their own, each under its tool, in output order."""
-    by_tool: dict[str, list[Result]] = {}
-    for result in results:
-        by_tool.setdefault(result.tool, []).append(result)
-    return tuple(
-        replace(run, results=tuple(sorted(by_tool.get(run.tool.name, ()), key=lambda r: r.sort_key))) for run in runs
-    )
-
-
 def own_run(workspace: Workspace, known: Registry) -> Run:
     """What haros-ci itself says: manifests that cannot be read, and changed files that are not analysed."""
     tool = Tool(own.TOOL, __version__, PROJECT_URL, f"haros-ci {__version__}", known.components)
     analysed = frozenset(f.path for f in workspace.files if workspace.reports_on(f.path))
     results = (*own.manifest_results(workspace.faults), *own.unread_results(workspace.hiding.unread))
     return Run(tool, results=results, analysed=analysed)
-
-
-def with_metrics(runs: Iterable[Run]) -> tuple[Run, ...]:
-    """The runs that measure joined into the one named ``metrics``, after the linters."""
-    runs = tuple(runs)
-    parts = [run for run in runs if run.tool.name in MEASURED_BY]
-    others = tuple(run for run in runs if run.tool.name not in MEASURED_BY)
-    if not parts:
-        return others
-    by = ", ".join(f"{run.tool.name} {run.tool.version}".strip() for run in parts)
-    metrics = Run(
-        tool=Tool(METRICS, __version__, PROJECT_URL, f"haros-ci metrics (measured by {by})"),
-        results=results_of(parts),
-        notifications=tuple(n for run in parts for n in run.notifications),
-        analysed=frozenset().union(*(run.analysed for run in parts)),
-        successful=all(run.successful for run in parts),
-    )
-    return (*others, metrics)
 
 
 def described(run: Run, selection: Selection) -> Run:

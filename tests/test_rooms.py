@@ -208,6 +208,8 @@ DOORS: dict[str, set[str]] = {
 }
 PURE_ROOMS = {"model", "results"}
 EFFECTS = {"subprocess", "socket", "shutil", "tempfile", "multiprocessing"}
+#: A module that has more is of several nouns. There are no exceptions: whatever would be one is split.
+MOST_LINES = 350
 
 
 def room(path: Path) -> str:
@@ -286,3 +288,9 @@ def test_every_package_is_installed() -> None:
     named = set(re.findall(r'"(haros_ci[\w.]*)",\n', text[text.index("packages = [") : text.index("package-dir")]))
     found = {".".join(path.parent.relative_to(ROOT).parts) for path in (ROOT / "haros_ci").rglob("*.py")}
     assert named == found | {"haros_ci_checks"}
+
+
+def test_no_module_is_long() -> None:
+    lines = {path: path.read_text(encoding="utf-8").count("\n") for path in modules()}
+    exceptions = {path.relative_to(ROOT).as_posix(): count for path, count in lines.items() if count > MOST_LINES}
+    assert exceptions == {}

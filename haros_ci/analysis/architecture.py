@@ -30,10 +30,10 @@ from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.own_sources import OF_FACTS, OF_FOLLOWED, digest
 from haros_ci.syntax import Program
 from haros_ci.syntax.codec import decoded, encoded
+from haros_ci.systems.following import KnownNodes
 from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
-from haros_ci.systems.system import KnownNodes
 from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
 

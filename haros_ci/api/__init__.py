@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.check import API_VERSION, Check, Decidability, Finding, Status
 from haros_ci.checking.closed import unmet
+from haros_ci.checking.coexistence import can_meet
 from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.compatibility import refused_pairs, refuses
 from haros_ci.checking.given import (
@@ -22,13 +23,7 @@ from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import is_idle, named_at, rule_of, way_to
 from haros_ci.checking.run import command
-from haros_ci.checking.system import (
-    Channel,
-    End,
-    System,
-    SystemNode,
-    can_meet,
-)
+from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.checking.whole import Whole
 from haros_ci.checking.whole_graph import WholeGraph, is_opaque
 from haros_ci.checking.wording import line_of, listed

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.checking.system import Channel, End, System, can_meet
+from haros_ci.checking.coexistence import can_meet
+from haros_ci.checking.system import Channel, End, System
 from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location
 from haros_ci.model.presence import together

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from haros_ci.baselines import COMPACT_NAME, known_findings, sides
+from haros_ci.baselines import COMPACT_NAME, known_findings
 from haros_ci.commands.common import Flags, run, settings_from
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
@@ -107,6 +107,8 @@ def show(flags: Flags) -> int:
 
 def examined(flags: Flags) -> tuple[Settings, Report, Sides]:
     """Today's findings without any baseline, and the files as the matcher asks for them."""
+    from haros_ci.results.known import sides
+
     settings = settings_from({**flags, "no_baseline": True})
     report, workspace = run(settings, flags)
     return settings, report, sides(workspace, report.runs, settings.paths)

@@ -133,6 +133,16 @@ costs_option = click.option(
     help="Divide by what --write-costs of an earlier merge has written.",
 )
 
+#: The file of known findings.
+file_option = click.option(
+    "--file", type=click.Path(dir_okay=False), help="Default: .haros-ci-baseline.jsonl at the root."
+)
+
+
+def format_option(*formats: str, help: str) -> Callable[[Any], Any]:
+    """What a command prints, the first of *formats* by default."""
+    return click.option("--format", type=click.Choice(formats), default=formats[0], show_default=True, help=help)
+
 
 def what_options(function: Any) -> Any:
     return path_arguments(analysis_options(function))

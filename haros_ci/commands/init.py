@@ -18,7 +18,8 @@ from haros_ci.starting import files
 from haros_ci.starting.seen import CONFIGURED, look
 from haros_ci.workspace.discover import discover
 from haros_ci.workspace.files import TooLarge, Tree, decode
-from haros_ci.workspace.git import GitError, Repository, provenance, run_git
+from haros_ci.workspace.git import GitError, Repository, run_git
+from haros_ci.workspace.provenance import provenance
 from haros_ci.workspace.roots import locate, work_tree
 from haros_ci.writing import create
 

@@ -310,3 +310,34 @@ _NORMAL: dict[str, Callable[[Any], Any]] = {
     "traceability": lambda value: _given(value),
     "location": lambda value: _given(value),
 }
+
+
+def listed(entry: Mapping[str, Any], key: str, at: str, reading: Reading) -> Iterator[tuple[object, str]]:
+    """The items of the list that *entry* has under *key*, each with its place."""
+    items = entry.get(key)
+    if isinstance(items, list):
+        yield from ((item, f"{at}.{key}[{n}]") for n, item in enumerate(items))
+    elif items is not None:
+        reading.say(f"{at}.{key} must be a list of maps")
+
+
+def misfit_of(noun: str, name: str, count: int, known: Sequence[str]) -> str:
+    """Why a hint is not for one entity that is called *name*."""
+    if count:
+        return f"{count} {noun}s are called {name}; a hint must be for one"
+    return f"there is no {noun} {name}{near(name, known)}"
+
+
+def named_entries(
+    value: object, at: str, keys: Sequence[str], reading: Reading
+) -> Iterator[tuple[str, dict[str, Any], str]]:
+    """The hints for named entities, those that fix before those that create."""
+    found = []
+    for name, item in reading.map(value, at).items():
+        here = f"{at}.{name}"
+        entry = reading.map(item, here, keys)
+        if is_name(name):
+            found.append((name, entry, here))
+        else:
+            reading.say(f"{here}: this is no ROS name; write it as /namespace/name")
+    yield from sorted(found, key=lambda one: bool(one[1].get("create")))

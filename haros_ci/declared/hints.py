@@ -11,7 +11,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from haros_ci.declared.declared import LINKS, Reading, end_keys, is_name, near, unfolded, value_type
+from haros_ci.declared.declared import (
+    LINKS,
+    Reading,
+    end_keys,
+    is_name,
+    listed,
+    misfit_of,
+    named_entries,
+    unfolded,
+    value_type,
+)
 from haros_ci.declared.variables import CALLS, edited, fill, named, resolved, surroundings
 from haros_ci.model.architecture import Configuration, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.package import Package
@@ -53,10 +63,12 @@ def apply(
     given = reading.map(hints, "hints", HINT_KEYS)
     result = fill(configuration, given.get("fix"), reading, packages)
     parameters = list(result.parameters)
-    for name, entry, at in _entries(given.get("parameters"), "hints.parameters", (*PARAMETER_KEYS, "create"), reading):
+    for name, entry, at in named_entries(
+        given.get("parameters"), "hints.parameters", (*PARAMETER_KEYS, "create"), reading
+    ):
         parameters = _parameter(parameters, name, entry, at, reading, packages)
     nodes = list(result.nodes)
-    for name, entry, at in _entries(given.get("nodes"), "hints.nodes", (*NODE_KEYS, "create", *LINKS), reading):
+    for name, entry, at in named_entries(given.get("nodes"), "hints.nodes", (*NODE_KEYS, "create", *LINKS), reading):
         nodes = _node(nodes, name, entry, at, reading, packages)
     result = replace(result, parameters=tuple(parameters), nodes=tuple(nodes))
     return result, tuple(reading.problems)
@@ -83,35 +95,12 @@ def apply_specifications(
                 node = fill(alone, entry["fix"], reading, packages).nodes[0]
             for call, kind in kinds.items():
                 made = [
-                    _call(node, kind, one, here, reading, packages) for one, here in _list(entry, call, at, reading)
+                    _call(node, kind, one, here, reading, packages) for one, here in listed(entry, call, at, reading)
                 ]
                 node = replace(node, endpoints=(*node.endpoints, *(end for end in made if end)))
             nodes[n] = node
     told = tuple(dict.fromkeys(reading.problems))
     return replace(configuration, nodes=tuple(nodes)), told
-
-
-def _entries(
-    value: object, at: str, keys: Sequence[str], reading: Reading
-) -> Iterator[tuple[str, dict[str, Any], str]]:
-    """The hints for named entities, those that fix before those that create."""
-    found = []
-    for name, item in reading.map(value, at).items():
-        here = f"{at}.{name}"
-        entry = reading.map(item, here, keys)
-        if is_name(name):
-            found.append((name, entry, here))
-        else:
-            reading.say(f"{here}: this is no ROS name; write it as /namespace/name")
-    yield from sorted(found, key=lambda one: bool(one[1].get("create")))
-
-
-def _list(entry: Mapping[str, Any], key: str, at: str, reading: Reading) -> Iterator[tuple[object, str]]:
-    items = entry.get(key)
-    if isinstance(items, list):
-        yield from ((item, f"{at}.{key}[{n}]") for n, item in enumerate(items))
-    elif items is not None:
-        reading.say(f"{at}.{key} must be a list of maps")
 
 
 def _parameter(
@@ -135,7 +124,7 @@ def _parameter(
             return [*parameters, *_leaves(blank, fields, at, reading, packages)]
         return parameters
     if len(fits) != 1:
-        reading.say(f"{at}: {_misfit('parameter', full, len(fits), [item.name for item in parameters])}")
+        reading.say(f"{at}: {misfit_of('parameter', full, len(fits), [item.name for item in parameters])}")
         return parameters
     n = fits[0]
     return [*parameters[:n], *_leaves(parameters[n], fields, at, reading, packages), *parameters[n + 1 :]]
@@ -182,7 +171,7 @@ def _node(
             return nodes
         return [*nodes, _links(_created(full, fields, at, reading, packages), True, entry, at, reading, packages)]
     if len(fits) != 1:
-        reading.say(f"{at}: {_misfit('node', full, len(fits), [node.name for node in nodes])}")
+        reading.say(f"{at}: {misfit_of('node', full, len(fits), [node.name for node in nodes])}")
         return nodes
     if entry.get("create"):
         reading.say(f"{at}: the node is there already, so it is changed, not created; remove 'create'")
@@ -247,7 +236,7 @@ def _links(
     ends, names = list(node.endpoints), [(end.kind, end.name) for end in node.endpoints]
     for kind, (name_key, type_key, _, noun) in LINKS.items():
         keys = (type_key, "original_name", "traceability", "conditional", *end_keys(kind))
-        for item, here in _list(entry, kind, at, reading):
+        for item, here in listed(entry, kind, at, reading):
             given = reading.map(item, here, (name_key, "create", *keys))
             fields = reading.fields(given, keys, here)
             name = given.get(name_key)
@@ -259,7 +248,7 @@ def _links(
             fits = [n for n, pair in enumerate(names) if pair == (kind, full)] or _known_now(
                 ends, kind, full, fields, node
             )
-            misfit = _misfit(noun, full, len(fits), [other for own, other in names if own == kind])
+            misfit = misfit_of(noun, full, len(fits), [other for own, other in names if own == kind])
             is_wanted = bool(given.get("create")) or is_new
             there = [n for n in fits if ends[n].type in (None, fields.get(type_key, ends[n].type))] if is_wanted else []
             if there and not is_new:
@@ -356,9 +345,3 @@ def _call(
 def _full(name: str, node: Node) -> str:
     """A link's name in full: private to its node, else below ``/`` (as in HAROS)."""
     return resolved(name, node.name if name.startswith("~") else "/")
-
-
-def _misfit(noun: str, name: str, count: int, known: Sequence[str]) -> str:
-    if count:
-        return f"{count} {noun}s are called {name}; a hint must be for one"
-    return f"there is no {noun} {name}{near(name, known)}"

@@ -18,8 +18,9 @@ from haros_ci.follow import (
     overloads,
     statements,
 )
+from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.libraries import library
-from haros_ci.follow.run import DEPTH, NEXT, Frame, Run
+from haros_ci.follow.run import DEPTH, Run
 from haros_ci.index.index import EITHER
 from haros_ci.index.types import STRINGS, is_smart_pointer
 from haros_ci.model.architecture import Condition

@@ -22,8 +22,9 @@ from haros_ci.follow import (
     slices,
     uncertain,
 )
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import texts
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import (

@@ -7,7 +7,8 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, construct, conversions, copies
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.types import INTEGERS, MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type

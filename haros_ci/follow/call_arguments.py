@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, static_types
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.types import INTEGERS, REALS
 from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import Cell, Mapped, Value

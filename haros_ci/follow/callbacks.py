@@ -7,8 +7,10 @@ from dataclasses import replace
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, methods, partials
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.run import CHAIN, ROOTS, SEVERAL, Frame, Root, Run, either
+from haros_ci.follow.made import SEVERAL, Root, either
+from haros_ci.follow.run import CHAIN, ROOTS, Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import NONE, Callable, Choice, Object, Pointer, Value

@@ -6,8 +6,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, calls, statements
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow import activation, call_arguments, calls, conversions
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import LIST_LIMIT, NONE, Callable, Cell, Known, Mapped, Opaque, Sequence, Value
 
@@ -70,7 +71,7 @@ def _guarded(
     """One element; None where the guard keeps it out."""
     if not isinstance(guard, Callable):
         return _call(run, frame, element, item)
-    holds = statements.truth(_call(run, frame, guard, item))
+    holds = conversions.truth(_call(run, frame, guard, item))
     if holds is not None:
         return _call(run, frame, element, item) if holds else None
     text = args[3].value
@@ -105,7 +106,7 @@ def applied(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> Va
         if name == "map":
             made.append(Cell(value))
             continue
-        holds = statements.truth(value)
+        holds = conversions.truth(value)
         if holds is None:
             return unknown
         if holds:

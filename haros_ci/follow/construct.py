@@ -17,11 +17,13 @@ from haros_ci.follow import (
     methods,
     uncertain,
 )
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.libraries import texts
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
-from haros_ci.index.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, parameter_type, pointee
+from haros_ci.index.ros_types import parameter_type
+from haros_ci.index.types import MAPS, NO_TYPE, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Expression, Function, Type
 from haros_ci.values.abstract import FALSE, LIST_LIMIT, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value

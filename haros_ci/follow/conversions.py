@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Values as variables of a type hold them, and the types that values show by themselves."""
+"""Values as variables of a type hold them, the types that they show by themselves, and whether they are true."""
 
 from __future__ import annotations
 
@@ -136,3 +136,23 @@ def value_type(value: Value) -> Type | None:
 def smart(kind: Type | None) -> Type | None:
     """What a smart pointer's type points to; None for other types."""
     return pointee(kind) if kind is not None and is_smart_pointer(kind) else None
+
+
+def truth(value: Value) -> bool | None:
+    """Whether a condition holds, None if that is not known."""
+    if isinstance(value, Known):
+        return bool(value.value)
+    if isinstance(value, Object):
+        return None if _decides(value) else True
+    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
+        return bool(value.content.value)
+    return None
+
+
+def _decides(value: Object) -> bool:
+    """Whether an object has a say in whether it is true."""
+    if value.definition is None:
+        return value.name.rpartition("::")[2] == "optional"
+    source, definition = value.definition
+    words = {f"{definition.name}{source.separator}{word}" for word in ("operator bool", "__bool__", "__len__")}
+    return any(function.name in words for function in source.program.functions)

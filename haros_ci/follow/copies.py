@@ -8,8 +8,9 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import assignments, call_arguments, construct, expressions, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import qos_profiles
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
 from haros_ci.model.location import Location

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, copies, lookup, methods
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Statement

@@ -17,12 +17,12 @@ from haros_ci.follow import (
     lookup,
     members,
     operators,
-    statements,
     static_types,
     uncertain,
 )
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
@@ -83,7 +83,7 @@ def _this(run: Run, frame: Frame, expression: syntax.This) -> Value:
 
 
 def _conditional(run: Run, frame: Frame, expression: syntax.Conditional) -> Value:
-    holds = statements.truth(evaluate(run, frame, expression.test))
+    holds = conversions.truth(evaluate(run, frame, expression.test))
     ways = [lambda side=side: evaluate(run, frame, side) for side in (expression.then, expression.other)]
     if holds is None:
         return run.either_way(ways, "it stands in one side of a conditional expression")

@@ -11,8 +11,10 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import activation, alternatives, call_arguments, construct, inert, lookup
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.made import Root, forget_again, forget_unowned
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import ROOTS, Frame, OutOfSteps, Root, Run
+from haros_ci.follow.run import ROOTS, OutOfSteps, Run
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function
@@ -67,7 +69,7 @@ def follow(run: Run, entry: Entry) -> bool:
     except OutOfSteps:
         return False
     finally:
-        run.forget_unowned()
+        forget_unowned(run)
     return True
 
 
@@ -132,7 +134,7 @@ def _call_back(run: Run, frame: Frame) -> None:
             _invoke(run, frame, run.roots[number])
             _hand_on(run, known, run.state.undo(mark))
             if root.is_update:
-                run.forget_again(made)
+                forget_again(run, made)
         done += len(batch)
 
 

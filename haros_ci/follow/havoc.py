@@ -6,8 +6,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci.follow import activation, call_arguments, conversions
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.syntax import Class
 from haros_ci.values.abstract import Callable, Cell, Choice, Known, Mapped, Object, Pointer, Sequence, Text, Value
 from haros_ci.values.state import joined

@@ -9,7 +9,8 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, lookup, methods, partials
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.syntax import Function, Type
 from haros_ci.syntax.walk import Part, everything

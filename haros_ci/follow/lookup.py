@@ -9,11 +9,12 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, expressions, members, methods
+from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.ros import qos
-from haros_ci.follow.run import NEXT, Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index import macros as macros_
 from haros_ci.index.common_messages import COMMON, NAMES
 from haros_ci.index.index import EITHER, Source

@@ -8,8 +8,10 @@ from functools import partial
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, expressions, statements, static_types
-from haros_ci.follow.run import BREAK, CONTINUE, NEXT, TURNS, Frame, Loop, Run
+from haros_ci.follow import alternatives, conversions, expressions, statements, static_types
+from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, Frame, Loop
+from haros_ci.follow.made import forget_dead, go_back, keep
+from haros_ci.follow.run import TURNS, Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
 from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, opaque_of, tick
@@ -56,7 +58,7 @@ def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
             worthwhile = _worthwhile(run, frame, body, test)
             for turn in range(TURNS):
                 if turn or keyword != "do":
-                    holds = statements.truth(expressions.evaluate(run, frame, test)) if test is not None else None
+                    holds = conversions.truth(expressions.evaluate(run, frame, test)) if test is not None else None
                     if holds is False:
                         return _leave(run, current, goes_on=True)
                     if holds is None:
@@ -75,7 +77,7 @@ def loop(run: Run, frame: Frame, statement: syntax.Loop) -> str:
             return _leave(run, current, goes_on=True)
     finally:
         frame.scopes.pop()
-        run.forget_dead(known)
+        forget_dead(run, known)
 
 
 def _turn(run: Run, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:
@@ -161,7 +163,7 @@ def _widened(
     begun = tick()
     for left in reversed(range(1 if run.quiet else REHEARSALS + is_real)):
         inner = Loop(run.state.mark())
-        kept = run.kept() if is_real else None
+        kept = keep(run) if is_real else None
         run.turns *= 1 if is_real else NESTED
         run.quiet += not is_real
         try:
@@ -176,7 +178,7 @@ def _widened(
         if not _forgotten(run, frame, line, begun, ways):
             break
         if kept is not None:
-            run.go_back(kept)
+            go_back(run, kept)
     before = run.state.since(loop.mark)
     loop.breaks += [{**before, **way} for way in inner.breaks]
     run.state.merge([alternatives.own(run, writes), writes] if ended == NEXT else [{}])
@@ -239,7 +241,7 @@ def each(run: Run, frame: Frame, statement: syntax.Each) -> str:
             current.turn = number
             ended = _turn(run, frame, current, partial(turn, item))
             run.turns //= 2
-            run.forget_dead(known)
+            forget_dead(run, known)
             if ended != NEXT:
                 return _leave(run, current, goes_on=False, ended=ended)
         if unknown is not None:

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 from haros_ci import syntax
 from haros_ci.follow import expressions, lookup, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.libraries import python_modules
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
 from haros_ci.syntax import Class, Expression

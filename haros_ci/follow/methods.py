@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import expressions, lookup, members, overloads
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.syntax import Class, Field, Function, Type
 from haros_ci.values.abstract import Callable, ClassValue, Object, Value

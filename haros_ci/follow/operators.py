@@ -8,9 +8,10 @@ from dataclasses import replace
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, conversions, expressions, methods, statements
+from haros_ci.follow import activation, call_arguments, conversions, expressions, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import formats, python_kinds, texts
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.types import STRINGS
 from haros_ci.syntax import Expression
 from haros_ci.values import iterators
@@ -191,7 +192,7 @@ def _computed(run: Run, frame: Frame, symbol: str, left: Any, right: Any) -> Val
 
 def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...]) -> Value:
     left = expressions.evaluate(run, frame, operands[0])
-    first = statements.truth(left)
+    first = conversions.truth(left)
     reason = f"it stands behind {symbol}"
     mark = run.state.mark()
     with run.doubted(reason if first is None or first is not (symbol == "&&") else None):
@@ -200,7 +201,7 @@ def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ..
         run.state.merge([{}, run.state.undo(mark)])
     elif first is not (symbol == "&&"):  # not evaluated at all
         run.state.undo(mark)
-    one, other = statements.truth(left), statements.truth(right)
+    one, other = conversions.truth(left), conversions.truth(right)
     if frame.source.program.language == "python":
         if one is not None:
             return (right if one else left) if symbol == "&&" else (left if one else right)
@@ -216,7 +217,7 @@ def _logical(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ..
 
 def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
     if symbol == "!":
-        holds = statements.truth(value)
+        holds = conversions.truth(value)
         if holds is None:
             return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
         return FALSE if holds else TRUE

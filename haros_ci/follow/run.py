@@ -1,49 +1,41 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One node followed from its entry: what stays the same, what it has made so far, and how far it may go."""
+"""One node followed from its entry: the state of the interpreter, what it looks up, and how far it may go."""
 
 from __future__ import annotations
 
 from collections.abc import Callable as Function_
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci import syntax
+from haros_ci.follow.context import Context, Exact
+from haros_ci.follow.frames import Frame, Loop
+from haros_ci.follow.made import Made, Root
 from haros_ci.follow.twins import Standing, Twin
-from haros_ci.graph.ros2_process import Process, RosNode
-from haros_ci.index.behavior_tree_files import TreeFiles
+from haros_ci.graph.ros2_process import RosNode
 from haros_ci.index.index import Index, Source
 from haros_ci.index.relevance import Relevance
 from haros_ci.index.types import NO_TYPE, resolve_type
-from haros_ci.index.xml_files import Reader
 from haros_ci.model.api import Row
-from haros_ci.model.architecture import Condition, Qos
+from haros_ci.model.architecture import Condition
 from haros_ci.model.build import ConfigFile
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Type
-from haros_ci.values.abstract import NONE, Callable, Cell, Known, Object, Opaque, Value, join
+from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Value, join
 from haros_ci.values.state import State
 
 #: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
 STEPS = 60_000
 #: The same for a node that is followed with all plug-ins of the workspace.
 WITH_PLUGINS = 120_000
-#: Why not all conditions are told.
-SEVERAL = "it is made on several ways, each under conditions of its own"
 #: Calls inside calls.
 DEPTH = 28
 #: Callbacks of one node that are followed, and those of one function that are registered by callbacks.
 ROOTS, CHAIN = 400, 8
 #: Turns of a loop whose condition is known.
 TURNS = 64
-#: How a block ends: it falls through, or it leaves in one of these ways.
-NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
-
-
-#: From a call's place, the last part of its function's name and the number of its arguments to the arguments' types and
-#: values and the template arguments' types, each None where it is not told.
-Exact = Function_[[str, int, int, str, int], tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None]
 
 
 class OutOfSteps(Exception):
@@ -52,169 +44,6 @@ class OutOfSteps(Exception):
 
 class Renamed(Exception):
     """The node gives itself another name than the one that it is followed under."""
-
-
-@dataclass(slots=True)
-class Frame:
-    """An activation of a function: its names, what its template parameters mean, what it has returned so far."""
-
-    source: Source
-    scope: str
-    function: Function | None = None
-    this: Object | None = None
-    scopes: list[dict[str, Cell]] = field(default_factory=lambda: [{}])
-    templates: Mapping[str, syntax.Argument] = field(default_factory=dict)
-    outer: Frame | None = None
-    mark: int = 0
-    returned: list[Value] = field(default_factory=list)
-    exits: list[dict[Cell, Any]] = field(default_factory=list)
-    #: Whether what is followed cannot be reached as things are: it is gone through for what it makes only.
-    is_dead: bool = False
-
-    def find(self, name: str) -> Cell | None:
-        frame: Frame | None = self
-        while frame is not None:
-            for scope in reversed(frame.scopes):
-                if name in scope:
-                    return scope[name]
-            frame = frame.outer
-        return None
-
-    def declare(self, name: str, cell: Cell) -> Cell:
-        self.scopes[-1][name] = cell
-        return cell
-
-
-@dataclass(slots=True)
-class Loop:
-    """A loop (or switch) that is being followed: what the ways that break or continue have written since *mark*."""
-
-    mark: int
-    is_switch: bool = False
-    #: How many turns have been gone through, where that is done one by one.
-    turn: int = 0
-    breaks: list[dict[Cell, Any]] = field(default_factory=list)
-    continues: list[dict[Cell, Any]] = field(default_factory=list)
-
-
-@dataclass(frozen=True, slots=True)
-class Made:
-    """What a call made, before remapping: *name* is absolute, with ``?`` for unknown parts."""
-
-    kind: str
-    name: str
-    type: str | None
-    location: Location
-    conditions: tuple[Condition, ...]
-    queue_size: int | None = None
-    latched: bool | None = None
-    value: Any = None
-    implicit: bool = False
-    qos: Qos | None = None
-    effective: Any = None
-    read_only: bool | None = None
-    range: Any = None
-    is_dynamic: bool = False
-    is_strict: bool = False
-    #: The ROS 2 node that has it; None if it is not known, and in ROS 1.
-    node: RosNode | None = None
-    is_exact: bool = False
-    #: Of the branches around it, those that are not taken as things are.
-    dead: int = 0
-    unknowns: tuple[tuple[str, str, Location | None], ...] = ()
-    #: The name as the call gives it, ``?`` for its unknown parts.
-    written: str | None = field(default=None, compare=False)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Root:
-    """A function that is called back later, under the conditions of its registration.
-
-    *writes* are what the callback that registered it leaves behind, if it was one.
-    """
-
-    function: Callable
-    conditions: tuple[Condition, ...]
-    writes: Mapping[Cell, Any] = field(default_factory=dict)
-    #: Whether it is called when somebody sets parameters, or takes a node down: what it changes then is not seen elsewhere.
-    is_update: bool = False
-    #: Whether a managed node is brought up by it, before anything else is called back.
-    is_setup: bool = False
-    #: Whether a behaviour tree calls it: what it changes is not seen elsewhere.
-    is_tick: bool = False
-    #: Why it may not be registered although the conditions hold, where no statement says so.
-    doubt: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Kept:
-    """What a run had told at some point."""
-
-    made: Mapping[Any, Made]
-    gaps: Mapping[str, Location]
-    #: Of nodes, names and alternatives.
-    counts: tuple[int, int, int]
-    #: The static variables and plug-ins that there were.
-    sets: tuple[frozenset[Any], frozenset[Any]]
-    #: The callbacks, and the number of each.
-    roots: tuple[tuple[Root, ...], Mapping[Any, int]]
-
-
-@dataclass(slots=True)
-class Context:
-    """What the node is given from outside: its names, its arguments, the parameter server, files of the workspace."""
-
-    name: str
-    namespace: str
-    arguments: tuple[str, ...] | None
-    #: The classes that pluginlib can load, by look-up name: where they are defined.
-    plugins: Mapping[str, tuple[Source, Class]]
-    #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.
-    of_base: Mapping[str, tuple[tuple[Source, Class], ...]] | None = field(default=None, kw_only=True)
-    #: Behaviour trees in files of the workspace; None where nothing makes any.
-    trees: TreeFiles | None = field(default=None, kw_only=True)
-    #: The workspace's XML files and directories; None in ROS 1.
-    xml: Reader | None = field(default=None, kw_only=True)
-    #: Whether all of them are followed where it is not known which is created.
-    any_tree: bool = field(default=False, kw_only=True)
-    #: The value of a parameter that the configuration sets (a Choice if under a condition), None if it does not.
-    parameter: Function_[[str], Value | None]
-    #: The data of a YAML file by the path as values have it; None if it is not in the workspace.
-    read_yaml: Function_[[str], Value | None]
-    #: The pointed-to remapping of an absolute name.
-    remap: Function_[[str], str] = lambda name: name
-    #: The remappings of absolute names.
-    remaps: Mapping[str, str] = field(default_factory=dict)
-    #: What the nodelet of a look-up name makes, under a full name and in the namespace above, as part of the node; and
-    #: why that may not be all. None if the nodelet is not known. *loaded* are those asked for so far.
-    nodelet: Function_[
-        [str, str, str, Function_[[str], Value | None]], tuple[tuple[Made, ...], Mapping[str, Location]] | None
-    ] = lambda look_up, name, above, parameter: None
-    loaded: list[str] = field(default_factory=list)
-    #: The process that a nodelet is loaded into; the node itself otherwise.
-    process_name: str = ""
-    process_namespace: str = "/"
-    #: What a ROS 2 process is given; None in ROS 1.
-    process: Process | None = None
-    #: Whether to stop at the first name that the node gives itself (a value, and whether it is made anonymous).
-    renames: Function_[[Value, bool], bool] = lambda name, anonymous: False
-
-
-def either(
-    one: tuple[Condition, ...], other: tuple[Condition, ...], pairs: Mapping[Location, Location]
-) -> tuple[tuple[Condition, ...], bool]:
-    """The conditions of what is made on two ways, and whether they are all: what both ways have in common.
-
-    That is all where the other way has no more, or where one takes an ``if`` and the other its ``else``; *pairs* has
-    the place of each ``else``'s ``if``.
-    """
-    for number, (left, right) in enumerate(zip(one, other, strict=False)):
-        if left != right:
-            if left.statement == "else":
-                left, right = right, left
-            both = left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location
-            return one[:number], both and number == len(one) - 1 == len(other) - 1
-    return (other if len(other) < len(one) else one), True
 
 
 def _inside(value: Value, path: str) -> Value | None:
@@ -325,88 +154,6 @@ class Run:
     def extent(self) -> tuple[int, int, int, int]:
         """How much there is so far of what a function may make."""
         return len(self.made), len(self.roots), len(self.nodes), len(self.gaps)
-
-    def make(self, made: Made) -> None:
-        """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
-        if self.quiet:
-            return
-        key = (
-            made.kind,
-            made.name,
-            made.type,
-            made.location,
-            made.queue_size,
-            made.latched,
-            repr(made.value),
-            made.qos,
-            made.node and made.node.name,
-        )
-        known = self.made.get(key)
-        conditions, unknowns = made.conditions, made.unknowns
-        if self.doubts:
-            unknowns = (*unknowns, ("conditions", self.doubts[-1], made.location))
-        if known is not None:
-            conditions, is_all = either(known.conditions, conditions, self.pairs)
-            if not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
-                unknowns = (*unknowns, ("conditions", SEVERAL, made.location))
-            unknowns = tuple(dict.fromkeys((*known.unknowns, *unknowns)))
-        dead = self.dead if known is None else min(self.dead, known.dead)
-        if known is not None and known.is_strict and not made.is_strict:
-            made = replace(made, is_strict=True)
-        if dead != made.dead or conditions is not made.conditions or unknowns is not made.unknowns:
-            made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
-        self.made[key] = made
-
-    def kept(self) -> Kept:
-        """What the run has told so far, to go back to."""
-        counts = len(self.nodes), len(self.names), len(self.alternatives)
-        sets = frozenset(self.statics), frozenset(self.offered)
-        return Kept(dict(self.made), dict(self.gaps), counts, sets, (tuple(self.roots), dict(self.known_roots)))
-
-    def go_back(self, kept: Kept) -> None:
-        """Take back what was told since *kept* was."""
-        self.made.clear()
-        self.made.update(kept.made)
-        self.gaps.clear()
-        self.gaps.update(kept.gaps)
-        nodes, names, alternatives = kept.counts
-        del self.nodes[nodes:], self.names[names:], self.alternatives[alternatives:]
-        self.roots[:] = kept.roots[0]
-        self.known_roots = dict(kept.roots[1])
-        statics, offered = kept.sets
-        for key in self.statics.keys() - statics:
-            del self.statics[key]
-        self.offered &= offered
-
-    def forget_again(self, known: int) -> None:
-        """Of what was made after the first *known*, drop what stands where the same was made before."""
-        every = list(self.made.items())
-        before = {(made.kind, made.location) for _, made in every[:known]}
-        for key, made in every[known:]:
-            if (made.kind, made.location) in before:
-                del self.made[key]
-
-    def forget_dead(self, known: int) -> None:
-        """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes.
-
-        Where no turn takes all of the branches around a place, those count that take the most.
-        """
-        if len(self.made) > known:
-            since = list(self.made.items())[known:]
-            least: dict[tuple[str, Location], int] = {}
-            for _, made in since:
-                place = (made.kind, made.location)
-                least[place] = min(made.dead, least.get(place, made.dead))
-            for key, made in since:
-                if made.dead > least[made.kind, made.location]:
-                    del self.made[key]
-
-    def forget_unowned(self) -> None:
-        """Drop what is made on a node that is not known where the same call is seen to make it on one that is."""
-        owned = {(made.kind, made.location) for made in self.made.values() if made.node is not None}
-        for key, made in list(self.made.items()):
-            if made.node is None and made.name.startswith("/?") and (made.kind, made.location) in owned:
-                del self.made[key]
 
     @contextmanager
     def doubted(self, reason: str | None) -> Iterator[None]:

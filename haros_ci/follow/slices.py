@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.values.abstract import Cell, Choice, Known, Object, Sequence, Value, join
 
 #: What a part of a list is that has nothing as things are.

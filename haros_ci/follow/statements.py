@@ -8,11 +8,13 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import construct, expressions, lookup, loops, members
+from haros_ci.follow.conversions import truth
+from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop
 from haros_ci.follow.libraries import harmless
-from haros_ci.follow.run import BREAK, CONTINUE, NEXT, RETURN, THROW, Frame, Loop, Run
+from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Statement
-from haros_ci.values.abstract import Cell, Known, Library, Object, Sequence, Value
+from haros_ci.values.abstract import Cell, Known, Library, Value
 from haros_ci.values.state import Writes, joined
 
 #: What holds in the script that is started, and in no other module: no condition at all.
@@ -31,26 +33,6 @@ def execute(run: Run, frame: Frame, block: Block) -> str:
         return NEXT
     finally:
         frame.scopes.pop()
-
-
-def truth(value: Value) -> bool | None:
-    """Whether a condition holds, None if that is not known."""
-    if isinstance(value, Known):
-        return bool(value.value)
-    if isinstance(value, Object):
-        return None if _decides(value) else True
-    if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
-        return bool(value.content.value)
-    return None
-
-
-def _decides(value: Object) -> bool:
-    """Whether an object has a say in whether it is true."""
-    if value.definition is None:
-        return value.name.rpartition("::")[2] == "optional"
-    source, definition = value.definition
-    words = {f"{definition.name}{source.separator}{word}" for word in ("operator bool", "__bool__", "__len__")}
-    return any(function.name in words for function in source.program.functions)
 
 
 def _do(run: Run, frame: Frame, statement: syntax.Do) -> str:

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.types import SEQUENCES
 from haros_ci.syntax import Expression, Type
 from haros_ci.values import iterators

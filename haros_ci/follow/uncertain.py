@@ -7,8 +7,9 @@ import re
 from typing import Any
 
 from haros_ci import syntax
-from haros_ci.follow import conversions, copies, dispatch, expressions, havoc, members, statements
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow import conversions, copies, dispatch, expressions, havoc, members
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import (
     NONE,
@@ -40,7 +41,7 @@ def lost(run: Run, frame: Frame, target: Expression, value: Value) -> None:
     if isinstance(target, syntax.Cast):
         lost(run, frame, target.value, value)
     elif isinstance(target, syntax.Conditional):
-        holds = statements.truth(expressions.evaluate(run, frame, target.test))
+        holds = conversions.truth(expressions.evaluate(run, frame, target.test))
         sides = (target.then, target.other)
         for side in sides if holds is None else (sides[0 if holds else 1],):
             cell = expressions.cell_of(run, frame, side)

@@ -115,6 +115,20 @@ def members_of(index: Index, kinds: frozenset[str]) -> frozenset[str]:
     )
 
 
+def shared(index: Index) -> frozenset[str]:
+    """The last parts of the names of all global variables, module variables and static members."""
+    return frozenset(
+        [last(name) for name, found in index.variables.items() if any("c" not in v.type.marks for _, v in found)]
+        + [
+            f.name
+            for found in index.classes.values()
+            for _, c in found
+            for f in c.fields
+            if f.is_static and "c" not in f.type.marks
+        ]
+    )
+
+
 def holding(index: Index) -> frozenset[str]:
     """The names of members that hold a function.
 

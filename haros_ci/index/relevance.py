@@ -7,14 +7,13 @@ from collections.abc import Callable, Iterable
 from copy import copy
 from typing import Any
 
-from haros_ci.index import behavior_tree_files
+from haros_ci.index.api_names import api_names, spellings
 from haros_ci.index.index import Index, Source
 from haros_ci.index.mentions import (
     CALL,
     CALLED,
     COLLECTING,
     CONTAINERS,
-    COUNTED,
     EDITING,
     ELEMENT,
     LOADERS,
@@ -26,23 +25,19 @@ from haros_ci.index.mentions import (
     last,
     may_be_called,
     members_of,
+    shared,
     targets,
     type_names,
 )
-from haros_ci.model.api import Entry, Row
-from haros_ci.model.architecture import KINDS
+from haros_ci.model.api import Row
 from haros_ci.syntax import Block, Class, Function, Parameter, Statement
 from haros_ci.syntax.walk import Part, without
 
 #: Stands for the call of a parameter: whether what it holds may make something is seen where an argument is given.
 GIVEN = "(given)"
-#: Words for methods of all sorts of classes.
-EVERYDAY = frozenset("start add call create configure init del search".split())
 
 #: Stands for the view for which loading plug-ins matters.
 _LOADING = frozenset((0,))
-#: Functions of classes that have the names of others in namespaces.
-MAKERS = frozenset(("make_shared", "make_unique"))
 
 
 #: Names that matter and names that do not, and the same where loading plug-ins is what matters.
@@ -54,15 +49,8 @@ class Relevance:
 
     def __init__(self, index: Index, rows: Iterable[Row]) -> None:
         rows = tuple(rows)
-        self._api = frozenset(name for row in rows if _makes(row) for name in _spellings(row)) | {CALLED}
-        if any("<nodelet/loader.h>" in source.program.includes for source in index.sources.values()):
-            self._api |= {".load"}
-        if behavior_tree_files.users(index):
-            self._api |= behavior_tree_files.CALLS
-        opened = {space for source in index.sources.values() for _, space in source.program.scopes}
-        for space, _, name in (row.call.rpartition("::") for row in rows if _makes(row)):
-            self._api |= {name} if space in opened else set()
-        self._registering = frozenset(name for row in rows if row.calls for name in _spellings(row)) - self._api
+        self._api = api_names(index, rows) | {CALLED}
+        self._registering = frozenset(name for row in rows if row.calls for name in spellings(row)) - self._api
         self._index = index
         self._by_name: dict[str, list[tuple[Source, Function | Class]]] = {}
         for table in (index.functions, index.classes):
@@ -83,17 +71,7 @@ class Relevance:
         self.made: frozenset[int] = frozenset()
         self._rest: dict[int, tuple[Block | None, Block | None]] = {}
         self._views: dict[frozenset[int], Relevance] = {}
-        #: The last parts of the names of all global variables, module variables and static members.
-        self.shared = frozenset(
-            [last(name) for name, found in index.variables.items() if any("c" not in v.type.marks for _, v in found)]
-            + [
-                f.name
-                for found in index.classes.values()
-                for _, c in found
-                for f in c.fields
-                if f.is_static and "c" not in f.type.marks
-            ]
-        )
+        self.shared = shared(index)
         self._targets: dict[int, tuple[Part, frozenset[str]]] = {}
         #: The names of members that hold, or may hold, a function; and how calls of them look.
         self.holding = holding(index)
@@ -361,32 +339,3 @@ class Relevance:
         body = self._without_made(item.body)
         names = self.names(body, source, item) if body is not None else frozenset[str]()
         return names | self.names(item.inits, source) if item.inits else names
-
-
-def _spellings(row: Row) -> Iterable[str]:
-    """How a call of the row's function looks: a class by its name, a method after a dot, a function with its namespace.
-
-    Words that any class may have as a method are left out: what they make is callbacks at most.
-    """
-    name = row.call
-    parts = name.replace(".", "::").split("::")
-    last = parts[-1]
-    if last in COUNTED:
-        return tuple(f"{last}/{count}" for count in row.args)
-    if last[:1].isupper() or len(parts) == 1:
-        return (last, f".{last}")
-    if parts[-2][:1].isupper() and last in MAKERS:
-        return ("::".join(parts[-2:]),)
-    if parts[-2][:1].isupper():
-        return () if last in CONTAINERS or last in EVERYDAY else (last, f".{last}")
-    # A function of a namespace or module: Python's are called on the module.
-    return ("::".join(parts[-2:]), f".{last}") if "." in name else ("::".join(parts[-2:]),)
-
-
-def _makes(row: Row) -> bool:
-    return bool(row.entry or row.unseen) or any(entry.kind in KINDS or _is_node(entry) for entry in row.makes)
-
-
-def _is_node(entry: Entry) -> bool:
-    """Whether an object becomes a node of a ROS 2 process."""
-    return entry.kind == "node" and "anonymous" not in entry.values

@@ -15,7 +15,7 @@ from hashlib import sha256
 from struct import error, pack, unpack
 from typing import Any
 
-from haros_ci.follow.run import Made
+from haros_ci.follow.made import Made
 from haros_ci.follow.twins import Twin
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.keeping.consulted import Consulted

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields
 from typing import Any
 
-from haros_ci.follow.run import Made
+from haros_ci.follow.made import Made
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import RosNode, Rule
 from haros_ci.model.architecture import KINDS, Condition, Qos

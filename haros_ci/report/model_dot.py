@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.model.architecture import Architecture, Configuration
+from haros_ci.report.channels import Channel, channels, is_known, nodes_of
 from haros_ci.report.escape import terminal
-from haros_ci.report.model_json import Channel, channels, is_known, nodes_of
 
 SHAPES = {"topics": "ellipse", "services": "diamond", "actions": "hexagon"}
 #: Kinds of ends whose edge points from the node to what it connects to; the others' points to the node.

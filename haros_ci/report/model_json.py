@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields, replace
-from itertools import groupby
+from dataclasses import fields, replace
 from math import isfinite
 from pathlib import PurePosixPath
-from typing import Any, TypeGuard
+from typing import Any
 
 from haros_ci.model.architecture import (
     KINDS,
@@ -28,48 +27,23 @@ from haros_ci.model.architecture import (
 )
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.report.channels import (
+    CHANNELS,
+    UNKNOWN,
+    Channel,
+    channels,
+    endpoints_of,
+    nodes_of,
+    parameters_of,
+    place_key,
+)
 from haros_ci.report.escape import terminal
 
 SCHEMA_VERSION = 1
-UNKNOWN = "?"
-#: What endpoints connect: its kinds of ends, those that offer first, each with the key it is listed under.
-CHANNELS = {
-    "topics": (("publishers", "publishers"), ("subscribers", "subscribers")),
-    "services": (("servers", "servers"), ("clients", "clients")),
-    "actions": (("action_servers", "servers"), ("action_clients", "clients")),
-}
-_WHAT = {kind: what for what, kinds in CHANNELS.items() for kind, _ in kinds}
 _SCALARS = (bool, float, int, str, type(None))
 _BROKEN_LEVELS = 6  # containers this deep stand on one line: an endpoint, a location
 _DEEPEST = 50
 _LARGEST = 10**300
-
-
-@dataclass(frozen=True, slots=True)
-class Channel:
-    """A topic, service or action of one configuration with its ends; *what* is a key of ``CHANNELS``."""
-
-    what: str
-    name: str
-    ends: tuple[tuple[Node, Endpoint], ...]
-
-    @property
-    def types(self) -> tuple[str, ...]:
-        """The known types of the ends, sorted; more than one is a mismatch."""
-        return tuple(sorted({end.type for _, end in self.ends if is_known(end.type)}))
-
-    @property
-    def conditional(self) -> bool:
-        """Whether every end is conditional, by itself or with its node (as in HAROS)."""
-        return all(node.conditions or end.conditions for node, end in self.ends)
-
-    @property
-    def implicit(self) -> bool:
-        return all(end.implicit for _, end in self.ends)
-
-    def nodes(self, kind: str) -> tuple[str, ...]:
-        """The names of the nodes with an end of *kind*, sorted."""
-        return tuple(sorted({node.name for node, end in self.ends if end.kind == kind}))
 
 
 def render(architecture: Architecture) -> str:
@@ -107,44 +81,6 @@ def laid_out(document: Mapping[str, Any]) -> str:
 def no_command(text: str) -> str:
     """JSON *text* that says the same and is no command to a GitHub runner."""
     return text.replace("##[", r"##\u005b")
-
-
-def channels(configuration: Configuration) -> tuple[Channel, ...]:
-    """What the endpoints of *configuration* connect, topics first, by name; two unknown names are never one channel."""
-    found = []
-    every: dict[str, list[tuple[Node, Endpoint]]] = {what: [] for what in CHANNELS}
-    for node in nodes_of(configuration):
-        for end in endpoints_of(node):
-            if end.kind in _WHAT:
-                every[_WHAT[end.kind]].append((node, end))
-    for what, ends in every.items():
-        ends.sort(key=lambda pair: pair[1].name)
-        for name, group in groupby(ends, key=lambda pair: pair[1].name):
-            together = tuple(group)
-            apart = [(end,) for end in together] if UNKNOWN in name else [together]
-            found += [Channel(what, name, ends_of_one) for ends_of_one in apart]
-    return tuple(found)
-
-
-def nodes_of(configuration: Configuration) -> tuple[Node, ...]:
-    """The nodes by name and place."""
-    return tuple(sorted(configuration.nodes, key=lambda node: (node.name, _place_key(node.location))))
-
-
-def endpoints_of(node: Node) -> tuple[Endpoint, ...]:
-    """The endpoints by kind, name and place; of an unknown kind are none."""
-    known = (end for end in node.endpoints if end.kind in KINDS)
-    return tuple(sorted(known, key=lambda end: (KINDS.index(end.kind), end.name, _place_key(end.location))))
-
-
-def parameters_of(configuration: Configuration) -> tuple[Parameter, ...]:
-    """The parameters set from outside by name and place."""
-    return tuple(sorted(configuration.parameters, key=lambda p: (p.name, _place_key(p.location), _place_key(p.origin))))
-
-
-def is_known(value: str | None) -> TypeGuard[str]:
-    """Whether a name or type is known in full."""
-    return value is not None and UNKNOWN not in value
 
 
 def plain(value: object, depth: int = 0) -> Any:
@@ -337,7 +273,7 @@ def _conditions(conditions: Iterable[Condition], place: Places) -> list[dict[str
 
 
 def _unknowns(unknowns: Iterable[Unknown], place: Places) -> list[dict[str, Any]]:
-    each = sorted(set(unknowns), key=lambda item: (item.field, _place_key(item.location), item.reason))
+    each = sorted(set(unknowns), key=lambda item: (item.field, place_key(item.location), item.reason))
     return [
         {"field": item.field, "reason": terminal(item.reason), "location": place.location(item.location)}
         for item in each
@@ -354,10 +290,6 @@ def _package(package: Package) -> dict[str, Any]:
         "ros": package.ros,
         "is_metapackage": package.is_metapackage,
     }
-
-
-def _place_key(location: Location | None) -> tuple[str, int, int, int, int]:
-    return location.sort_key if location else ("", 0, 0, 0, 0)
 
 
 _ENCODE = json.JSONEncoder(ensure_ascii=True, allow_nan=False).encode

@@ -10,9 +10,9 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.model.architecture import Architecture, Configuration
+from haros_ci.report.channels import channels, is_known, nodes_of
 from haros_ci.report.escape import markdown, terminal
 from haros_ci.report.model_dot import OUTGOING
-from haros_ci.report.model_json import channels, is_known, nodes_of
 from haros_ci.report.summary import plural
 
 #: What Mermaid draws at most by default (mermaid.js.org, maxTextSize and maxEdges).

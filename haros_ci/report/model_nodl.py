@@ -11,9 +11,9 @@ import re
 from collections.abc import Iterable, Iterator
 
 from haros_ci.model.architecture import Architecture, Endpoint, Unknown
+from haros_ci.report.channels import is_known
 from haros_ci.report.escape import REPLACEMENT, terminal
 from haros_ci.report.message import shorten
-from haros_ci.report.model_json import is_known
 from haros_ci.report.node_interface import Entry, Interface, interfaces
 
 #: Per kind of end its element, its role, and the middle part of its type. Elements stand in the order of the schema.

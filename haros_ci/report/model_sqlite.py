@@ -12,7 +12,8 @@ from typing import Any
 
 from haros_ci.model.architecture import Architecture, Condition, Configuration, Node, Unknown
 from haros_ci.model.location import Location
-from haros_ci.report.model_json import Places, endpoints_of, nodes_of, parameters_of, plain
+from haros_ci.report.channels import endpoints_of, nodes_of, parameters_of
+from haros_ci.report.model_json import Places, plain
 from haros_ci.scratch import scratch_directory
 
 #: The tables. A *value* or *effective* is JSON text, null if there is none or it is unknown; booleans are 0 and 1. A

@@ -9,9 +9,9 @@ from dataclasses import astuple, dataclass
 
 from haros_ci.model.architecture import KINDS, Architecture, Configuration, Endpoint, Node
 from haros_ci.model.location import Location
+from haros_ci.report.channels import CHANNELS, channels, endpoints_of, is_known, nodes_of
 from haros_ci.report.escape import terminal
 from haros_ci.report.message import shorten
-from haros_ci.report.model_json import CHANNELS, channels, endpoints_of, is_known, nodes_of
 from haros_ci.report.summary import plural
 
 MAX_REASONS = 10

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from haros_ci.model.architecture import KINDS, LIBRARY, Architecture, Endpoint, Node
 from haros_ci.model.location import Location
-from haros_ci.report.model_json import is_known
+from haros_ci.report.channels import is_known
 
 #: The kinds of ends that are part of an interface; a ROS 1 node's getters stand for its parameters.
 INTERFACE = ("publishers", "subscribers", "servers", "clients", "action_servers", "action_clients", "parameters")

@@ -14,7 +14,8 @@ from functools import cache
 
 from haros_ci.model.architecture import LIBRARY, Architecture, Endpoint, Node
 from haros_ci.model.location import Location
-from haros_ci.report.model_json import Places, is_known
+from haros_ci.report.channels import is_known
+from haros_ci.report.model_json import Places
 from haros_ci.report.node_interface import Entry, Interface, own_name
 from haros_ci.report.readme_names import fits, is_group, may_be, same_tail, spelt
 from haros_ci.report.readme_tables import Row

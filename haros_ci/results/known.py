@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
+from haros_ci.model.workspace import Workspace
 from haros_ci.results.counted import is_set_aside
 from haros_ci.results.fingerprint import message_template, names_digest, roles_digest, sorted_names
 from haros_ci.results.result import BaselineState, Identity, Result, Run
@@ -159,3 +160,36 @@ def rule_aliases(runs: Iterable[Run]) -> dict[str, str]:
         for rule in run.rules
         for old in rule.deprecated_ids
     }
+
+
+def sides(
+    workspace: Workspace,
+    runs: tuple[Run, ...],
+    paths: tuple[str, ...],
+    base: Workspace | None = None,
+    renames: Mapping[str, str] | None = None,
+    past: tuple[Run, ...] | None = None,
+) -> Sides:
+    """The files on the two sides of a comparison, as the matcher asks for them.
+
+    *paths* are the arguments of the run: of a file outside them it cannot be said that it is gone, nor of a
+    finding of the architecture in them, as what it is about may lie outside. *past* are the runs
+    of the past, for the names that were.
+    """
+    language = {file.path: file.language for side in (base, workspace) if side for file in side.files}
+    present = {file.path for file in workspace.files}
+    analysed = {run.tool.name: run.analysed for run in runs}
+    above = tuple(f"{path}/" for path in paths if path != ".")
+    return Sides(
+        head=workspace.text,
+        language=lambda path: language.get(path, ""),
+        exists=lambda path: path in present or ("." not in paths and not path.startswith(above)),
+        analysed=lambda tool, path: path in analysed.get(tool, ()),
+        base=base.text if base else None,
+        renames=renames or {},
+        aliases=rule_aliases(runs),
+        partial=workspace.targets is not None,
+        architecture="." in paths and any(run.architecture for run in runs),
+        head_names=names_in(runs),
+        base_names=None if past is None else names_in(past),
+    )

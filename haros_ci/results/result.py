@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 from haros_ci.model.changes import Changes
@@ -270,3 +271,17 @@ class Report:
 def is_open(result: Result) -> bool:
     """Whether a result counts as new: unsuppressed, and without a baseline or new against it."""
     return not result.suppressions and result.state in (None, BaselineState.NEW)
+
+
+def results_of(runs: Iterable[Run]) -> tuple[Result, ...]:
+    return tuple(result for run in runs for result in run.results)
+
+
+def distribute(runs: Iterable[Run], results: Iterable[Result]) -> tuple[Run, ...]:
+    """The same runs with *results* in place of their own, each under its tool, in output order."""
+    by_tool: dict[str, list[Result]] = {}
+    for result in results:
+        by_tool.setdefault(result.tool, []).append(result)
+    return tuple(
+        replace(run, results=tuple(sorted(by_tool.get(run.tool.name, ()), key=lambda r: r.sort_key))) for run in runs
+    )

@@ -13,7 +13,7 @@ from haros_ci.keeping import consulted, kept
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.api import Row
 from haros_ci.syntax import Program
-from haros_ci.systems.system import Types
+from haros_ci.systems.following import Types
 
 #: Parameter libraries, whose facts are not kept.
 YAML = (".yaml", ".yml")

@@ -13,7 +13,8 @@ from haros_ci.model.architecture import Node
 from haros_ci.model.build import Build
 from haros_ci.model.launch_facts import ConstructUse, FileUse, LaunchFact, NodePattern, PackageUse, ProgramUse
 from haros_ci.model.workspace import Workspace
-from haros_ci.systems.system import Job, Types
+from haros_ci.systems.following import Types
+from haros_ci.systems.system import Job
 
 
 @dataclass(slots=True)

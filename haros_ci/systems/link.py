@@ -9,9 +9,9 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
+from haros_ci.follow.context import Exact
 from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.ros import behavior_trees
-from haros_ci.follow.run import Exact
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.index import Source
@@ -41,11 +41,12 @@ from haros_ci.systems import (
     ros2_system,
     system,
 )
+from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.launch_facts import Completion
 from haros_ci.systems.node_types import path_name, types_of
 from haros_ci.systems.ros2_library import Library, Seen
-from haros_ci.systems.system import Job, KnownNodes, Types
+from haros_ci.systems.system import Job
 from haros_ci.timing import timed
 
 #: A node with its endpoints, and what went wrong.

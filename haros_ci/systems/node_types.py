@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
+from haros_ci.follow.context import Exact
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.ros import api_rows
-from haros_ci.follow.run import Exact
 from haros_ci.graph.parameters import yaml_reader
 from haros_ci.index import behavior_tree_files
 from haros_ci.index.behavior_tree_files import TreeFiles
-from haros_ci.index.index import BEHAVIOR_TREE_NODE, Source, build_index
+from haros_ci.index.build import build_index
+from haros_ci.index.index import BEHAVIOR_TREE_NODE, Source
 from haros_ci.index.relevance import Relevance
 from haros_ci.index.xml_files import Reader
 from haros_ci.model.api import Row
@@ -21,7 +22,7 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
 from haros_ci.systems import ros2_entries
 from haros_ci.systems.entries import Programs, executables, nodelets, plugin_files, plugins, plugins_of_base
-from haros_ci.systems.system import KnownNodes, Types
+from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.timing import timed
 
 

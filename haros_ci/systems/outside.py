@@ -23,7 +23,7 @@ from haros_ci.values.abstract import Known, Value, data_of, opaque_of
 if TYPE_CHECKING:
     from haros_ci.graph.ros2_process import Parameters, Rule
     from haros_ci.model.launch import LaunchedNode
-    from haros_ci.systems.system import Types
+    from haros_ci.systems.following import Types
 
 #: Why the name of a ROS 2 node is not known.
 UNNAMED = "the program names itself, and its code is not in the workspace"

@@ -16,7 +16,8 @@ from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence, together
 from haros_ci.systems import ros2_system, system
 from haros_ci.systems.controllers import with_controllers
-from haros_ci.systems.system import Job, Types
+from haros_ci.systems.following import Types
+from haros_ci.systems.system import Job
 
 
 def launched(types: Types, found: Launched) -> Iterator[Job]:

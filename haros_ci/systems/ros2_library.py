@@ -16,8 +16,9 @@ from haros_ci import syntax
 from haros_ci.follow import activation, callbacks, construct, methods
 from haros_ci.follow.call_arguments import Argument
 from haros_ci.follow.follow import Entry
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
@@ -26,8 +27,9 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems import ros2_system
+from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_system import Started
-from haros_ci.systems.system import PROGRAM, Job, Types
+from haros_ci.systems.system import PROGRAM, Job
 from haros_ci.values.abstract import Callable, Object
 
 #: Why the name of the node is not known.

@@ -15,8 +15,8 @@ from haros_ci.index.relevance import Relevance
 from haros_ci.index.types import pointee, resolve_type
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems.entries import files_of
+from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_library import Library, Seen
-from haros_ci.systems.system import Types
 
 #: What is a node in rclcpp, and how the names of what stands for a part of one begin.
 NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from haros_ci import syntax
 from haros_ci.index.index import Source
 from haros_ci.syntax import Class, Type
+from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_library import Library, Seen
 from haros_ci.systems.ros2_library_classes import ASIDE, DEEPEST
-from haros_ci.systems.system import Types
 
 #: What is a node in rclpy.
 NODES = frozenset(

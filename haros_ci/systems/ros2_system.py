@@ -6,11 +6,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from haros_ci.follow.context import Context
 from haros_ci.follow.follow import Entry
+from haros_ci.follow.made import Made
 from haros_ci.follow.ros import behavior_trees
 from haros_ci.follow.ros.ends import endpoints
 from haros_ci.follow.ros.ros2_nodes import ALONE, SIM_TIME, UNDECLARED
-from haros_ci.follow.run import Context, Made
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.remap_rules import of_ros2_node, ros2_rules
@@ -23,8 +24,9 @@ from haros_ci.model.location import Location
 from haros_ci.model.presence import together
 from haros_ci.model.workspace import Problem
 from haros_ci.systems import outside
+from haros_ci.systems.following import Types, files_key, followed_in, incomplete, same
 from haros_ci.systems.ros2_implicit import implicit
-from haros_ci.systems.system import PROGRAM, Job, Types, files_key, followed_in, incomplete, same
+from haros_ci.systems.system import PROGRAM, Job
 from haros_ci.values.abstract import Known, Opaque, Value
 
 NOTHING = ParameterServer(())

@@ -3,32 +3,26 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 from zlib import crc32
 
 from haros_ci.errors import UserError
 from haros_ci.timing import timed
+from haros_ci.workspace.cache_shard import Shard
 from haros_ci.workspace.files import TooLarge, read_regular
 
 T = TypeVar("T")
-FORMAT = 1
 SHARDS = 16
 CAP_BYTES = 200_000_000
 MAX_SHARD = 96_000_000  # bytes; a larger one was not written here
 
 _FILL = 0.8  # after trimming, so that not every further run trims
-_FRAME = 100  # bytes of a shard around its entries
 _NEW = ".new-"
-_HEAD = re.compile(rf'\{{"format":{FORMAT},"run":([0-9]{{1,15}}),"entries":\{{\n')
-_TAIL = "\n}}\n"
-_KEY = re.compile(r'("(?:[^"\\]|\\.)*"):\[')
-_LAST_RUN = re.compile(r"\[([0-9]{1,15}),")
 _SHARD = re.compile(r"[a-z0-9_.-]*-[0-9a-f]\.json")
 _OURS = re.compile(rf"{_SHARD.pattern}|{re.escape(_NEW)}\w+")
 
@@ -86,7 +80,7 @@ class DiskCache:
         self.stats = Stats()
         self._directory = directory
         self._cap = cap_bytes
-        self._shards: dict[tuple[str, int], _Shard] = {}
+        self._shards: dict[tuple[str, int], Shard] = {}
 
     @timed("cache")
     def get(self, group: str, path: str, key: str) -> object | None:
@@ -146,7 +140,7 @@ class DiskCache:
             self.stats.hits += 1
         return value
 
-    def _shard(self, group: str, path: str) -> _Shard:
+    def _shard(self, group: str, path: str) -> Shard:
         """By path, so that a changed file rewrites one shard, where its old entries are the first to be dropped."""
         place = (group, crc32(path.encode("utf-8", "surrogatepass")) % SHARDS)
         shard = self._shards.get(place)
@@ -154,13 +148,13 @@ class DiskCache:
             shard = self._shards[place] = self._load(_file_name(*place))
         return shard
 
-    def _load(self, name: str) -> _Shard:
+    def _load(self, name: str) -> Shard:
         try:
-            return _Shard(read_regular(self._directory / name, MAX_SHARD) or b"")
+            return Shard(read_regular(self._directory / name, MAX_SHARD) or b"")
         except (OSError, TooLarge):
-            return _Shard(b"")
+            return Shard(b"")
 
-    def _write(self, name: str, shard: _Shard, limit: int) -> None:
+    def _write(self, name: str, shard: Shard, limit: int) -> None:
         """Replace a file as a whole: never torn, and a symbolic link in its place is replaced, not followed."""
         import tempfile
 
@@ -188,82 +182,6 @@ class DiskCache:
             return sorted(name for name in os.listdir(self._directory) if pattern.fullmatch(name))
         except FileNotFoundError:
             return []
-
-
-class _Shard:
-    """One file: ``{"format": 1, "run": N, "entries": {"KEY PATH": [N, VALUE]}}``, N counting the runs that wrote it.
-
-    Each entry has a line of its own, and is text until it is asked for: a cache of many workspaces costs each of them
-    what it uses.
-    """
-
-    def __init__(self, data: bytes) -> None:
-        self.is_changed = False
-        self._run, self._entries = _parse(data)
-        self._used: set[str] = set()
-
-    def get(self, entry: str) -> object | None:
-        found = self._entries.get(entry)
-        if isinstance(found, str):
-            found = self._entries[entry] = _loaded(found)
-        if not isinstance(found, list) or len(found) != 2:
-            return None
-        self._used.add(entry)
-        value: object = found[1]
-        return value
-
-    def put(self, entry: str, value: object) -> None:
-        self._entries[entry] = [0, value]
-        self._used.add(entry)
-        self.is_changed = True
-
-    def get_text(self, entry: str) -> str | None:
-        """The value's text; whether it is JSON is for its reader to find out."""
-        found = self._entries.get(entry)
-        if isinstance(found, str):
-            head = _LAST_RUN.match(found)
-            if head is None or found[-1] != "]":
-                return None
-            self._used.add(entry)
-            return found[head.end() : -1]
-        value = self.get(entry)
-        try:
-            return None if value is None else json.dumps(value, allow_nan=False)
-        except (ValueError, RecursionError):
-            return None
-
-    def put_text(self, entry: str, text: str) -> None:
-        self._entries[entry] = f"[0,{text}]"
-        self._used.add(entry)
-        self.is_changed = True
-
-    def document(self, limit: int) -> str:
-        """The file's text, of at most *limit* bytes: the entries that were not used for the longest are left out."""
-        rows = []
-        for entry, found in self._entries.items():
-            if isinstance(found, str):
-                written = _LAST_RUN.match(found)
-                if written is not None:
-                    last = self._run + 1 if entry in self._used else int(written[1])
-                    rows.append((last, entry, f"{json.dumps(entry)}:[{last},{found[written.end() :]}"))
-            elif isinstance(found, list) and len(found) == 2 and isinstance(found[0], int):
-                last = self._run + 1 if entry in self._used else found[0]
-                try:
-                    value = json.dumps(found[1], separators=(",", ":"), allow_nan=False)
-                except (ValueError, RecursionError):  # 1e999 can be read, and is not JSON
-                    continue
-                rows.append((last, entry, f"{json.dumps(entry)}:[{last},{value}]"))
-        rows.sort(key=lambda row: (-row[0], row[1]))
-        room = limit - _FRAME
-        kept = []
-        for _, entry, text in rows:
-            room -= len(text) + 2
-            if room < 0:
-                break
-            kept.append((entry, text))
-        self.is_changed = False
-        body = ",\n".join(text for _, text in sorted(kept))
-        return f'{{"format":{FORMAT},"run":{self._run + 1},"entries":{{\n{body}\n}}}}\n'
 
 
 def cache_directory(choice: Path | None, environment: Mapping[str, str], root: Path, *, explicit: bool) -> Path:
@@ -304,49 +222,5 @@ def _default(environment: Mapping[str, str]) -> Path:
     return Path(home, ".cache", "haros-ci")
 
 
-def _parse(data: bytes) -> tuple[int, dict[str, Any]]:
-    """Run count and entries of a shard, (0, {}) if it is not one; the entries are text where each has its line."""
-    by_line = _lines(data)
-    if by_line is not None:
-        return by_line
-    document = _loaded(data) if data else None
-    if not isinstance(document, dict) or document.get("format") != FORMAT:
-        return 0, {}
-    run, entries = document.get("run"), document.get("entries")
-    if not isinstance(run, int) or not 0 <= run < 1 << 53 or not isinstance(entries, dict):
-        return 0, {}
-    return run, entries
-
-
-def _lines(data: bytes) -> tuple[int, dict[str, Any]] | None:
-    """Run count and entries of a shard as ``document`` lays it out, None for any other."""
-    if not data.isascii():  # the lines are written again as they are
-        return None
-    text = data.decode("ascii")
-    head = _HEAD.match(text)
-    if head is None or not text.endswith(_TAIL, head.end()):
-        return None
-    entries = {}
-    for line in filter(None, text[head.end() : -len(_TAIL)].split(",\n")):
-        key = _KEY.match(line)
-        entry = _loaded(key[1]) if key is not None and line[-1] == "]" else None
-        if key is None or not isinstance(entry, str):
-            return None
-        entries[entry] = line[key.end() - 1 :]
-    return int(head[1]), entries
-
-
-def _loaded(text: str | bytes) -> Any:
-    """What JSON text stands for, None if it is none."""
-    try:
-        return json.loads(text, parse_constant=_refuse)
-    except (ValueError, RecursionError):
-        return None
-
-
 def _file_name(group: str, number: int) -> str:
     return f"{re.sub('[^a-z0-9_.-]', '_', group.lower()).lstrip('.')}-{number:x}.json"
-
-
-def _refuse(constant: str) -> None:
-    raise ValueError(f"{constant} is not JSON")

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
@@ -12,7 +12,7 @@ from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_commands import COMMANDS, SUMMARIES, UNREMARKABLE, note_unknown
 from haros_ci.workspace.cmake_conditions import decide
-from haros_ci.workspace.cmake_loops import foreach_rows
+from haros_ci.workspace.cmake_loops import foreach_turns, while_turns
 from haros_ci.workspace.cmake_parse import Command
 from haros_ci.workspace.cmake_start import start_values
 from haros_ci.workspace.cmake_state import MAX_CALLS, Doubt, Exhausted, State, condition_text
@@ -33,7 +33,6 @@ from haros_ci.workspace.tree import Tree
 #: How a block ends: at its end, by break(), continue(), return(), or dead by an error it reports.
 END, BREAK, CONTINUE, RETURN, DEAD = "", "break", "continue", "return", "dead"
 
-MAX_WHILE = 1_000
 #: Blocks and calls within each other.
 MAX_DEPTH = 150
 #: What is made where one of these holds belongs to tests.
@@ -190,7 +189,7 @@ def _loop(state: State, command: Command, macro: dict[str, str] | None) -> str:
     doubts = len(state.doubts)
     signal = END
     body = command.branches[0][1]
-    for is_certain_turn in (_turns if command.name == "foreach" else _while)(state, command, macro):
+    for is_certain_turn in (foreach_turns if command.name == "foreach" else while_turns)(state, command, macro):
         state.spend()
         state.doubts[doubts:] = [doubt for doubt in state.doubts[doubts:] if doubt.leaving != CONTINUE]
         signal = run_block(state, body, macro) if is_certain_turn else _fork(state, command, [body, []], macro)
@@ -198,38 +197,6 @@ def _loop(state: State, command: Command, macro: dict[str, str] | None) -> str:
             break
     state.doubts[doubts:] = [doubt for doubt in state.doubts[doubts:] if doubt.leaving == RETURN]
     return signal if signal in (RETURN, DEAD) else END
-
-
-def _while(state: State, command: Command, macro: dict[str, str] | None) -> Iterator[bool]:
-    """Whether the condition is known to hold, for each turn that may be."""
-    for _ in range(MAX_WHILE):
-        call = state.expand(command, command.arguments, macro)
-        verdict = decide(state, list(zip(call.words, call.quoted, strict=True)))
-        if verdict is not False:
-            yield bool(verdict)
-        if not verdict:
-            return
-    raise Exhausted
-
-
-def _turns(state: State, command: Command, macro: dict[str, str] | None) -> Iterator[bool]:
-    """Set the loop variables for each turn, by every form of foreach()."""
-    words = state.expand(command, command.arguments, macro).words
-    if not words:
-        return
-    names, rows = foreach_rows(state, words)
-    saved = [state.get(name) for name in names]
-    for row in rows:
-        mark = len(state.doubts)
-        if not all(is_certain(value) for value in row):
-            state.doubts.append(Doubt(state.file, command.line, condition_text(command)))
-        for name, value in zip(names, row, strict=True):
-            state.put(name, bare(value))
-        yield True
-        if not all(is_certain(value) for value in row):
-            del state.doubts[mark : mark + 1]
-    for name, old in zip(names, saved, strict=True):
-        state.put(name, old)
 
 
 def _define(state: State, command: Command, macro: dict[str, str] | None) -> str:

@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What foreach() goes through, in every form of it."""
+"""The turns of loops: what foreach() goes through, in every form of it, and how often while() does."""
 
 from __future__ import annotations
 
-from haros_ci.workspace.cmake_state import State
-from haros_ci.workspace.cmake_words import split_list
+from collections.abc import Iterator
+
+from haros_ci.workspace.cmake_conditions import decide
+from haros_ci.workspace.cmake_parse import Command
+from haros_ci.workspace.cmake_state import Doubt, Exhausted, State, condition_text
+from haros_ci.workspace.cmake_words import bare, is_certain, split_list
 
 MAX_TURNS = 5_000
+MAX_WHILE = 1_000
 
 
 def foreach_rows(state: State, words: list[str]) -> tuple[list[str], list[tuple[str, ...]]]:
@@ -58,3 +63,35 @@ def _range(words: list[str]) -> range:
     first, last = numbers[:2]
     step = max(abs(numbers[2]), 1) if len(numbers) == 3 else 1
     return (range(first, last + 1, step) if first <= last else range(first, last - 1, -step))[:MAX_TURNS]
+
+
+def while_turns(state: State, command: Command, macro: dict[str, str] | None) -> Iterator[bool]:
+    """Whether the condition is known to hold, for each turn that may be."""
+    for _ in range(MAX_WHILE):
+        call = state.expand(command, command.arguments, macro)
+        verdict = decide(state, list(zip(call.words, call.quoted, strict=True)))
+        if verdict is not False:
+            yield bool(verdict)
+        if not verdict:
+            return
+    raise Exhausted
+
+
+def foreach_turns(state: State, command: Command, macro: dict[str, str] | None) -> Iterator[bool]:
+    """Set the loop variables for each turn, by every form of foreach()."""
+    words = state.expand(command, command.arguments, macro).words
+    if not words:
+        return
+    names, rows = foreach_rows(state, words)
+    saved = [state.get(name) for name in names]
+    for row in rows:
+        mark = len(state.doubts)
+        if not all(is_certain(value) for value in row):
+            state.doubts.append(Doubt(state.file, command.line, condition_text(command)))
+        for name, value in zip(names, row, strict=True):
+            state.put(name, bare(value))
+        yield True
+        if not all(is_certain(value) for value in row):
+            del state.doubts[mark : mark + 1]
+    for name, old in zip(names, saved, strict=True):
+        state.put(name, old)

@@ -15,7 +15,6 @@ from pathlib import Path
 from threading import Timer
 from typing import Any
 
-from haros_ci.results.result import Provenance
 from haros_ci.workspace.files import TooLarge, read_regular
 
 TIMEOUT = 120.0  # seconds
@@ -62,7 +61,7 @@ class Repository:
     def git_directory(self) -> Path:
         """Where HEAD and the index are."""
         entry = self.top / ".git"
-        pointer = _control_text(entry)
+        pointer = control_text(entry)
         if not pointer.startswith("gitdir:"):
             return entry
         return self.top / pointer.removeprefix("gitdir:").strip()
@@ -71,7 +70,7 @@ class Repository:
     def common_directory(self) -> Path:
         """Where objects, branches and configuration are; differs from ``git_directory`` in linked work trees."""
         directory = self.git_directory
-        return directory / (_control_text(directory / "commondir").strip() or ".")
+        return directory / (control_text(directory / "commondir").strip() or ".")
 
     @property
     def is_shallow(self) -> bool:
@@ -241,48 +240,6 @@ def read_at(root: Path, rev: str, path: str) -> bytes | None:
         raise BaselineUnavailable(f"{path} cannot be read in {rev!r}: {err}") from err
 
 
-def provenance(root: Path) -> Provenance | None:
-    """Remote address without credentials, commit and branch of the repository *root* lies in; None outside git.
-
-    Reads git's control files; git itself is asked only where the commit is not in them (reftable).
-    """
-    top = repository_of(root)
-    if top is None:
-        return None
-    repository = Repository(top)
-    common = repository.common_directory
-    head = _control_text(repository.git_directory / "HEAD").strip()
-    reference = head.removeprefix("ref:").strip() if head.startswith("ref:") else ""
-    revision = head if not reference else _reference(common, reference)
-    if not _is_object_name(revision):
-        try:
-            revision = resolve_commit(repository, "HEAD")
-        except BaselineUnavailable:  # no commit yet, or not a repository
-            revision = ""
-    branch = reference.removeprefix("refs/heads/") if _is_reference(reference, "refs/heads/") else ""
-    return Provenance(
-        repository_uri=_remote(_control_text(common / "config")),
-        revision=revision,
-        branch="" if branch == ".invalid" else branch,  # what git writes into HEAD beside a reftable
-    )
-
-
-def public_uri(url: str) -> str:
-    """*url* of a remote as a URI without user, password, query and fragment; "" if it is no network address."""
-    scheme, separator, rest = url.strip().partition("://")
-    if not separator:  # scp-like: [user@]host:path
-        host, colon, path = url.strip().rpartition("@")[2].partition(":")
-        if not colon or "/" in host or len(host) < 2:
-            return ""
-        scheme, rest = "ssh", f"{host}/{path.lstrip('/')}"
-    if scheme not in ("http", "https", "ssh", "git"):
-        return ""
-    host, _, path = rest.partition("/")
-    path = path.partition("?")[0].partition("#")[0]
-    clean = f"{scheme}://{host.rpartition('@')[2]}/{path}"
-    return clean if clean.isascii() and clean.isprintable() and " " not in clean and "@" not in clean else ""
-
-
 def _repository_around(root: Path) -> tuple[Repository, str]:
     """The repository that *root* lies in, and what to put before paths relative to *root*."""
     root = root.resolve()
@@ -292,46 +249,7 @@ def _repository_around(root: Path) -> tuple[Repository, str]:
     return Repository(top), "" if root == top else f"{root.relative_to(top).as_posix()}/"
 
 
-def _remote(config: str) -> str:
-    """The address of ``origin``, else of the first remote by name; included files and rewriting rules are not followed."""
-    remotes: dict[str, str] = {}
-    section = ""
-    for line in config.splitlines():
-        line = line.strip()
-        if line.startswith("["):
-            section = line
-        elif section.startswith('[remote "') and section.endswith('"]'):
-            key, _, value = line.partition("=")
-            if key.strip().lower() == "url":
-                remotes.setdefault(section[len('[remote "') : -2], value.strip().strip('"'))
-    if not remotes:
-        return ""
-    return public_uri(remotes.get("origin", remotes[min(remotes)]))
-
-
-def _reference(common: Path, name: str) -> str:
-    """The object that a loose or packed reference names, "" if there is no such file."""
-    if not _is_reference(name, "refs/"):
-        return ""
-    loose = _control_text(common / name).strip()
-    if loose:
-        return loose
-    for line in _control_text(common / "packed-refs").splitlines():
-        value, _, packed = line.partition(" ")
-        if packed == name:
-            return value
-    return ""
-
-
-def _is_reference(name: str, prefix: str) -> bool:
-    return name.startswith(prefix) and ".." not in name and name.isprintable()
-
-
-def _is_object_name(text: str) -> bool:
-    return len(text) in (40, 64) and all(c in "0123456789abcdef" for c in text)
-
-
-def _control_text(path: Path) -> str:
+def control_text(path: Path) -> str:
     """A file of a git directory as text, "" if there is no such regular file."""
     try:
         return (read_regular(path, LARGEST_CONTROL_FILE) or b"").decode("utf-8", "replace")

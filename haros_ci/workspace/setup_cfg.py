@@ -4,10 +4,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from typing import Any
+
+from haros_ci.model.build import EntryPoint
+from haros_ci.model.location import Location
+from haros_ci.model.package import Package
+from haros_ci.workspace.tree import Tree
 
 MAX_LINES = 10_000
 
 _SECTION = re.compile(r"\[([^\]]+)\]")
+_ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\])?\s*\Z")
 _SCRIPT = re.compile(r"""\s*["']?([\w.-]+)["']?\s*=\s*["']([^"']+)["']""")
 _KEY = re.compile(r"([\w.\- ]+?)\s*[=:]\s*(.*)\Z", re.DOTALL)
 
@@ -64,6 +72,31 @@ def scripts_of_text(text: str) -> list[str]:
         elif bare and section in ("", "console_scripts"):
             found.append(bare)
     return found
+
+
+def entry_points(
+    tree: Tree,
+    package: Package,
+    items: Iterable[tuple[Any, tuple[int, int]]],
+    path: str,
+    roots: tuple[tuple[str, str], ...],
+) -> tuple[EntryPoint, ...]:
+    """The entry points of *package* that lines of *path* at such places are."""
+    found = []
+    for item, (line, column) in items:
+        match = _ENTRY.match(item) if isinstance(item, str) and len(item) < 500 else None
+        if match is not None:
+            name, module, function = match.groups()
+            entry = EntryPoint(
+                name=name,
+                module=module,
+                function=function,
+                path=tree.module(module, roots),
+                package=package.name,
+                location=Location(path, line, column),
+            )
+            found.append(entry)
+    return tuple(found)
 
 
 def _values(text: str, section: str, key: str) -> list[tuple[str, int, int]]:

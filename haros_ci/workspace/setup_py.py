@@ -5,9 +5,7 @@ from __future__ import annotations
 
 import ast
 import posixpath
-import re
 from collections import deque
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +15,13 @@ from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_install import tidy
 from haros_ci.workspace.python_values import MISSING, dotted, is_constant, item_places, parse_python, summands, value_of
-from haros_ci.workspace.setup_cfg import console_scripts, package_directories, project_scripts, scripts_of_text
+from haros_ci.workspace.setup_cfg import (
+    console_scripts,
+    entry_points,
+    package_directories,
+    project_scripts,
+    scripts_of_text,
+)
 from haros_ci.workspace.setup_filled import filled
 from haros_ci.workspace.tree import Tree
 
@@ -25,7 +29,6 @@ MAX_GLOBS = 100
 MAX_NESTED = 10
 MAX_ITEMS = 1_000
 _CALLS = ("setup", "setuptools.setup", "distutils.core.setup", "generate_distutils_setup", "dict")
-_ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\])?\s*\Z")
 
 
 @dataclass(frozen=True, slots=True)
@@ -317,27 +320,7 @@ class _Reader:
         lines = item_places(scripts)
         there = (node.lineno, node.col_offset + 1)
         places = [lines[number] if number < len(lines) else there for number in range(len(value))]
-        return self.points(zip(value, places, strict=True), self.path, roots)
-
-    def points(
-        self, items: Iterable[tuple[Any, tuple[int, int]]], path: str, roots: tuple[tuple[str, str], ...]
-    ) -> tuple[EntryPoint, ...]:
-        """The entry points that lines of *path* at such places are."""
-        found = []
-        for item, (line, column) in items:
-            match = _ENTRY.match(item) if isinstance(item, str) and len(item) < 500 else None
-            if match is not None:
-                name, module, function = match.groups()
-                entry = EntryPoint(
-                    name=name,
-                    module=module,
-                    function=function,
-                    path=self.tree.module(module, roots),
-                    package=self.package.name,
-                    location=Location(path, line, column),
-                )
-                found.append(entry)
-        return tuple(found)
+        return entry_points(self.tree, self.package, zip(value, places, strict=True), self.path, roots)
 
     def configured(self, roots: tuple[tuple[str, str], ...]) -> tuple[EntryPoint, ...]:
         """The console scripts of the setup.cfg and pyproject.toml beside setup.py, which count where setup() is given none."""
@@ -347,5 +330,6 @@ class _Reader:
         for name, read in (("setup.cfg", console_scripts), ("pyproject.toml", project_scripts)):
             path = f"{self.path.removesuffix('setup.py')}{name}"
             lines = read(self.tree.workspace.text(path))
-            found += self.points(((text, (line, column)) for text, line, column in lines), path, roots)
+            items = ((text, (line, column)) for text, line, column in lines)
+            found += entry_points(self.tree, self.package, items, path, roots)
         return found

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from follow_kit import CMAKE, case, ends, follow, names, node, python, python_files, script, table, types, well_formed
 
-from haros_ci.follow.run import SEVERAL
+from haros_ci.follow.made import SEVERAL
 
 KNOWN = (
     case("startswith", 'PUB("b" if "abc".startswith("a") else "c")', "/b"),

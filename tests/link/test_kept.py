@@ -19,15 +19,15 @@ import pytest
 from follow_kit import CMAKE, ROS2_CMAKE, ROS2_HEAD, ROS2_NODE, main, script, workspace
 
 import haros_ci.systems.ros2_system as ros2_system
-import haros_ci.systems.system as system
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
-from haros_ci.follow.run import Made
+from haros_ci.follow.made import Made
 from haros_ci.graph.ros2_process import RosNode, Rule
 from haros_ci.keeping import kept, kept_json
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.report.model_json import render
+from haros_ci.systems import following
 from haros_ci.values.abstract import Known
 
 Files = dict[str, str]
@@ -62,13 +62,13 @@ class Cache:
 def followed(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The files in which what is followed begins."""
     calls: list[str] = []
-    original = system.followed_in
+    original = following.followed_in
 
     def counted(types: Any, entry: Any, *rest: Any) -> Any:
         calls.append(entry.source.path)
         return original(types, entry, *rest)
 
-    monkeypatch.setattr(system, "followed_in", counted)
+    monkeypatch.setattr(following, "followed_in", counted)
     monkeypatch.setattr(ros2_system, "followed_in", counted)
     return calls
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.index.types import ros2_type
+from haros_ci.index.ros_types import ros2_type
 from haros_ci.syntax import Type
 
 

@@ -12,7 +12,8 @@ from git_histories import Git, plant
 from haros_ci.results.result import Provenance
 from haros_ci.workspace.base import base_workspace
 from haros_ci.workspace.discover import discover
-from haros_ci.workspace.git import BaselineUnavailable, merge_base, provenance, public_uri, read_at, repository_of
+from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at, repository_of
+from haros_ci.workspace.provenance import provenance, public_uri
 
 
 def test_repository_of(git: Git, tmp_path: Path) -> None:

@@ -9,7 +9,8 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from haros_ci.follow import activation, call_arguments
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     NONE,

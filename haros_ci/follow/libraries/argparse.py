@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from haros_ci.follow import comprehensions, slices
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.values.abstract import Cell, Known, Library, Object, Opaque, Sequence, Value, data_of
 
 if TYPE_CHECKING:

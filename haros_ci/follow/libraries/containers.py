@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import assignments, construct, conversions
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values import iterators

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     algorithms,
-    text_methods,
+    cpp_data,
     texts,
 )
 from haros_ci.follow.libraries import (
@@ -28,7 +29,7 @@ from haros_ci.follow.libraries import (
     yaml as library_yaml,
 )
 from haros_ci.follow.ros import loaders, ros2_selectors
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.mentions import LOADERS
 from haros_ci.index.types import STRINGS, pointee
 from haros_ci.model.location import Location
@@ -44,7 +45,6 @@ from haros_ci.values.abstract import (
     Mapped,
     Object,
     Opaque,
-    Pointer,
     Sequence,
     Text,
     Value,
@@ -68,8 +68,6 @@ MAKERS = frozenset(
     for space in ("boost", "std")
     for name in ("make_shared", "make_unique", "shared_ptr", "unique_ptr")
 )
-#: Parts of a path.
-PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_path"))
 TRANSPARENT = frozenset(
     (
         "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
@@ -224,7 +222,7 @@ def method(
         if told is not None or isinstance(receiver, (Known, Text, Sequence)):
             return told or run.opaque("the type of a parameter is not known", frame, location.line)
     if isinstance(receiver, Known):
-        return _data(run, frame, receiver, cell, name, args)
+        return cpp_data.of_known(run, frame, receiver, cell, name, args)
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
         return receiver
     if isinstance(receiver, Text) and name in ("size", "length"):
@@ -261,99 +259,6 @@ def method(
 def _is_filled(cell: Cell | None) -> bool:
     """Whether a variable is a parameter's object: what it holds is the parameter's value."""
     return cell is not None and cell.type is not None and cell.type.name == "rclcpp::Parameter"
-
-
-def _data(
-    run: Run, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[Argument, ...]
-) -> Value | None:
-    data = receiver.value
-    if name == "has_value" and not args and isinstance(data, bool):
-        return receiver  # what BT::TreeNode::getInput says
-    if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
-        return receiver
-    if isinstance(data, str):
-        if name in ("size", "length"):
-            return Known(len(data))
-        if name == "empty":
-            return Known(not data)
-        values: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
-        if not args and name in PARTS:
-            return Known(library_xml.part(data, name))
-        if name in ("starts_with", "ends_with") and len(values) == 1 and isinstance(values[0], str):
-            return Known(data.startswith(values[0]) if name == "starts_with" else data.endswith(values[0]))
-        if name == "substr" and not args:
-            return receiver
-        if name == "substr" and values and all(isinstance(v, int) for v in values):
-            count = values[1] if len(values) > 1 else len(data)
-            count = len(data) if count < 0 else count  # npos
-            return Known(data[values[0] : values[0] + count]) if 0 <= values[0] <= len(data) else None
-        if "find" in name and cell is not None or name in ("find", "rfind"):
-            found = text_methods.found(data, name, args)
-            if found is not None:
-                return found
-        if name == "compare" and len(values) == 1 and isinstance(values[0], str):
-            return Known((data > values[0]) - (data < values[0]))
-        if name in ("at",) and values and isinstance(values[0], int) and 0 <= values[0] < len(data):
-            return texts.number(Known(data[values[0]]))
-        if name in ("front", "back") and data:
-            return texts.number(Known(data[0 if name == "front" else -1]))
-        if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend") and cell is not None:
-            return Object("[iterator]", fields={"[of]": Cell(Pointer(cell))})
-        if name == "pop_back" and cell is not None and data:
-            run.state.write(cell, Known(data[:-1]))
-            return NONE
-        if name == "swap" and cell is not None and args and args[0].cell is not None:
-            run.state.write(cell, args[0].value)
-            run.state.write(args[0].cell, receiver)
-            return NONE
-        if name in ("append", "push_back", "assign") and cell is not None and args:
-            before: tuple[Value, ...] = () if name == "assign" else (receiver,)
-            run.state.write(cell, concatenate((*before, texts.constructed(args))))
-            return cell.value
-        if name == "clear" and cell is not None:
-            run.state.write(cell, Known(""))
-            return NONE
-        if cell is not None and name in ("insert", "erase", "replace", "swap", "resize", "pop_back"):
-            if name == "swap" and args and args[0].cell is not None:
-                run.state.write(args[0].cell, run.opaque("it is swapped", frame, None, args[0].cell.type))
-            changed = text_methods.changed(data, name, args)
-            run.state.write(
-                cell,
-                Known(changed)
-                if changed is not None
-                else run.opaque(f"it is changed by {name}", frame, None, cell.type),
-            )
-            return cell.value
-        return None
-    if name in ("size",) and isinstance(data, (list, dict)):
-        return Known(len(data))
-    if name in ("FindValue", "hasMember") and args and isinstance(args[0].value, Known):
-        inside = isinstance(data, dict) and args[0].value.value in data
-        if name == "hasMember":
-            return Known(inside)
-        return Known(data[args[0].value.value]) if inside else NONE
-    if name in ("IsDefined", "IsScalar", "IsSequence", "IsMap", "IsNull", "valid"):
-        kinds: dict[str, bool] = {
-            "IsDefined": data is not None,
-            "valid": data is not None,
-            "IsNull": data is None,
-            "IsMap": isinstance(data, dict),
-            "IsSequence": isinstance(data, list),
-            "IsScalar": isinstance(data, (str, int, float)),
-        }
-        return Known(kinds[name])
-    if name == "getType":
-        for kind, said in (
-            (bool, "TypeBoolean"),
-            (int, "TypeInt"),
-            (float, "TypeDouble"),
-            (str, "TypeString"),
-            (list, "TypeArray"),
-            (dict, "TypeStruct"),
-        ):
-            if isinstance(data, kind):
-                return Library(f"XmlRpc::XmlRpcValue::{said}")
-    return None
 
 
 LOADER = "pluginlib::ClassLoader"

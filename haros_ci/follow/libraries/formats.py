@@ -9,7 +9,8 @@ import string
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow import members
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.model.digits import whole_number
 from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value, concatenate, printed
 

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import callbacks, havoc, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value

@@ -7,9 +7,10 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, callbacks, copies, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.ros import api_rows, ros2_nodes
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import Callable, Object, Opaque, Value

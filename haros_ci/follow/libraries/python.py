@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import comprehensions, dispatch, dynamic, members, partials
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     argparse as command_lines,
 )
@@ -18,7 +19,7 @@ from haros_ci.follow.libraries import (
 from haros_ci.follow.libraries import (
     yaml as library_yaml,
 )
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.values.abstract import (
     LIST_LIMIT,
     NONE,

@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.values.abstract import TEXT_LIMIT, Cell, Known, Opaque, Sequence, Value, data_of
 
 if TYPE_CHECKING:

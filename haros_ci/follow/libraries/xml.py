@@ -7,7 +7,8 @@ import posixpath
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.trace import XML_FILES
 from haros_ci.model.launch import LaunchElement
 from haros_ci.values.abstract import NONE, Cell, Known, Library, Object, Opaque, Sequence, Value

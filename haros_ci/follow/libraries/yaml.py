@@ -7,7 +7,8 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import alternatives, construct, dynamic
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.trace import YAML_FILES
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Choice, Known, Object, Opaque, Value, opaque_of

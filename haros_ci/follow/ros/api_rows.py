@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import callbacks, conversions, handles
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import behavior_tree_ports, behavior_trees, ros2_nodes, ros2_selectors, selectors
 from haros_ci.follow.ros.emit import emit
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.graph.names import clean
-from haros_ci.index.types import SEQUENCES, STRINGS, parameter_type, pointee
+from haros_ci.index.ros_types import parameter_type
+from haros_ci.index.types import SEQUENCES, STRINGS, pointee
 from haros_ci.model.api import Entry, Row
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type

@@ -8,8 +8,10 @@ from typing import Any
 
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, calls, construct, inert, methods
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.made import Made, Root
 from haros_ci.follow.ros import behavior_tree_ports
-from haros_ci.follow.run import Frame, Made, Root, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.behavior_tree_files import Tag
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import TRUE, Callable, Cell, Known, Object, Opaque, Value

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, methods
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.run import Run
 from haros_ci.index.types import INTEGERS, REALS, STRINGS
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Function, Type

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import activation
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import behavior_tree_nodes, behavior_tree_ports
 from haros_ci.follow.ros.behavior_tree_ports import text_of
-from haros_ci.follow.run import Frame, Run
+from haros_ci.follow.run import Run
 from haros_ci.index.behavior_tree_files import BUILT_IN, CREATING, LOADING, READING, REGISTERING, Tag, Trees
 from haros_ci.index.trace import XML_FILES
 from haros_ci.model.location import Location

@@ -7,12 +7,14 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
+from haros_ci.follow.made import Made, make
 from haros_ci.follow.ros import ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
-from haros_ci.follow.run import Made, Renamed, Run
+from haros_ci.follow.run import Renamed, Run
 from haros_ci.graph.names import pattern, resolve
 from haros_ci.index.common_messages import COMMON
-from haros_ci.index.types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, pointee, ros2_type
+from haros_ci.index.ros_types import SERIALISED, WRAPPERS, data_type, message_type, parameter_type, ros2_type
+from haros_ci.index.types import pointee
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location
@@ -58,7 +60,8 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
         latched = _flag(applied, entry, unknowns)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
-    run.make(
+    make(
+        run,
         Made(
             kind=entry.kind,
             name=name,
@@ -73,7 +76,7 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
             unknowns=tuple(unknowns),
             written=written,
             is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
-        )
+        ),
     )
     if entry.kind == "setters" and entry.each is None:
         _set(applied, run.context.remap(name), default if default is not None else NONE)

@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
-from haros_ci.follow.run import Made
+from haros_ci.follow.made import Made
 from haros_ci.graph.parameters import ParameterServer
-from haros_ci.index.types import data_type
+from haros_ci.index.ros_types import data_type
 from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
 from haros_ci.values.abstract import Known
 

@@ -7,7 +7,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from haros_ci.follow.run import Frame, Made, Run
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.made import Made, make
+from haros_ci.follow.run import Run
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, TRUE, Cell, Choice, Known, Mapped, Opaque, Value
@@ -65,7 +67,7 @@ def _load(run: Run, name: Value, kind: Value, renames: Mapping[str, Value] | Non
         if why is not None and "?" in item.name and not any(field == "name" for field, _, _ in unknowns):
             unknowns = (*unknowns, ("name", f"the name of the nodelet: {why}", where or location))
         item = replace(item, conditions=(*run.conditions, *item.conditions), unknowns=unknowns)
-        run.make(_renamed(item, named, location))
+        make(run, _renamed(item, named, location))
         if item.kind == "setters":
             _was_set(run, item.name, location)
 

@@ -11,8 +11,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from haros_ci.follow.made import Made, make
 from haros_ci.follow.ros.qos import DURATIONS, overridden, override_id, override_policies
-from haros_ci.follow.run import Made
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location
@@ -104,7 +104,8 @@ def _declare(
         unknowns.append(("value", default.reason, applied.location))
     if isinstance(effective := default if value is None else value, Opaque):
         unknowns.append(("effective", effective.reason, effective.location or applied.location))
-    run.make(
+    make(
+        run,
         Made(
             kind="parameters",
             name=f"{node.whole.name}:{name}",
@@ -118,6 +119,6 @@ def _declare(
             node=node.whole,
             effective=effective.value if isinstance(effective, Known) else None,
             read_only=True,
-        )
+        ),
     )
     return Held(effective)

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import conversions
+from haros_ci.follow.made import Made, make
 from haros_ci.follow.ros import forwarding, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
-from haros_ci.follow.run import Made
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
-from haros_ci.index.types import ros2_data_type, ros2_parameter_type
+from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS, Qos
 from haros_ci.model.location import Location
@@ -108,7 +108,8 @@ def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why
     endpoint_type = interface_type(applied, entry, unknowns)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
-    run.make(
+    make(
+        run,
         Made(
             kind=entry.kind,
             name=name,
@@ -121,7 +122,7 @@ def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why
             node=node.whole if node is not None else None,
             qos=qos,
             written=text,
-        )
+        ),
     )
     return None
 
@@ -189,7 +190,8 @@ def _parameter(
         unknowns.append(("effective", said, (why_not_known and why_not_known.location) or applied.location))
     if declared == "double" and isinstance(data, int) and not isinstance(data, bool):
         data = float(data)
-    run.make(
+    make(
+        run,
         Made(
             kind=entry.kind,
             name=full,
@@ -207,7 +209,7 @@ def _parameter(
             written=text,
             is_dynamic=entry.kind == "parameters" and _is_dynamic(applied, entry),
             is_strict=entry.strict and not (run.trying or run.dead or applied.frame.is_dead),
-        )
+        ),
     )
     if entry.kind == "setters" or entry.kind == "parameters":
         stored = default if entry.kind == "setters" else value

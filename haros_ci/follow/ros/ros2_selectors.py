@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from haros_ci.follow import conversions
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.graph.ros2_process import RosNode
-from haros_ci.index.types import ros2_data_type, ros2_parameter_type
+from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
 from haros_ci.values.abstract import (
     NONE,
     Cell,

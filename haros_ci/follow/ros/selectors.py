@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import name_selectors, ros2_listed, ros2_nodes, ros2_selectors
-from haros_ci.follow.run import Frame, Run
-from haros_ci.index.types import parameter_type
+from haros_ci.follow.run import Run
+from haros_ci.index.ros_types import parameter_type
 from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type

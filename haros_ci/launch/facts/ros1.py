@@ -30,7 +30,8 @@ from haros_ci.model.location import Location
 from haros_ci.substitutions.names import Text
 
 if TYPE_CHECKING:
-    from haros_ci.launch.ros1.state import Scope, State
+    from haros_ci.launch.ros1.scope import Scope
+    from haros_ci.launch.ros1.state import State
     from haros_ci.model.launch import LaunchElement, LaunchFile, Started
 
 #: What the attributes of tags name, by tag and attribute.

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 from haros_ci.launch.facts import ros1
-from haros_ci.launch.ros1.state import Scope, State, unknown_condition
+from haros_ci.launch.ros1.scope import Scope
+from haros_ci.launch.ros1.state import State, unknown_condition
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchElement
 from haros_ci.substitutions.names import Text, quoted, unknown

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator
 
 from haros_ci.launch.ros1.arg import arg
 from haros_ci.launch.ros1.dialect import is_ros1
-from haros_ci.launch.ros1.state import Scope, State
+from haros_ci.launch.ros1.scope import Scope
+from haros_ci.launch.ros1.state import State
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import Files, files_of

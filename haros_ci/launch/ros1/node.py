@@ -12,16 +12,8 @@ from haros_ci.launch.facts import ros1
 from haros_ci.launch.ros1.param import Named, params
 from haros_ci.launch.ros1.presence import assume, held
 from haros_ci.launch.ros1.rosparam import rosparam
-from haros_ci.launch.ros1.state import (
-    Remap,
-    Scope,
-    State,
-    check_clear_params,
-    inner_namespace,
-    location,
-    unknown_condition,
-    unset,
-)
+from haros_ci.launch.ros1.scope import Remap, Scope, location
+from haros_ci.launch.ros1.state import State, check_clear_params, inner_namespace, unknown_condition, unset
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.launch import LaunchElement, Started
 from haros_ci.substitutions.names import MARK, Text, canonical, is_legal, is_private, literal, quoted, unknown

@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 
 from haros_ci.launch.facts import ros1
 from haros_ci.launch.ros1.rosparam import key_shown, key_text, leaf_parameter
-from haros_ci.launch.ros1.state import Private, Scope, State, location, unset
+from haros_ci.launch.ros1.scope import Private, Scope, location
+from haros_ci.launch.ros1.state import State, unset
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import LaunchElement
 from haros_ci.substitutions.names import MARK, Text, is_private, join_in, literal, quoted

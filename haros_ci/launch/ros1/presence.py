@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
-from haros_ci.launch.ros1.state import Exhausted, Scope, State
+from haros_ci.launch.ros1.scope import Scope
+from haros_ci.launch.ros1.state import Exhausted, State
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import LaunchElement
 from haros_ci.model.presence import Presence, together

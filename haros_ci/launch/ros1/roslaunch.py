@@ -13,7 +13,8 @@ from haros_ci.launch.ros1.node import machine, node, remap
 from haros_ci.launch.ros1.param import scope_param
 from haros_ci.launch.ros1.presence import perform
 from haros_ci.launch.ros1.rosparam import rosparam
-from haros_ci.launch.ros1.state import Exhausted, Scope, State, check_clear_params, inner_namespace, location
+from haros_ci.launch.ros1.scope import Scope, location
+from haros_ci.launch.ros1.state import Exhausted, State, check_clear_params, inner_namespace
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import Launched, LaunchElement, LaunchFile
 from haros_ci.model.location import Location

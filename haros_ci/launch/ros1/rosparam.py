@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from haros_ci.launch.ros1.state import Scope, State, location, unset
+from haros_ci.launch.ros1.scope import Scope, location
+from haros_ci.launch.ros1.state import State, unset
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import LaunchElement
 from haros_ci.model.location import Location

@@ -13,13 +13,13 @@ from haros_ci.model.workspace import Problem
 from haros_ci.substitutions.presence import Assumed
 
 if TYPE_CHECKING:
-    from haros_ci.launch.ros2.evaluate import _Run
+    from haros_ci.launch.ros2.run import Run
 
 #: How many steps the outermost assumption may take.
 MAX_ASSUMED = 150_000
 
 
-def assume(run: _Run, assumed: Assumed, presence: Presence, work: Callable[[], None]) -> None:
+def assume(run: Run, assumed: Assumed, presence: Presence, work: Callable[[], None]) -> None:
     """Do *work* where launch arguments are as *assumed*; what it starts are alternatives, and all else is as before."""
     context, is_outermost = run.context, not run.assumptions
     here = (context.scope, context.assumed, context.presence, context.path, context.files, context.included)
@@ -46,7 +46,7 @@ def assume(run: _Run, assumed: Assumed, presence: Presence, work: Callable[[], N
         run.nodes, run.arguments, run.declared, run.included, run.containers, run.chain, run.depth = ours
 
 
-def assumed_problems(run: _Run) -> list[Problem]:
+def assumed_problems(run: Run) -> list[Problem]:
     """What is wrong under assumptions alone, each with the first of them."""
     return [
         Problem(problem.path, f"{problem.message} (with {words})", problem.line)

@@ -12,10 +12,10 @@ from haros_ci.model.launch_actions import Action, Description
 from haros_ci.substitutions.names import MARK, quoted, unknown
 
 if TYPE_CHECKING:
-    from haros_ci.launch.ros2.evaluate import _Run
+    from haros_ci.launch.ros2.run import Run
 
 
-def include(run: _Run, action: Action, conditions: tuple[Condition, ...]) -> None:
+def include(run: Run, action: Action, conditions: tuple[Condition, ...]) -> None:
     """IncludeLaunchDescription: perform the file in the scope that it is included in."""
     context = run.context
     context.spend(50 + len(context.scope.configurations) // 4)

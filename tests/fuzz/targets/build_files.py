@@ -21,13 +21,14 @@ from haros_ci.workspace.commit_time import commit_time
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.exported import linked
-from haros_ci.workspace.git import GitError, Repository, provenance, public_uri, repository_of
+from haros_ci.workspace.git import GitError, Repository, repository_of
 from haros_ci.workspace.idl import read_idl
 from haros_ci.workspace.interfaces import read_interface
 from haros_ci.workspace.language import language_of, script_language
 from haros_ci.workspace.manifest import read_manifest
 from haros_ci.workspace.package_xml import parse_package, settled
 from haros_ci.workspace.plugins_xml import read_plugins
+from haros_ci.workspace.provenance import provenance, public_uri
 from haros_ci.workspace.reconfigure import read_config
 from haros_ci.workspace.roots import locate
 from haros_ci.workspace.setup_cfg import (

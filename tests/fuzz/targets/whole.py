@@ -8,10 +8,10 @@ from fuzz.targets.kit import ROOT, Entry, parts, ros_package, workspace
 from haros_ci.analysis.inspection import Architectures, inspected
 from haros_ci.commands.output import FORMATS, View
 from haros_ci.config.settings import Settings
-from haros_ci.pipeline import distribute, finished, own_run, results_of, selected, selection_of
+from haros_ci.pipeline import finished, own_run, selected, selection_of
 from haros_ci.registry import built_in
 from haros_ci.report import model_dot, model_json, model_mermaid, model_text
-from haros_ci.results.result import Report
+from haros_ci.results.result import Report, distribute, results_of
 from haros_ci.results.rule import Level
 from haros_ci.workspace.cache import MemoryCache
 

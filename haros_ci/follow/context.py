@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a node is given from outside, and what the exact tier tells of its calls: it stays as it is meanwhile."""
+
+from __future__ import annotations
+
+from collections.abc import Callable as Function_
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from haros_ci.follow.made import Made
+from haros_ci.graph.ros2_process import Process
+from haros_ci.index.behavior_tree_files import TreeFiles
+from haros_ci.index.index import Source
+from haros_ci.index.xml_files import Reader
+from haros_ci.model.location import Location
+from haros_ci.syntax import Class
+from haros_ci.values.abstract import Value
+
+#: From a call's place, the last part of its function's name and the number of its arguments to the arguments' types and
+#: values and the template arguments' types, each None where it is not told.
+Exact = Function_[[str, int, int, str, int], tuple[tuple[tuple[str | None, Any], ...], tuple[str | None, ...]] | None]
+
+
+@dataclass(slots=True)
+class Context:
+    """What the node is given from outside: its names, its arguments, the parameter server, files of the workspace."""
+
+    name: str
+    namespace: str
+    arguments: tuple[str, ...] | None
+    #: The classes that pluginlib can load, by look-up name: where they are defined.
+    plugins: Mapping[str, tuple[Source, Class]]
+    #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.
+    of_base: Mapping[str, tuple[tuple[Source, Class], ...]] | None = field(default=None, kw_only=True)
+    #: Behaviour trees in files of the workspace; None where nothing makes any.
+    trees: TreeFiles | None = field(default=None, kw_only=True)
+    #: The workspace's XML files and directories; None in ROS 1.
+    xml: Reader | None = field(default=None, kw_only=True)
+    #: Whether all of them are followed where it is not known which is created.
+    any_tree: bool = field(default=False, kw_only=True)
+    #: The value of a parameter that the configuration sets (a Choice if under a condition), None if it does not.
+    parameter: Function_[[str], Value | None]
+    #: The data of a YAML file by the path as values have it; None if it is not in the workspace.
+    read_yaml: Function_[[str], Value | None]
+    #: The pointed-to remapping of an absolute name.
+    remap: Function_[[str], str] = lambda name: name
+    #: The remappings of absolute names.
+    remaps: Mapping[str, str] = field(default_factory=dict)
+    #: What the nodelet of a look-up name makes, under a full name and in the namespace above, as part of the node; and
+    #: why that may not be all. None if the nodelet is not known. *loaded* are those asked for so far.
+    nodelet: Function_[
+        [str, str, str, Function_[[str], Value | None]], tuple[tuple[Made, ...], Mapping[str, Location]] | None
+    ] = lambda look_up, name, above, parameter: None
+    loaded: list[str] = field(default_factory=list)
+    #: The process that a nodelet is loaded into; the node itself otherwise.
+    process_name: str = ""
+    process_namespace: str = "/"
+    #: What a ROS 2 process is given; None in ROS 1.
+    process: Process | None = None
+    #: Whether to stop at the first name that the node gives itself (a value, and whether it is made anonymous).
+    renames: Function_[[Value, bool], bool] = lambda name, anonymous: False

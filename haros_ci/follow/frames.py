@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""An activation of a function and a loop that are being followed, and how blocks end."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from haros_ci import syntax
+from haros_ci.index.index import Source
+from haros_ci.syntax import Function
+from haros_ci.values.abstract import Cell, Object, Value
+
+#: How a block ends: it falls through, or it leaves in one of these ways.
+NEXT, RETURN, BREAK, CONTINUE, THROW = "next", "return", "break", "continue", "throw"
+
+
+@dataclass(slots=True)
+class Frame:
+    """An activation of a function: its names, what its template parameters mean, what it has returned so far."""
+
+    source: Source
+    scope: str
+    function: Function | None = None
+    this: Object | None = None
+    scopes: list[dict[str, Cell]] = field(default_factory=lambda: [{}])
+    templates: Mapping[str, syntax.Argument] = field(default_factory=dict)
+    outer: Frame | None = None
+    mark: int = 0
+    returned: list[Value] = field(default_factory=list)
+    exits: list[dict[Cell, Any]] = field(default_factory=list)
+    #: Whether what is followed cannot be reached as things are: it is gone through for what it makes only.
+    is_dead: bool = False
+
+    def find(self, name: str) -> Cell | None:
+        frame: Frame | None = self
+        while frame is not None:
+            for scope in reversed(frame.scopes):
+                if name in scope:
+                    return scope[name]
+            frame = frame.outer
+        return None
+
+    def declare(self, name: str, cell: Cell) -> Cell:
+        self.scopes[-1][name] = cell
+        return cell
+
+
+@dataclass(slots=True)
+class Loop:
+    """A loop (or switch) that is being followed: what the ways that break or continue have written since *mark*."""
+
+    mark: int
+    is_switch: bool = False
+    #: How many turns have been gone through, where that is done one by one.
+    turn: int = 0
+    breaks: list[dict[Cell, Any]] = field(default_factory=list)
+    continues: list[dict[Cell, Any]] = field(default_factory=list)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Methods of values that are known in C++: texts, and data of YAML and XmlRpc."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import text_methods, texts
+from haros_ci.follow.libraries import xml as library_xml
+from haros_ci.follow.run import Run
+from haros_ci.values.abstract import NONE, Cell, Known, Library, Object, Pointer, Value, concatenate
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import Argument
+
+
+#: Parts of a path.
+PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_path"))
+
+
+def of_known(
+    run: Run, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[Argument, ...]
+) -> Value | None:
+    data = receiver.value
+    if name == "has_value" and not args and isinstance(data, bool):
+        return receiver  # what BT::TreeNode::getInput says
+    if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
+        return receiver
+    if isinstance(data, str):
+        if name in ("size", "length"):
+            return Known(len(data))
+        if name == "empty":
+            return Known(not data)
+        values: list[Any] = [argument.value.value if isinstance(argument.value, Known) else None for argument in args]
+        if not args and name in PARTS:
+            return Known(library_xml.part(data, name))
+        if name in ("starts_with", "ends_with") and len(values) == 1 and isinstance(values[0], str):
+            return Known(data.startswith(values[0]) if name == "starts_with" else data.endswith(values[0]))
+        if name == "substr" and not args:
+            return receiver
+        if name == "substr" and values and all(isinstance(v, int) for v in values):
+            count = values[1] if len(values) > 1 else len(data)
+            count = len(data) if count < 0 else count  # npos
+            return Known(data[values[0] : values[0] + count]) if 0 <= values[0] <= len(data) else None
+        if "find" in name and cell is not None or name in ("find", "rfind"):
+            found = text_methods.found(data, name, args)
+            if found is not None:
+                return found
+        if name == "compare" and len(values) == 1 and isinstance(values[0], str):
+            return Known((data > values[0]) - (data < values[0]))
+        if name in ("at",) and values and isinstance(values[0], int) and 0 <= values[0] < len(data):
+            return texts.number(Known(data[values[0]]))
+        if name in ("front", "back") and data:
+            return texts.number(Known(data[0 if name == "front" else -1]))
+        if name in ("begin", "end", "cbegin", "cend", "rbegin", "rend") and cell is not None:
+            return Object("[iterator]", fields={"[of]": Cell(Pointer(cell))})
+        if name == "pop_back" and cell is not None and data:
+            run.state.write(cell, Known(data[:-1]))
+            return NONE
+        if name == "swap" and cell is not None and args and args[0].cell is not None:
+            run.state.write(cell, args[0].value)
+            run.state.write(args[0].cell, receiver)
+            return NONE
+        if name in ("append", "push_back", "assign") and cell is not None and args:
+            before: tuple[Value, ...] = () if name == "assign" else (receiver,)
+            run.state.write(cell, concatenate((*before, texts.constructed(args))))
+            return cell.value
+        if name == "clear" and cell is not None:
+            run.state.write(cell, Known(""))
+            return NONE
+        if cell is not None and name in ("insert", "erase", "replace", "swap", "resize", "pop_back"):
+            if name == "swap" and args and args[0].cell is not None:
+                run.state.write(args[0].cell, run.opaque("it is swapped", frame, None, args[0].cell.type))
+            changed = text_methods.changed(data, name, args)
+            run.state.write(
+                cell,
+                Known(changed)
+                if changed is not None
+                else run.opaque(f"it is changed by {name}", frame, None, cell.type),
+            )
+            return cell.value
+        return None
+    if name in ("size",) and isinstance(data, (list, dict)):
+        return Known(len(data))
+    if name in ("FindValue", "hasMember") and args and isinstance(args[0].value, Known):
+        inside = isinstance(data, dict) and args[0].value.value in data
+        if name == "hasMember":
+            return Known(inside)
+        return Known(data[args[0].value.value]) if inside else NONE
+    if name in ("IsDefined", "IsScalar", "IsSequence", "IsMap", "IsNull", "valid"):
+        kinds: dict[str, bool] = {
+            "IsDefined": data is not None,
+            "valid": data is not None,
+            "IsNull": data is None,
+            "IsMap": isinstance(data, dict),
+            "IsSequence": isinstance(data, list),
+            "IsScalar": isinstance(data, (str, int, float)),
+        }
+        return Known(kinds[name])
+    if name == "getType":
+        for kind, said in (
+            (bool, "TypeBoolean"),
+            (int, "TypeInt"),
+            (float, "TypeDouble"),
+            (str, "TypeString"),
+            (list, "TypeArray"),
+            (dict, "TypeStruct"),
+        ):
+            if isinstance(data, kind):
+                return Library(f"XmlRpc::XmlRpcValue::{said}")
+    return None

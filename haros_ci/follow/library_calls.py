@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls into libraries: functions, constructors, and methods that a class of the workspace has from a library."""
+
+from __future__ import annotations
+
+from haros_ci import syntax
+from haros_ci.follow import call_arguments, construct, follow
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import library
+from haros_ci.follow.libraries import objects as library_objects
+from haros_ci.follow.ros import api_rows
+from haros_ci.follow.run import Run
+from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
+from haros_ci.model.location import Location
+from haros_ci.syntax import Expression
+from haros_ci.values.abstract import NONE, Library, Object, Value
+
+
+def inherited_call(
+    run: Run,
+    frame: Frame,
+    this: Object,
+    name: str,
+    args: tuple[call_arguments.Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """A method of a library's class that *this* has from it, called by its name or as ``Base::method``."""
+    head, _, last = name.rpartition("::")
+    owners = library_objects.owners(run, this)
+    if head:
+        meant = run.type_in(syntax.Type(head), frame).name
+        named = [n for n, owner in enumerate(owners) if meant == owner or head == owner.rpartition("::")[2]]
+        owners = owners[named[0] :] if named else []
+    for owner in owners:
+        if (called := f"{owner}::{last}") not in run.rows:
+            continue
+        found = api_rows.call(run, frame, called, this, args, targs, location)
+        if found is not None:
+            return found
+    return None
+
+
+#: Functions in which callbacks are called.
+SPINNING = frozenset(
+    "ros::spin ros::spinOnce ros::waitForShutdown rospy.spin rospy.sleep rospy.wait_for_message rospy.wait_for_service "
+    "rclcpp::spin rclcpp::spin_some rclcpp::spin_until_future_complete rclpy.spin rclpy.spin_once "
+    "rclpy.spin_until_future_complete".split()
+)
+
+
+def library_call(
+    run: Run,
+    frame: Frame,
+    function: Library,
+    args: tuple[call_arguments.Argument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+    callee: Expression,
+) -> Value:
+    """A function, method or constructor of a library."""
+    name = function.name
+    if name in SPINNING:
+        follow.interlude(run, frame)
+    base, dot, last = name.rpartition(".")
+    if last == "__init__" and dot and args and base in run.rows and isinstance(args[0].value, Object):
+        library_objects.construct_library(run, frame, args[0].value, syntax.Type(base), args[1:], location)
+        return NONE
+    kind = frame.templates.get(callee.name) if isinstance(callee, syntax.Name) else None
+    if isinstance(kind, syntax.Type):  # what a template parameter stands for
+        return construct.of_template(run, frame, kind, args, location)
+    if function.this is None and frame.this is not None and isinstance(callee, syntax.Name):  # an inherited method
+        inherited = inherited_call(run, frame, frame.this, callee.name, args, targs, location)
+        if inherited is not None:
+            return inherited
+    modelled = library.function(run, frame, name, args, targs, location)
+    if modelled is not None:
+        return modelled
+    kinds = tuple(run.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
+    found = api_rows.call(run, frame, name, function.this, args, targs, location, kinds)
+    if found is not None:
+        return found
+    if name in STRINGS or name in SEQUENCES or name in MAPS:
+        return construct.create(run, frame, syntax.Type(name, kinds), args, location)
+    modelled = construct.made_by_its_class(run, frame, callee, kinds, args, location)
+    modelled = modelled or library.instance(run, frame, syntax.Type(name, kinds), args)
+    if modelled is not None:
+        return modelled
+    if isinstance(callee, syntax.Name) and "::" not in name and frame.source.separator == "::":
+        resolved = run.type_in(syntax.Type(callee.name, targs), frame)
+        if resolved.name != name or is_smart_pointer(resolved) or resolved.name in STRINGS:
+            return construct.create(run, frame, resolved, args, location)
+    return library.unknown_call(run, frame, name, args)

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a run makes, and what is called back in it: kept, forgotten again, and joined where two ways make the same."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from haros_ci.graph.ros2_process import RosNode
+from haros_ci.model.architecture import Condition, Qos
+from haros_ci.model.location import Location
+from haros_ci.values.abstract import Callable, Cell
+
+if TYPE_CHECKING:
+    from haros_ci.follow.run import Run
+
+#: Why not all conditions are told.
+SEVERAL = "it is made on several ways, each under conditions of its own"
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What a call made, before remapping: *name* is absolute, with ``?`` for unknown parts."""
+
+    kind: str
+    name: str
+    type: str | None
+    location: Location
+    conditions: tuple[Condition, ...]
+    queue_size: int | None = None
+    latched: bool | None = None
+    value: Any = None
+    implicit: bool = False
+    qos: Qos | None = None
+    effective: Any = None
+    read_only: bool | None = None
+    range: Any = None
+    is_dynamic: bool = False
+    is_strict: bool = False
+    #: The ROS 2 node that has it; None if it is not known, and in ROS 1.
+    node: RosNode | None = None
+    is_exact: bool = False
+    #: Of the branches around it, those that are not taken as things are.
+    dead: int = 0
+    unknowns: tuple[tuple[str, str, Location | None], ...] = ()
+    #: The name as the call gives it, ``?`` for its unknown parts.
+    written: str | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Root:
+    """A function that is called back later, under the conditions of its registration.
+
+    *writes* are what the callback that registered it leaves behind, if it was one.
+    """
+
+    function: Callable
+    conditions: tuple[Condition, ...]
+    writes: Mapping[Cell, Any] = field(default_factory=dict)
+    #: Whether it is called when somebody sets parameters, or takes a node down: what it changes then is not seen elsewhere.
+    is_update: bool = False
+    #: Whether a managed node is brought up by it, before anything else is called back.
+    is_setup: bool = False
+    #: Whether a behaviour tree calls it: what it changes is not seen elsewhere.
+    is_tick: bool = False
+    #: Why it may not be registered although the conditions hold, where no statement says so.
+    doubt: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """What a run had told at some point."""
+
+    made: Mapping[Any, Made]
+    gaps: Mapping[str, Location]
+    #: Of nodes, names and alternatives.
+    counts: tuple[int, int, int]
+    #: The static variables and plug-ins that there were.
+    sets: tuple[frozenset[Any], frozenset[Any]]
+    #: The callbacks, and the number of each.
+    roots: tuple[tuple[Root, ...], Mapping[Any, int]]
+
+
+def either(
+    one: tuple[Condition, ...], other: tuple[Condition, ...], pairs: Mapping[Location, Location]
+) -> tuple[tuple[Condition, ...], bool]:
+    """The conditions of what is made on two ways, and whether they are all: what both ways have in common.
+
+    That is all where the other way has no more, or where one takes an ``if`` and the other its ``else``; *pairs* has
+    the place of each ``else``'s ``if``.
+    """
+    for number, (left, right) in enumerate(zip(one, other, strict=False)):
+        if left != right:
+            if left.statement == "else":
+                left, right = right, left
+            both = left.statement == "if" and right.statement == "else" and pairs.get(right.location) == left.location
+            return one[:number], both and number == len(one) - 1 == len(other) - 1
+    return (other if len(other) < len(one) else one), True
+
+
+def make(run: Run, made: Made) -> None:
+    """Keep *made* unless this is a rehearsal; of two ways to one endpoint the less conditional counts."""
+    if run.quiet:
+        return
+    key = (
+        made.kind,
+        made.name,
+        made.type,
+        made.location,
+        made.queue_size,
+        made.latched,
+        repr(made.value),
+        made.qos,
+        made.node and made.node.name,
+    )
+    known = run.made.get(key)
+    conditions, unknowns = made.conditions, made.unknowns
+    if run.doubts:
+        unknowns = (*unknowns, ("conditions", run.doubts[-1], made.location))
+    if known is not None:
+        conditions, is_all = either(known.conditions, conditions, run.pairs)
+        if not is_all and SEVERAL not in (unknown[1] for unknown in known.unknowns):
+            unknowns = (*unknowns, ("conditions", SEVERAL, made.location))
+        unknowns = tuple(dict.fromkeys((*known.unknowns, *unknowns)))
+    dead = run.dead if known is None else min(run.dead, known.dead)
+    if known is not None and known.is_strict and not made.is_strict:
+        made = replace(made, is_strict=True)
+    if dead != made.dead or conditions is not made.conditions or unknowns is not made.unknowns:
+        made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
+    run.made[key] = made
+
+
+def keep(run: Run) -> Kept:
+    """What the run has told so far, to go back to."""
+    counts = len(run.nodes), len(run.names), len(run.alternatives)
+    sets = frozenset(run.statics), frozenset(run.offered)
+    return Kept(dict(run.made), dict(run.gaps), counts, sets, (tuple(run.roots), dict(run.known_roots)))
+
+
+def go_back(run: Run, kept: Kept) -> None:
+    """Take back what was told since *kept* was."""
+    run.made.clear()
+    run.made.update(kept.made)
+    run.gaps.clear()
+    run.gaps.update(kept.gaps)
+    nodes, names, alternatives = kept.counts
+    del run.nodes[nodes:], run.names[names:], run.alternatives[alternatives:]
+    run.roots[:] = kept.roots[0]
+    run.known_roots = dict(kept.roots[1])
+    statics, offered = kept.sets
+    for key in run.statics.keys() - statics:
+        del run.statics[key]
+    run.offered &= offered
+
+
+def forget_again(run: Run, known: int) -> None:
+    """Of what was made after the first *known*, drop what stands where the same was made before."""
+    every = list(run.made.items())
+    before = {(made.kind, made.location) for _, made in every[:known]}
+    for key, made in every[known:]:
+        if (made.kind, made.location) in before:
+            del run.made[key]
+
+
+def forget_dead(run: Run, known: int) -> None:
+    """Of what was made after the first *known*, drop what stands in branches that another turn of a loop takes.
+
+    Where no turn takes all of the branches around a place, those count that take the most.
+    """
+    if len(run.made) > known:
+        since = list(run.made.items())[known:]
+        least: dict[tuple[str, Location], int] = {}
+        for _, made in since:
+            place = (made.kind, made.location)
+            least[place] = min(made.dead, least.get(place, made.dead))
+        for key, made in since:
+            if made.dead > least[made.kind, made.location]:
+                del run.made[key]
+
+
+def forget_unowned(run: Run) -> None:
+    """Drop what is made on a node that is not known where the same call is seen to make it on one that is."""
+    owned = {(made.kind, made.location) for made in run.made.values() if made.node is not None}
+    for key, made in list(run.made.items()):
+        if made.node is None and made.name.startswith("/?") and (made.kind, made.location) in owned:
+            del run.made[key]

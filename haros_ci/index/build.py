@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The index of programs, built from their files."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable
+
+from haros_ci import syntax
+from haros_ci.index.index import EITHER, Index, Source, aliased
+from haros_ci.index.trace import Traced
+from haros_ci.syntax import Alias, Field, Function, Program
+
+
+def build_index(sources: Iterable[Source]) -> Index:
+    """Index *sources*, sorted by path."""
+    index = Index()
+    for source in sources:
+        program = source.program
+        is_cpp = program.language != "python"
+        if is_cpp:
+            index.sources[source.path] = source
+            index.file_names[posixpath.basename(source.path)].append(source.path)
+            index.local[source.path] = _local(program)
+        for definition in program.classes:
+            fields = _told_once(definition.fields) if is_cpp else definition.fields
+            whole = definition if fields is definition.fields else syntax.replace(definition, fields=fields)
+            index.classes[definition.name].append((source, whole))
+        for function in program.functions:
+            if function.kind == "lambda" or not function.name:
+                continue
+            index.functions[function.name].append((source, function))
+            if function.owner and is_cpp:
+                parts = function.name.split("::")
+                index.by_tail["::".join(parts[-2:])].append((source, function))
+        for variable in _told_once(program.variables) if is_cpp else program.variables:
+            index.variables[variable.name].append((source, variable))
+        for alias in program.aliases:
+            index.aliases[alias.name].append((source, alias))
+        for name, parameters, body in program.macros:
+            if parameters is None:
+                index.macros[name].append((source, body))
+        if source.module:
+            index.modules[source.module].append(source)
+        index.included[source.path] = _included(program)
+    for source in index.sources.values():
+        for function in source.program.functions:
+            if function.owner and function.owner not in index.classes and function.owner in index.aliases:
+                _through_alias(index, source, function)
+    for name in ("classes", "functions", "variables", "aliases", "macros", "by_tail"):
+        setattr(index, name, Traced(getattr(index, name)))
+    return index
+
+
+def _through_alias(index: Index, source: Source, function: Function) -> None:
+    """A method that is defined with a typedef's name before its own is the class's."""
+    owner = aliased(index, function.owner, source)
+    if owner is None:
+        return
+    last = function.name.rpartition("::")[2]
+    own = owner.rpartition("::")[2]
+    if last in (own, function.owner.rpartition("::")[2]):
+        function = syntax.replace(function, kind="constructor")
+        last = own
+    found = syntax.replace(function, name=f"{owner}::{last}", owner=owner)
+    index.functions[found.name].append((source, found))
+    index.by_tail[f"{own}::{last}"].append((source, found))
+
+
+def _told_once(fields: tuple[Field, ...]) -> tuple[Field, ...]:
+    """*fields* with one of each name: what two branches of an #if define starts as either says."""
+    if len({each.name for each in fields}) == len(fields):
+        return fields
+    found: dict[str, Field] = {}
+    for each in fields:
+        known = found.get(each.name)
+        if known is None or known.init is None:
+            found[each.name] = each
+        elif each.init is not None and each.init != known.init:
+            either = syntax.Conditional(syntax.Unknown(EITHER), _start(known.init), _start(each.init))
+            found[each.name] = syntax.replace(known, init=syntax.Equals(either))
+    return tuple(found.values())
+
+
+def _start(init: syntax.Init) -> syntax.Expression:
+    """The expression that a variable starts with."""
+    if isinstance(init, syntax.Equals):
+        return init.value
+    return init.arguments[0] if len(init.arguments) == 1 else syntax.Unknown(EITHER)
+
+
+def _local(program: Program) -> dict[str, Alias | None]:
+    functions = {function.name for function in program.functions if function.name}
+    found: dict[str, Alias | None] = {}
+    for alias in program.aliases:
+        around, colons, name = alias.name.rpartition("::")
+        if colons and around in functions:
+            known = found.get(name, alias)
+            is_same = known is not None and known.type == alias.type and _above(known) == _above(alias)
+            found[name] = known if is_same else None
+    return found
+
+
+def _above(alias: Alias) -> str:
+    """What the function of a local alias is in."""
+    return alias.name.rpartition("::")[0].rpartition("::")[0]
+
+
+def _included(program: Program) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for include in program.includes:
+        head, slash, tail = include.strip('<>"').rpartition("/")
+        if slash and head and "/" not in head and tail.endswith((".h", ".hpp")):
+            name = tail.rpartition(".")[0]
+            found.setdefault(name, f"{head}::{name}")
+    return found

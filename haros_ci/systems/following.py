@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Following one node of a configuration, unless all that it asks for is as it was when it was followed before."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
+
+from haros_ci.follow.context import Context, Exact
+from haros_ci.follow.follow import Entry, follow
+from haros_ci.follow.made import Made
+from haros_ci.follow.run import Run
+from haros_ci.index.behavior_tree_files import TreeFiles
+from haros_ci.index.index import Source
+from haros_ci.index.relevance import Relevance
+from haros_ci.index.trace import Trace
+from haros_ci.index.xml_files import Reader
+from haros_ci.keeping.consulted import small
+from haros_ci.keeping.kept import Followed, digest_of
+from haros_ci.model.api import Row
+from haros_ci.model.architecture import Unknown
+from haros_ci.model.build import ConfigFile, PluginClass
+from haros_ci.model.location import Location
+from haros_ci.model.workspace import Problem
+from haros_ci.syntax import Class
+from haros_ci.systems.entries import Programs
+from haros_ci.systems.known.entry import KnownNode
+from haros_ci.values.abstract import Value
+
+#: What is known of a node type outside the workspace, by package, executable or look-up name, and ROS version.
+KnownNodes = Callable[[str, str, int], KnownNode | None]
+#: Nodelets that load nodelets that load nodelets.
+DEEPEST = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Types:
+    """The node types of the workspace, and all that following them needs."""
+
+    programs: Programs
+    executables: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]]
+    #: The same, with those that are built for tests.
+    startable: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]]
+    nodelets: Mapping[str, tuple[PluginClass, Entry, frozenset[str]]]
+    #: By language and ROS version: API rows by call, and what they make relevant.
+    rows: Mapping[tuple[str, int], Mapping[str, tuple[Row, ...]]]
+    plugins: Mapping[str, tuple[Source, Class]]
+    #: The last part of the base class's name of each plug-in, and the files of its library.
+    plugin_files: list[tuple[str, frozenset[str]]]
+    relevance: Mapping[tuple[str, int], Relevance]
+    configs: Mapping[str, ConfigFile]
+    read_yaml: Any
+    #: What is known of node types outside the workspace, by package and type.
+    known: KnownNodes
+    #: What following has given so far, with the parameters that it depended on.
+    followed: dict[Any, list[Followed]] = field(default_factory=dict)
+    exact: Exact | None = None
+    #: What nodes of one language and set of files have consulted, and what was followed in this run.
+    traces: dict[Any, Trace] = field(default_factory=dict)
+    fresh: list[tuple[Any, Followed]] = field(default_factory=list)
+    views: dict[frozenset[str], Relevance] = field(default_factory=dict)
+    #: ROS 2: executables and components, by package and executable or class.
+    ros2_programs: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
+    components: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
+    #: Plug-ins that a program outside the workspace loads, by package and class.
+    hosted: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
+    #: The plug-ins of the workspace by base class.
+    of_base: Mapping[str, tuple[tuple[Source, Class], ...]] = field(default_factory=dict)
+    #: Behaviour trees in files of the workspace; None where nothing makes any.
+    trees: TreeFiles | None = None
+    xml: Reader | None = None
+    #: The ROS version of each package, None where it does not tell.
+    versions: Mapping[str, int | None] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Instance:
+    """One node to be followed: its names, its command line and how it is wired."""
+
+    name: str
+    namespace: str
+    arguments: tuple[str, ...] | None
+    remaps: Mapping[str, str]
+    process: str
+    #: How many nodelets load each other around it.
+    depth: int = 0
+
+
+def run_node(
+    types: Types,
+    entry: Entry,
+    files: frozenset[str],
+    instance: Instance,
+    parameter: Callable[[str], Value | None],
+    renames: Callable[[Value, bool], bool] = lambda name, anonymous: False,
+) -> Followed:
+    """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
+    wiring = tuple(sorted(instance.remaps.items()))
+    key = (entry.key, files_key(files), instance.name, instance.namespace, instance.arguments, wiring, instance.process)
+    earlier = types.followed.setdefault(key, [])
+    for done in earlier:
+        if all(same(parameter(name), value) for name, value in done.asked.items()):
+            return done
+    asked: dict[str, Value | None] = {}
+
+    def ask(name: str) -> Value | None:
+        value = asked[name] = parameter(name)
+        return value
+
+    context = Context(
+        name=instance.name,
+        namespace=instance.namespace,
+        arguments=instance.arguments,
+        plugins=types.plugins,
+        parameter=ask,
+        read_yaml=types.read_yaml,
+        remap=lambda name: instance.remaps.get(name, name),
+        remaps=instance.remaps,
+        nodelet=partial(_loaded, types, instance),
+        process_name=instance.process,
+        process_namespace=instance.process.rpartition("/")[0] or "/",
+        renames=renames,
+    )
+    earlier.append(followed_in(types, entry, files, context, asked, key))
+    return earlier[-1]
+
+
+def relevance_of(
+    types: Types, entry: Entry, version: tuple[str, int], files: frozenset[str]
+) -> tuple[Relevance, tuple[str, int, frozenset[str]]]:
+    """What matters in the code that a node type of *files* can reach; and the version and files that say so."""
+    if version != ("cpp", 2) or not files:
+        return types.relevance[version], (*version, frozenset())
+    own = files | {entry.source.path}
+    if own not in types.views:
+        visible = types.programs.cpp.visible_from(own, types.plugin_files)
+        types.views[own] = types.relevance[version].within(visible)
+    return types.views[own], (*version, own)
+
+
+def same(one: Value | None, other: Value | None) -> bool:
+    """Whether two values are the same, and not only equal as ``1`` and ``True`` are."""
+    return one is other or (one == other and repr(one) == repr(other))
+
+
+def files_key(files: frozenset[str]) -> str:
+    """A short name for the files that a node type is made of."""
+    return digest_of(sorted(files))[:16]
+
+
+def followed_in(
+    types: Types, entry: Entry, files: frozenset[str], context: Context, asked: Mapping[str, Value | None], key: Any
+) -> Followed:
+    """Follow from *entry* in *context*; what goes wrong is a problem, and what was made until then counts."""
+    index = types.programs.index_of(entry)
+    trace = types.traces.setdefault((entry.source.separator, files, context.of_base is not None), Trace())
+    before = index.trace
+    index.traced(trace)
+    try:
+        return _followed_in(types, entry, files, context, asked, key, trace)
+    finally:
+        index.traced(before)
+
+
+def _followed_in(
+    types: Types,
+    entry: Entry,
+    files: frozenset[str],
+    context: Context,
+    asked: Mapping[str, Value | None],
+    key: Any,
+    trace: Trace,
+) -> Followed:
+    index = types.programs.index_of(entry)
+    trace.paths |= {entry.source.path, *files}
+    if entry.source.separator == "::" and context.process is not None and files:
+        trace.roots |= {entry.source.path, *files}
+    language = "python" if entry.source.program.language == "python" else "cpp"
+    version = (language, 1 if context.process is None else 2)
+    relevance, view = relevance_of(types, entry, version, files)
+    run = Run(index, types.rows[version], context, types.configs, relevance, files, types.exact)
+    problems: tuple[Problem, ...] = ()
+    try:
+        if not follow(run, entry):
+            said = "the node is too large to be followed to its end; some of what it makes may be missing"
+            problems = (Problem(entry.source.path, said),)
+    except (ArithmeticError, AttributeError, LookupError, NameError, RecursionError, TypeError, ValueError) as err:
+        said = (
+            f"the node could not be followed to its end ({type(err).__name__}): a fault of haros-ci, please report it"
+        )
+        problems = (Problem(entry.source.path, said),)
+    if context.loaded:
+        trace.is_whole = False
+    trace.names.update(relevance.asked())
+    made, nodes = tuple(run.made.values()), tuple(run.nodes)
+    followed = Followed(
+        made,
+        problems,
+        tuple(run.names),
+        run.gaps,
+        asked,
+        nodes,
+        tuple(run.twins.values()),
+        small(trace, relevance, view),
+    )
+    types.fresh.append((key, followed))
+    return followed
+
+
+def _loaded(
+    types: Types,
+    loader: Instance,
+    look_up: str,
+    name: str,
+    above: str,
+    parameter: Callable[[str], Value | None],
+) -> tuple[tuple[Made, ...], Mapping[str, Location]] | None:
+    """What a nodelet makes that *loader* loads under the full *name*, in the namespace *above*; why there may be more."""
+    if look_up not in types.nodelets:
+        return None
+    _, entry, files = types.nodelets[look_up]
+    if loader.depth >= DEEPEST:
+        return (), {"nodelets load each other too deeply to be followed": Location(entry.source.path)}
+    inner = Instance(name, above, None, loader.remaps, loader.process, loader.depth + 1)
+    followed = run_node(types, entry, files, inner, parameter)
+    problems = {problem.message: Location(problem.path, problem.line) for problem in followed.problems}
+    return followed.made, {**problems, **followed.gaps}
+
+
+def incomplete(followed: Followed, entry: Entry, location: Location | None) -> tuple[Unknown, ...]:
+    """Why a node may have more endpoints than are known."""
+    found = [Unknown("endpoints", problem.message, location) for problem in followed.problems]
+    found += [Unknown("endpoints", said, where) for said, where in sorted(followed.gaps.items())]
+    if entry.definition is None and not entry.source.program.functions and entry.source.program.problems:
+        line, message = entry.source.program.problems[0]
+        found.append(Unknown("endpoints", message, Location(entry.source.path, line)))
+    return tuple(found)
