@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from haros_ci.analysis.kept_nodes import keeper
 from haros_ci.analysis.wanted import configurations
 from haros_ci.config.settings import Settings
 from haros_ci.declared import hints
@@ -16,8 +17,6 @@ from haros_ci.extract.cpp.exact import ExactCall, Place, pick
 from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.forks import shared
 from haros_ci.index.index import Source
-from haros_ci.index.trace import XML_FILES, YAML_FILES
-from haros_ci.keeping.kept import digest_of
 from haros_ci.launch.ros2.dialect import description_reader
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.api import Row, RowError, load_row
@@ -27,20 +26,16 @@ from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Store, Workspace
-from haros_ci.own_sources import OF_FACTS, OF_FOLLOWED, digest
+from haros_ci.own_sources import OF_FACTS, digest
 from haros_ci.syntax import Program
 from haros_ci.syntax.codec import decoded, encoded
 from haros_ci.systems.following import KnownNodes
-from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.link import Linked, Ros2Launch, Wanted, linked
 from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
 
 TOO_DEEP = "nested too deeply to be read; split the statements"
-
-#: Records of which a new state of the files may begin with one, and characters of the digests by which the nearest is chosen.
-RECENT, SHORT = 4, 12
 
 
 def architecture(
@@ -135,58 +130,6 @@ def varied(
         problems=tuple(sorted(said_before, key=lambda p: (p.path, p.line or 0, p.message))),
     )
     return replace(made, architecture=whole, under=under)
-
-
-def _is_state(row: Any) -> bool:
-    return (
-        isinstance(row, list)
-        and len(row) == 2
-        and isinstance(row[0], str)
-        and isinstance(row[1], dict)
-        and all(isinstance(digest, str) for digest in row[1].values())
-    )
-
-
-def keeper(workspace: Workspace, store: Store) -> Keeper:
-    """Where what nodes make is kept between runs: in *store*, beside the facts of the files.
-
-    Each state of the files has a record of its own, so that a branch and its base do not drive out each other's; a new state begins
-    with that of the last few records of whose files the fewest differ.
-    """
-    files = {file.path: file.digest for file in workspace.files if file.language in ("cpp", "python")}
-    files[YAML_FILES] = digest_of([(file.path, file.digest) for file in workspace.files if file.language == "yaml"])
-    known = [(file.path, file.digest if file.path.endswith(".xml") else "") for file in workspace.files]
-    files[XML_FILES] = digest_of(known)  # directories are listed, too
-    languages = {file.path: file.language for file in workspace.files}
-
-    def program(path: str, bytes_: str) -> Program | None:
-        return decoded(store.get_text(f"facts-{languages[path]}", path, f"{digest(OF_FACTS)} {bytes_}"))
-
-    state = digest_of(sorted(files.items()))
-    code = digest(OF_FOLLOWED)
-
-    short = {path: found[:SHORT] for path, found in files.items()}
-
-    def recent(key: str) -> list[tuple[str, dict[str, str]]]:
-        """The states that were written last, with the digests of their files."""
-        found = store.get("linked", "last", f"{code} {key}")
-        rows = found if isinstance(found, list) else []
-        return [(row[0], row[1]) for row in rows if _is_state(row)][-RECENT:]
-
-    def get(key: str) -> Any:
-        own = store.get("linked", f"nodes {state}", f"{code} {key}")
-        states = recent(key) if own is None else []
-        if not states:
-            return own
-        nearest = min(reversed(states), key=lambda each: len(each[1].items() ^ short.items()))
-        return store.get("linked", f"nodes {nearest[0]}", f"{code} {key}")
-
-    def put(key: str, data: Any) -> None:
-        store.put("linked", f"nodes {state}", f"{code} {key}", data)
-        others = [[name, digests] for name, digests in recent(key) if name != state]
-        store.put("linked", "last", f"{code} {key}", [*others, [state, short]][-RECENT:])
-
-    return Keeper(files, get, put, program)
 
 
 def filled(

@@ -368,6 +368,19 @@ def test_a_branch_and_its_base_have_a_record_each(followed: list[str]) -> None:
     assert followed == []
 
 
+def test_a_new_state_begins_with_the_nearest_record(followed: list[str]) -> None:
+    """A branch after another commit is like the branch before, whatever was looked at in between."""
+    cache, branch = Cache(), edited(OLDER, B, '"d"', '"e"')
+    model(OLDER, cache, None)
+    model(branch, cache, None)
+    model(edited(OLDER, "p/src/names.h", '"chatter"', '"base"'), cache, None)
+    after = edited(branch, "p/src/unused.cpp", "return 1", "return 2")
+    followed.clear()
+    later = model(after, cache, None)
+    assert followed == []
+    assert later == model(after, Cache(keeps=False), None)
+
+
 def test_facts_that_are_gone_void_the_record(followed: list[str]) -> None:
     cache = Cache()
     model(OLDER, cache, None)
