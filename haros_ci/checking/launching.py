@@ -11,6 +11,9 @@ from haros_ci.model.launch_facts import LaunchFact, PackageUse
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 
+#: A comment of a launch file, in XML, Python or YAML.
+_COMMENT = re.compile(r"<!--.{0,20000}?-->|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
+
 
 def owner(system: System, location: Location) -> Package | None:
     """The innermost package that the file at *location* lies in."""
@@ -29,7 +32,7 @@ def said_by(use: PackageUse, system: System) -> PackageUse:
         return use
     for depth in range(len(use.included) - 1, -1, -1):
         place = use.included[depth]
-        if place.path != use.location.path and name.search(text(place.path)) is not None:
+        if place.path != use.location.path and name.search(_COMMENT.sub("", text(place.path))) is not None:
             return replace(use, location=place, included=use.included[:depth])
     return use
 
