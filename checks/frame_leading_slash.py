@@ -195,12 +195,16 @@ def _code(system: System) -> Iterator[Finding]:
             _seen[key] = tuple(_in_text(file.path, system.workspace.text(file.path)))
         if not _seen[key]:
             continue
-        node = _runs(file.path, file.package or "", system) or owners[file.package or ""]
+        package = file.package or ""
+        runner = _runs(file.path, package, system)
+        if runner is None and any(_runs(file.path, package, each) is not None for each in system.whole.systems):
+            continue  # it is told of a system that runs the file
+        node = runner or owners[package]
         for use in _seen[key]:
             if use.kind == "marker" and node.ros == 1:
-                yield _marker(use, node)
+                yield _marker(use, runner or package)
             elif use.kind in ("look-up", "message"):
-                yield _finding(use.place, use.frame, f"a {use.kind}", node)
+                yield _finding(use.place, use.frame, f"a {use.kind}", runner or package)
         sent = [use for use in _seen[key] if use.kind == "transform"]
         if sent:
             yield Finding(
@@ -284,7 +288,7 @@ def _is_marker(found: re.Match[str], text: str) -> bool:
     return re.search(rf"ransform\w*\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
 
 
-def _marker(use: _Use, node: SystemNode) -> Finding:
+def _marker(use: _Use, node: SystemNode | str) -> Finding:
     return Finding(
         at=use.place,
         message=f"frame {use.frame} of a marker has a leading slash: rviz of Noetic looks it up by tf2, which has no such frame; write "
@@ -301,7 +305,7 @@ def _stripped(*frames: str) -> str:
     return f"frame {names} of a transform that is sent: tf2 strips the leading slash; write {plain}"
 
 
-def _finding(place: Location, frame: str, where: str, node: SystemNode) -> Finding:
+def _finding(place: Location, frame: str, where: str, node: SystemNode | str) -> Finding:
     return Finding(
         at=place,
         message=f"frame {frame} of {where} has a leading slash: tf2 has no such frame, so the look-up fails; write "
