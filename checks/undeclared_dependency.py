@@ -36,6 +36,11 @@ _TOOLS = (
 _AFFIXES = re.compile(r"^lib|-(?:dev|devel|cxx|cpp|all|vendor)\b|(?:-?\d[\d.]*)$|-dev\b")
 _GENERATORS = ("rosidl_default_generators", "message_generation")
 _SHOWN = 3
+#: The core of ROS, whose headers are named otherwise.
+_CORE = frozenset(
+    ("roscpp", "rclcpp", "roslib", "rosconsole", "rostime", "roscpp_traits", "roscpp_serialization", "cpp_common")
+)
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.MULTILINE)
 #: What is better than to declare what nothing uses.
 _REMOVE = "nothing else here uses it: remove it from find_package(), or "
 #: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
@@ -168,7 +173,18 @@ def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
             return False
         if is_found and command.arguments[:1] != ("catkin",) and any(name in each for each in command.arguments[1:]):
             return False
-    return not any(word.search(package.project.text(file.path)) for file in package.files if file.language != "cmake")
+    known = package.project.knowledge
+    for file in package.files:
+        if file.language == "cmake":
+            continue
+        if file.language == "cpp" and name in _CORE:
+            return False  # headers of generated messages need it
+        text = package.project.text(file.path)
+        if word.search(text) or any(
+            name in (known.provider_of_header(found[1]) or ()) for found in _INCLUDE.finditer(text)
+        ):
+            return False
+    return True
 
 
 def _is_built_from_source(project: Project, providers: frozenset[str]) -> bool:
