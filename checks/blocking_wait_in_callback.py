@@ -77,8 +77,8 @@ def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
         if _is_spun(code, each, call.args[0]):
             return (
                 'spins its own node, which an executor already spins: this throws std::runtime_error ("Node has already '
-                'been added to an executor"); pass a callback to async_send_request, or make the call from a separate '
-                "node"
+                f'been added to an executor"); pass a callback to {_request(code, routine, call)}, or make the call from a '
+                "separate node"
             )
     if call.name == "add_node" and call.args and call.receiver is not None and isinstance(call.receiver, syntax.Name):
         local = variable(code, routine, call.receiver.name)
@@ -94,6 +94,21 @@ def _cpp(code: Codebase, each: Reached, call: Call) -> str | None:
         if made is not None and made.node == _node(code, each) and excludes(code, made.group, each.callback.group):
             return DEADLOCK + "pass a callback to async_send_request, or give the client its own callback group"
     return None
+
+
+def _request(code: Codebase, routine: Routine, call: Call) -> str:
+    """The method that made the future which *call* waits for; those of requests of services where that is not seen."""
+    for given in call.args[1:2]:
+        made: syntax.Expression | None = given
+        if isinstance(made, syntax.Name):
+            local = variable(code, routine, made.name)
+            made = local[1].value if isinstance(local, tuple) and len(local) == 2 else None
+        for _ in range(2):  # ``request.future`` and ``client->async_send_request(…).future``
+            made = made.object if isinstance(made, syntax.Member) else made
+        callee = made.callee if isinstance(made, syntax.Call) else None
+        if isinstance(callee, syntax.Member) and callee.name.startswith("async_"):
+            return callee.name
+    return "async_send_request"
 
 
 def _node(code: Codebase, each: Reached) -> str | None:

@@ -33,6 +33,13 @@ _TEXTS = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
 _CALLED = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
 #: A function that is defined here: its name, up to its body.
 _DEFINED = re.compile(r"\b(?:def\s+)?([A-Za-z_]\w*)\s*\([^;{}()]{0,400}\)\s*(?:const\s*)?(?:->\s*\w+\s*)?[{:]")
+#: The declaration of a variable: its type, or what it is made by.
+_DECLARED = (
+    r"(?:\b(?P<type>[A-Z]\w*)(?:::(?:Shared|Unique|)Ptr|Ptr|>)?[\s&*]+{word}\s*[;=,)({{:\[]"
+    r"|\b{word}\s*(?::[^=\n]{{1,80}})?=[^=;\n]{{0,80}}?\b(?P<made>[A-Z]\w*)\s*>?\s*[({{])"
+)
+#: An element of an array of markers, before its header.
+_ELEMENT = re.compile(r"\bmarkers\s*(?:\[[^\[\]\n]{0,40}\]|\.(?:back|front)\(\)|\.at\([^()\n]{0,40}\))\s*(?:\.|->)\s*$")
 #: Words of a statement that reads a parameter, which are not its own.
 _NOT_ITS_OWN = frozenset(
     "this self node std string auto const get_parameter declare_parameter get_parameter_or as_string value string_value "
@@ -47,7 +54,7 @@ _BROADCASTERS = "tf2_ros"
 
 @dataclass(frozen=True, slots=True)
 class _Use:
-    """A *frame* with a slash in code; *kind*: a ``look-up``, a ``message``, or a ``transform`` that tf2 is given to send."""
+    """A *frame* with a slash in code; *kind*: a ``look-up``, a ``message``, a ``marker``, or a ``transform`` that tf2 is given to send."""
 
     place: Location
     frame: str
@@ -186,10 +193,18 @@ def _code(system: System) -> Iterator[Finding]:
         key = (file.path, file.digest)
         if key not in _seen:
             _seen[key] = tuple(_in_text(file.path, system.workspace.text(file.path)))
-        node = owners[file.package or ""]
+        if not _seen[key]:
+            continue
+        package = file.package or ""
+        runner = _runs(file.path, package, system)
+        if runner is None and any(_runs(file.path, package, each) is not None for each in system.whole.systems):
+            continue  # it is told of a system that runs the file
+        node = runner or owners[package]
         for use in _seen[key]:
-            if use.kind != "transform":
-                yield _finding(use.place, use.frame, f"a {use.kind}", node)
+            if use.kind == "marker" and node.ros == 1:
+                yield _marker(use, runner or package)
+            elif use.kind in ("look-up", "message"):
+                yield _finding(use.place, use.frame, f"a {use.kind}", runner or package)
         sent = [use for use in _seen[key] if use.kind == "transform"]
         if sent:
             yield Finding(
@@ -199,6 +214,14 @@ def _code(system: System) -> Iterator[Finding]:
                 related=tuple((use.place, f"{use.frame}, too") for use in sent[1:]),
                 level=Level.NOTE,
             )
+
+
+def _runs(path: str, package: str, system: System) -> SystemNode | None:
+    """A node of the *package* that runs the file: an end of it is made there, or its program is called like the file."""
+    nodes = [node for node in system.nodes if node.package == package]
+    stem = path.rpartition("/")[2].partition(".")[0]
+    makes = (node for node in nodes if any(end.in_source and end.location.path == path for end in node.ends))
+    return next(makes, None) or next((node for node in nodes if node.raw.type.partition(".")[0] == stem), None)
 
 
 def _needs_tf2(package: str, ros: int, system: System) -> bool:
@@ -219,7 +242,12 @@ def _in_text(path: str, text: str) -> Iterator[_Use]:
         line = text.rfind("\n", 0, at) + 1
         place = Location(path, text.count("\n", 0, at) + 1, at - line + 1)
         frame = found[3] or found[5]
-        kind = "look-up" if found["ask"] is not None else "transform" if _is_sent(found["of"], text) else "message"
+        if found["ask"] is not None:
+            kind = "look-up"
+        elif _is_sent(found["of"], text):
+            kind = "transform"
+        else:
+            kind = "marker" if _is_marker(found, text) else "message"
         yield _Use(place, frame, kind)
 
 
@@ -241,6 +269,35 @@ def _is_sent(name: str | None, text: str) -> bool:
     )
 
 
+def _is_marker(found: re.Match[str], text: str) -> bool:
+    """Whether the frame is of a marker, which only rviz takes, and nothing here looks that frame up.
+
+    rviz takes the slash off (FrameManager::transform of rviz2; rviz of ROS 1 up to Melodic looks up by tf).
+    """
+    name = found["of"]
+    if name in (None, "header"):
+        element = _ELEMENT.search(text, max(0, found.start() - 80), found.start())
+        return element is not None and element.end() == found.start()
+    if name in ("self", "this"):
+        return False
+    word = re.escape(name)
+    kinds = [each["type"] or each["made"] for each in re.finditer(_DECLARED.format(word=word), text[: found.start()])]
+    kinds = kinds or [each["type"] or each["made"] for each in re.finditer(_DECLARED.format(word=word), text)]
+    if not kinds or re.fullmatch(r"Marker(?:::)?", kinds[-1]) is None:
+        return False
+    return re.search(rf"ransform\w*\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
+
+
+def _marker(use: _Use, node: SystemNode | str) -> Finding:
+    return Finding(
+        at=use.place,
+        message=f"frame {use.frame} of a marker has a leading slash: rviz of Noetic looks it up by tf2, which has no such frame; write "
+        f"{use.frame.lstrip('/')}",
+        about=(node, use.frame),
+        level=Level.NOTE,
+    )
+
+
 def _stripped(*frames: str) -> str:
     """What is to be said of frames that a broadcaster sends."""
     names = ", ".join(frames)
@@ -248,7 +305,7 @@ def _stripped(*frames: str) -> str:
     return f"frame {names} of a transform that is sent: tf2 strips the leading slash; write {plain}"
 
 
-def _finding(place: Location, frame: str, where: str, node: SystemNode) -> Finding:
+def _finding(place: Location, frame: str, where: str, node: SystemNode | str) -> Finding:
     return Finding(
         at=place,
         message=f"frame {frame} of {where} has a leading slash: tf2 has no such frame, so the look-up fails; write "

@@ -36,6 +36,13 @@ _TOOLS = (
 _AFFIXES = re.compile(r"^lib|-(?:dev|devel|cxx|cpp|all|vendor)\b|(?:-?\d[\d.]*)$|-dev\b")
 _GENERATORS = ("rosidl_default_generators", "message_generation")
 _SHOWN = 3
+#: The core of ROS, whose headers are named otherwise.
+_CORE = frozenset(
+    ("roscpp", "rclcpp", "roslib", "rosconsole", "rostime", "roscpp_traits", "roscpp_serialization", "cpp_common")
+)
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.MULTILINE)
+#: What is better than to declare what nothing uses.
+_REMOVE = "nothing else here uses it: remove it from find_package(), or "
 #: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
 _ENVIRONMENT = "ros_environment"
 #: What brings it only in distributions after Jazzy, by rosidl_default_generators.
@@ -135,7 +142,8 @@ def _finding(
     others = others_of(providers, name, package)
     is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
     kind = "buildtool_depend" if is_tool else "depend"
-    is_certain = not others and is_of_ros(name, package.project)
+    is_idle = _is_idle(package, name, uses)
+    is_certain = not others and is_of_ros(name, package.project) and not is_idle
     fix = add_dependency(package, kind, name) if is_certain else None
     alternative = f" (or {', '.join(others)})" if others else ""
     if brought:
@@ -143,7 +151,7 @@ def _finding(
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {name} to build ({uses[0].what}), but package.xml does not declare it: the build "
-        f"fails on a machine without {name}; add {dependency_tags(package, kind, name)}{alternative}",
+        f"fails on a machine without {name}; {_REMOVE if is_idle else ''}add {dependency_tags(package, kind, name)}{alternative}",
         about=(package.name, name),
         related=tuple(
             (use.location, f"needs {name}: {use.what}") for each in (uses, *brought) for use in each[:_SHOWN]
@@ -152,6 +160,31 @@ def _finding(
         level=Level.NOTE if _is_built_from_source(package.project, providers) else None,
         fixes=() if fix is None else (fix,),
     )
+
+
+def _is_idle(package: ProjectPackage, name: str, uses: list[Need]) -> bool:
+    """Whether find_package() alone names the package *name*: no other command, and no source, interface or launch file."""
+    if any(use.is_header or use.what != f"find_package({name})" for use in uses) or name.startswith(_TOOLS):
+        return False
+    word = re.compile(rf"\b{re.escape(name)}\b")
+    for command in package.build.commands:
+        is_found = command.name == "find_package"
+        if name.lower() in command.name or (not is_found and any(name in each for each in command.arguments)):
+            return False
+        if is_found and command.arguments[:1] != ("catkin",) and any(name in each for each in command.arguments[1:]):
+            return False
+    known = package.project.knowledge
+    for file in package.files:
+        if file.language == "cmake":
+            continue
+        if file.language == "cpp" and name in _CORE:
+            return False  # headers of generated messages need it
+        text = package.project.text(file.path)
+        if word.search(text) or any(
+            name in (known.provider_of_header(found[1]) or ()) for found in _INCLUDE.finditer(text)
+        ):
+            return False
+    return True
 
 
 def _is_built_from_source(project: Project, providers: frozenset[str]) -> bool:

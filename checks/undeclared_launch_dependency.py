@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, Project, System, listed
-from haros_ci.api.launch import PackageUse, included_by, is_optional, owner
+from haros_ci.api.launch import PackageUse, included_by, is_optional, owner, said_by
 from haros_ci.api.packages import (
     Leftovers,
     Package,
@@ -94,7 +94,7 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
     found: dict[str, tuple[Package, dict[str, list[PackageUse]]]] = {}
     seen: set[tuple[Location, str]] = set()
     for system in systems:
-        for use in system.facts(PackageUse):
+        for use in (said_by(each, system) for each in system.facts(PackageUse)):
             place = (use.location, use.package)
             if place in seen or use.location.path in system.refused:
                 continue

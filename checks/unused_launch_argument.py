@@ -35,6 +35,12 @@ _DECLARED = re.compile(
     r"""<(?:arg|let)\b[^<>]{0,200}?\bname\s*=\s*["']([\w-]+)["']|\b(?:DeclareLaunchArgument|SetLaunchConfiguration)\(\s*(?:name\s*=\s*)?["']([\w-]+)["']"""
 )
 _NEAR = 0.85
+#: The argument that launch files of ROS 2 pass to all others alike.
+_CLOCK = "use_sim_time"
+#: So many further includes are named.
+_SHOWN = 3
+_TAG = re.compile(r"<arg\b(?:[^<>\"']|\"[^\"]*\"|'[^']*'){0,400}>")
+_VALUES = re.compile(r"\"[^\"]*\"|'[^']*'")
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -44,6 +50,9 @@ def check(system: System) -> Iterator[Finding]:
         for passed in use.passed if use.is_whole else ():
             if passed.name in known:
                 continue
+            first, *others = system.whole.passed_for_nothing.get((use.path or "", passed.name), (passed.location,))
+            if use.ros == 2 and passed.location != first:
+                continue
             similar = tuple(get_close_matches(passed.name, free, 1, 0.7))
             what = "launch stops here" if use.ros == 1 else "it has no effect"
             yield Finding(
@@ -52,23 +61,34 @@ def check(system: System) -> Iterator[Finding]:
                 about=(use.path or "", passed.name),
                 apart=(use.path or "", passed.name),
                 flow=included_by(use),
-                level=Level.ERROR if use.ros == 1 else None,
+                related=tuple((place, "passes it, too") for place in others[:_SHOWN]) if use.ros == 2 else (),
+                level=Level.ERROR if use.ros == 1 else Level.NOTE if passed.name == _CLOCK and not similar else None,
                 presence=use.presence,
             )
     for argument in system.facts(ArgumentDeclaration):
         if argument.is_used is False and not any(
             why(argument, system) for why in (_stands_in, _is_passed, _is_kept, _is_read_by_code)
         ):
+            is_set = argument.ros == 1 and _is_set(argument, system)
+            what = "is set to a fixed value" if is_set else "is declared"
+            so = "" if is_set else " setting it has no effect;"
             yield Finding(
                 at=argument.location,
-                message=f"launch argument {argument.name!r} is declared, but never read: setting it has no effect; "
-                f"{_advice(argument, system)}",
+                message=f"launch argument {argument.name!r} {what}, but never read:{so} {_advice(argument, system)}",
                 about=(argument.name,),
                 apart=(argument.name,),
                 flow=included_by(argument),
                 presence=argument.presence,
-                level=Level.NOTE if _is_of_family(argument, system) else None,
+                level=Level.NOTE if is_set or _is_of_family(argument, system) else None,
             )
+
+
+def _is_set(argument: ArgumentDeclaration, system: System) -> bool:
+    """Whether the ``<arg>`` of ROS 1 has a ``value``: nobody can set it."""
+    at = argument.location
+    lines = _text(argument, system).splitlines()[(at.line or 1) - 1 :][:LINES]
+    tag = _TAG.search("\n".join(lines), max((at.column or 1) - 1, 0))
+    return tag is not None and re.search(r"\svalue\s*=", _VALUES.sub("''", tag[0])) is not None
 
 
 def _advice(argument: ArgumentDeclaration, system: System) -> str:

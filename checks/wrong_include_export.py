@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
@@ -16,6 +17,12 @@ _KEYWORDS = (
     "EXPORTED_TARGETS",
     "INCLUDE_DIRS",
     "SKIP_CMAKE_CONFIG_GENERATION",
+)
+#: Further words of ``install``.
+_INSTALL = ("DESTINATION", "DIRECTORY", "FILES", "FILES_MATCHING", "PATTERN", "REGEX", "PERMISSIONS", "COMPONENT", "OPTIONAL", "EXCLUDE")  # fmt: skip
+#: Where headers are installed.
+_INCLUDED = re.compile(
+    r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_INCLUDE_DESTINATION\}|(?:\$\{CMAKE_INSTALL_PREFIX\}/)?include(?:/|$)"
 )
 #: Commands that make no directory of headers.
 _QUIET = frozenset(
@@ -37,6 +44,8 @@ def _of_catkin(package: ProjectPackage, command: CMakeCommand, word: str) -> Fin
     if word == "${BUILD}" or (
         word.startswith("${BUILD}/") and not word.startswith(("${BUILD}/devel", "${BUILD}/include"))
     ):
+        if _installs_generated(package):
+            return None
         return Finding(
             at=command.location,
             message=f"catkin_package(INCLUDE_DIRS) of {package.name} exports a directory of the build space: catkin warns, and packages that "
@@ -54,6 +63,19 @@ def _of_catkin(package: ProjectPackage, command: CMakeCommand, word: str) -> Fin
         about=(package.name, word),
         apart=(word,),
     )
+
+
+def _installs_generated(package: ProjectPackage) -> bool:
+    """Whether headers of the build space are installed, so that what uses an installed package finds them."""
+    for command in package.commands("install"):
+        target = next(iter(command.after("DESTINATION", *_INSTALL)), "")
+        if not _INCLUDED.match(target):
+            continue
+        files = command.after("FILES", *_INSTALL)
+        is_made = "FILES" in command.arguments and not files  # a variable that another command has filled
+        if is_made or any(word.startswith("${BUILD}") for word in (*files, *command.after("DIRECTORY", *_INSTALL))):
+            return True
+    return False
 
 
 def _is_made(package: ProjectPackage, path: str) -> bool:

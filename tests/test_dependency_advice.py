@@ -164,3 +164,58 @@ def test_who_uses_a_configuration_of_another_name(more: dict[str, str], advice: 
     check = next(check for check in checks() if check.id == "config-name-mismatch")
     (result,) = said(check, Example("", True, {**files, **more}), tmp_path)
     assert advice in result.message
+
+
+IDLE = "find_package(catkin REQUIRED COMPONENTS roscpp nav_msgs)\ncatkin_package()\n{}add_executable(a a.cpp)\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "source", "is_idle"),
+    [
+        (IDLE.format(""), "int main() { return 0; }\n", True),
+        (IDLE.format("include_directories(${catkin_INCLUDE_DIRS})\n"), "int main() { return 0; }\n", True),
+        (IDLE.format(""), "#include <nav_msgs/Odometry.h>\nint main() { return 0; }\n", False),
+        (IDLE.format(""), "#ifdef WITH_MAP\n#include <nav_msgs/Odometry.h>\n#endif\nint main() {}\n", False),
+        (IDLE.format("include_directories(${nav_msgs_INCLUDE_DIRS})\n"), "int main() { return 0; }\n", False),
+        (
+            IDLE.replace("catkin_package()", "catkin_package(CATKIN_DEPENDS nav_msgs)").format(""),
+            "int main() {}\n",
+            False,
+        ),
+        (IDLE.replace("nav_msgs", "rosconsole").format(""), "int main() { return 0; }\n", False),
+        (
+            IDLE.replace("nav_msgs", "xmlrpcpp").format(""),
+            "#ifdef REMOTE\n#include <xmlrpcpp/XmlRpc.h>\n#endif\nint main() {}\n",
+            False,
+        ),
+        (IDLE.format("add_nav_msgs_tables(a)\n"), "int main() { return 0; }\n", False),
+        (
+            IDLE.replace("nav_msgs", "dynamic_reconfigure").format("generate_dynamic_reconfigure_options(cfg/A.cfg)\n"),
+            "int main() { return 0; }\n",
+            False,
+        ),
+    ],
+)
+def test_a_name_that_only_find_package_has(cmake: str, source: str, is_idle: bool, tmp_path: Path) -> None:
+    found = messages(MANIFEST.format(' format="2"', ROS1), cmake, source, tmp_path)
+    assert any("remove it from find_package(), or add <" in message for message in found) == is_idle
+    assert all("add <" in message for message in found)
+
+
+@pytest.mark.parametrize(
+    ("cmake", "source", "advice"),
+    [
+        ("find_package(Eigen3 REQUIRED)", "int a;", "add <depend>eigen</depend>"),
+        ("find_package(Eigen3 REQUIRED)", "#include <Eigen/Dense>\nint a;", "add <depend>eigen</depend>"),
+        (
+            "find_package(eigen3_cmake_module REQUIRED)\nfind_package(Eigen3 REQUIRED)",
+            "int a;",
+            "add <buildtool_depend>eigen3_cmake_module</buildtool_depend>",
+        ),
+    ],
+)
+def test_a_find_module_is_advised_where_cmake_names_it(cmake: str, source: str, advice: str, tmp_path: Path) -> None:
+    cmake = f"find_package(ament_cmake REQUIRED)\n{cmake}\nadd_library(a a.cpp)\nament_package()"
+    found = messages(MANIFEST.format(' format="3"', ROS2.format("")), cmake, source, tmp_path)
+    assert any(advice in message for message in found), found
+    assert any("eigen3_cmake_module" in message for message in found) == ("eigen3_cmake_module" in cmake)

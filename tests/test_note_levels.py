@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_check_levels import CMAKE, ROS2, levels
+from test_check_levels import CMAKE, ROS1, ROS2, levels
 
 from haros_ci.api.testing import said
 from haros_ci.checking.page import Example
@@ -278,3 +278,57 @@ def test_meshes_of_a_file_that_xacro_has_written(files: dict[str, str], expected
     assert result.level == expected
     assert "package://demo/meshes/a.dae" in result.message and "1 more mesh" in result.message
     assert len(result.related) == 1
+
+
+@pytest.mark.parametrize(
+    ("tag", "expected", "effect"),
+    [
+        ('<arg name="rate" value="10"/>', Level.NOTE, False),
+        ('<arg\n    name="rate"\n    value = "10" />', Level.NOTE, False),
+        ("<arg name='rate' value='a > b'/>", Level.NOTE, False),
+        ('<arg name="rate" default="10"/>', Level.WARNING, True),
+        ('<arg name="rate" default="a value=3"/>', Level.WARNING, True),
+        ('<arg name="rate"/><param name="a" value="10"/>', Level.WARNING, True),
+    ],
+)
+def test_an_argument_of_ros1_that_nobody_can_set(tag: str, expected: Level, effect: bool, tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.5)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+        "install(DIRECTORY launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n",
+        "launch/a.launch": f'<launch>\n  {tag}\n  <node pkg="demo" type="n" name="n"/>\n</launch>\n',
+    }
+    check = next(check for check in checks() if check.id == "unused-launch-argument")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level == expected
+    assert ("has no effect" in result.message) == effect
+
+
+@pytest.mark.parametrize(
+    ("name", "declared", "expected"),
+    [
+        ("use_sim_time", "robot", Level.NOTE),
+        ("use_sim_time", "use_simtime", Level.WARNING),
+        ("speed", "robot", Level.WARNING),
+    ],
+)
+def test_one_finding_for_what_several_files_pass_for_nothing(
+    name: str, declared: str, expected: Level, tmp_path: Path
+) -> None:
+    include = (
+        '<launch>\n  <include file="$(find-pkg-share demo)/launch/inner.launch.xml">\n'
+        f'    <arg name="{name}" value="true"/>\n  </include>\n</launch>\n'
+    )
+    files = {
+        "package.xml": ROS2,
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)"),
+        "launch/a.launch.xml": include,
+        "launch/b.launch.xml": include,
+        "launch/inner.launch.xml": f'<launch>\n  <arg name="{declared}" default="r"/>\n'
+        f'  <node pkg="demo" exec="n" namespace="$(var {declared})"/>\n</launch>\n',
+    }
+    check = next(check for check in checks() if check.id == "unused-launch-argument")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level == expected
+    assert result.location.path == "launch/a.launch.xml"
+    assert [each.location.path for each in result.related] == ["launch/b.launch.xml"]

@@ -6,7 +6,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Mapping
 
-from haros_ci.checking.includes import includes
+from haros_ci.checking.includes import includes, is_compiled
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.build import Target
 from haros_ci.model.location import Location
@@ -29,6 +29,7 @@ class Included:
         """By header as written: the first place that includes it for sure."""
         found: dict[str, Location] = {}
         sure = [path for path in target.sources if path not in target.conditional_sources]
+        sure = [path for path in sure if is_compiled(self.package, path)]
         seen, todo = set(sure), list(reversed(sure))
         while todo and len(seen) < MAX_FILES:
             path = todo.pop()

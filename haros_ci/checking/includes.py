@@ -16,6 +16,9 @@ _COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.S)  # one that is not closed goes 
 _DIRECTIVE = re.compile(r"^[ \t]*#[ \t]*(include|if|ifdef|ifndef|elif|else|endif|define)\b[ \t]*(.*)$", re.M)
 _GUARD = re.compile(r"(?:ifndef|if\s*!\s*defined\s*\(?)\s*(\w+)")
 _TARGET = re.compile(r"([<\"])([^>\"\n]+)[>\"]")
+_HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".inl", ".tpp", ".cuh")
+#: Classes for which Qt's moc makes a source that includes their header.
+_MOC = re.compile(r"\bQ_(?:OBJECT|GADGET|NAMESPACE)\b")
 #: Files that one package may make a check look at.
 MAX_FILES = 5_000
 
@@ -64,7 +67,12 @@ def compiled(package: ProjectPackage, *, tests: bool = False) -> list[str]:
             continue
         found |= dict.fromkeys(path for path in target.sources if path not in target.conditional_sources)
     own = {file.path for file in package.files if file.language == "cpp"}
-    return [path for path in found if path in own]
+    return [path for path in found if path in own and is_compiled(package, path)]
+
+
+def is_compiled(package: ProjectPackage, path: str) -> bool:
+    """Whether a source of a target is compiled by itself: a header is not, but where Qt's moc makes a source of it."""
+    return not path.endswith(_HEADERS) or _MOC.search(package.project.text(path)) is not None
 
 
 def reached(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[Include]:

@@ -3,10 +3,16 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+
 from haros_ci.checking.system import System
-from haros_ci.model.launch_facts import LaunchFact
+from haros_ci.model.launch_facts import LaunchFact, PackageUse
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+
+#: A comment of a launch file, in XML, Python or YAML.
+_COMMENT = re.compile(r"<!--.{0,20000}?-->|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
 
 
 def owner(system: System, location: Location) -> Package | None:
@@ -14,6 +20,21 @@ def owner(system: System, location: Location) -> Package | None:
     path = location.path
     found = [each for each in system.packages.values() if each.path == "." or path.startswith(each.path + "/")]
     return max(found, key=lambda each: len(each.path), default=None)
+
+
+def said_by(use: PackageUse, system: System) -> PackageUse:
+    """*use* where it is written: at the include that passes it as an argument, if the package is named there and not in the file itself."""
+    if system.workspace is None or not use.included:
+        return use
+    text = system.workspace.text
+    name = re.compile(rf"(?<![\w-]){re.escape(use.package)}(?![\w-])")
+    if name.search(text(use.location.path)) is not None:
+        return use
+    for depth in range(len(use.included) - 1, -1, -1):
+        place = use.included[depth]
+        if place.path != use.location.path and name.search(_COMMENT.sub("", text(place.path))) is not None:
+            return replace(use, location=place, included=use.included[:depth])
+    return use
 
 
 def included_by(fact: LaunchFact) -> tuple[tuple[Location, str], ...]:

@@ -26,6 +26,8 @@ _WHOLE = frozenset(("libqt4-dev", "qtbase5-dev", "qt6-base-dev"))
 #: Commands of CMake that build Python modules.
 _MODULES: tuple[str, ...] = ("pybind11_add_module", "nanobind_add_module", "python_add_library", "cython_add_module")
 _MODULES += ("swig_add_library", "ament_python_install_package", "ament_python_install_module")
+#: The end of names of packages that bring a Find module, and the thing itself by another package.
+_MODULE = "_cmake_module"
 _INTERFACES = ("_msgs", "_interfaces", "_srvs")
 
 
@@ -167,9 +169,10 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
         key=lambda n: (
             not exists(frozenset((n,)), package),
             not is_to_be_had_today(n, package),
+            _is_idle_module(n, package),
             not is_of_ros(n, project),
             bool(families) and _family(n) not in {"", *families},
-            n.endswith("_cmake_module"),  # brings a Find module, and the thing itself by another package
+            n.endswith(_MODULE),
             n.endswith("-pip"),
             n.startswith("python-"),
             n not in _WHOLE,
@@ -177,6 +180,11 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
             n,
         ),
     )
+
+
+def _is_idle_module(name: str, package: ProjectPackage) -> bool:
+    """Whether the package *name* brings a Find module that CMake finds after that package alone, and CMake does not name it."""
+    return name.endswith(_MODULE) and not any(name in command.arguments for command in package.build.commands)
 
 
 def _families(package: ProjectPackage) -> frozenset[str]:
@@ -196,7 +204,7 @@ def others_of(names: frozenset[str], name: str, package: ProjectPackage) -> list
     if name in _WHOLE:
         return []
     usable = [n for n in names if n != name and _is_name(n, package.project) and exists(frozenset((n,)), package)]
-    usable = [n for n in usable if is_to_be_had_today(n, package)]
+    usable = [n for n in usable if is_to_be_had_today(n, package) and not _is_idle_module(n, package)]
     return sorted(usable, key=lambda n: (n.startswith("python-"), len(n), n))[:_SHOWN]
 
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
-from haros_ci.checking.launching import owner
+from haros_ci.checking.launching import owner, said_by
 from haros_ci.checking.package_names import meant_here
 from haros_ci.checking.system import System
 from haros_ci.knowledge.knowledge import knowledge
@@ -84,7 +84,7 @@ def brought_by(names: Iterable[str], ros: int | None, system: System) -> tuple[f
 def used_by_launch_files(system: System) -> Mapping[str, frozenset[str]]:
     """By package of the workspace what its launch files use of other packages."""
     found: dict[str, set[str]] = {}
-    for use in system.facts(PackageUse):
+    for use in (said_by(each, system) for each in system.facts(PackageUse)):
         package = owner(system, use.location)
         if package is not None:
             found.setdefault(package.name, set()).add(use.package)

@@ -98,6 +98,22 @@ class Whole:
         return frozenset((use.path or _file_name(use.text), name) for use, name in every)
 
     @cached_property
+    def passed_for_nothing(self) -> Mapping[tuple[str, str], tuple[Location, ...]]:
+        """The arguments that includes pass to files which neither declare nor read them, by the file's path and the name; where, in order."""
+        found: dict[tuple[str, str], set[Location]] = {}
+        for system in self.systems:
+            for use in system.facts(IncludeUse):
+                if not use.is_whole or use.location.path in system.refused:
+                    continue
+                for passed in use.passed:
+                    if passed.name not in use.declared and passed.name not in use.read:
+                        found.setdefault((use.path or "", passed.name), set()).add(passed.location)
+        places = {
+            key: sorted(each, key=lambda at: (at.path, at.line or 0, at.column or 0)) for key, each in found.items()
+        }
+        return {key: tuple(each) for key, each in places.items()}
+
+    @cached_property
     def chosen_files(self) -> tuple[tuple[re.Pattern[str], frozenset[str]], ...]:
         """Patterns of the paths of launch files that an include chooses by an argument, with what it passes.
 

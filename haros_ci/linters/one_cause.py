@@ -48,6 +48,9 @@ OF_A_NAME = frozenset("pylint:undefined-variable ruff:F821 flake8:F821 mypy:name
 #: Rules that both speak of a pointer into a text that ends with the function: those of one line have one cause.
 OF_A_TEXT = frozenset(("cppcheck:stlcstr", "cppcheck:returnDanglingLifetime"))
 
+#: Rules that both speak of an exception that leaves a function which lets none out: those of one line have one cause.
+OF_A_THROW = frozenset(("cppcheck:exceptThrowInDestructor", "cppcheck:throwInNoexceptFunction"))
+
 #: Rules that speak once of each variable of a declaration (``int a, b;``): those of one statement have one cause.
 OF_A_DECLARATION = frozenset(("cppcheck:unusedVariable",))
 
@@ -66,6 +69,9 @@ _LONGEST = 200
 _REMARK = re.compile(r"//[^\n]*|/\*.{0,2000}?\*/", re.DOTALL)
 #: Lines of a declaration that are looked at.
 _DECLARATION = 8
+
+#: The arguments of a template, which cppcheck names at each of its instances.
+_INSTANCE = re.compile(r"\s*<[^<>']{0,200}>")
 
 #: A variable in a message: in quotes, or after the colon at the end, where a full stop may follow.
 _NAME = re.compile(r"'(\w+)'|: ([\w.>-]*[\w>-])\.?$")
@@ -94,6 +100,10 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             lines[result.full_id, result.location.path, result.location.line].append(i)
         elif result.full_id in OF_A_TEXT and result.location.line:
             lines["stlcstr", result.location.path, result.location.line].append(i)
+        elif result.full_id in OF_A_THROW and result.location.line:
+            lines["throw", result.location.path, result.location.line].append(i)
+        elif result.tool == TOOL and result.rule not in RULES and result.location.line and "<" in result.message:
+            lines[result.full_id, result.location.path, (result.location.line, _template(result.message))].append(i)
         elif result.full_id in OF_A_NAME:
             lines[result.full_id, result.location.path, result.message].append(i)
         elif result.full_id in OF_A_DECLARATION and result.location.line:
@@ -101,6 +111,10 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
             lines[result.full_id, result.location.path, start].append(i)
         elif result.full_id in OF_A_FILE:
             lines[result.full_id, result.location.path, None].append(i)
+    for i, result in enumerate(given):  # the template itself beside its instances
+        key = (result.full_id, result.location.path, (result.location.line, result.message))
+        if result.tool == TOOL and key in lines and "<" not in result.message:
+            lines[key].append(i)
     for here in lines.values():
         first, *others = sorted(here, key=lambda i: given[i].sort_key)[: MOST + 1]
         if others:
@@ -113,6 +127,13 @@ def one_cause(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Re
                 merged[first] = _joined(given[first], [given[i] for i in others])
                 dropped.update(others)
     return tuple(merged.get(i, result) for i, result in enumerate(given) if i not in dropped)
+
+
+def _template(message: str) -> str:
+    """*message* without the arguments of templates: alike for all instances of one."""
+    for _ in range(4):
+        message = _INSTANCE.sub("", message)
+    return message
 
 
 def _start_of(result: Result, text: Callable[[str], str]) -> tuple[int, int, bool]:

@@ -16,6 +16,7 @@ from haros_ci.linters.pylint_idioms import (
     is_one_of_several,
     is_placeholder,
     is_stub,
+    is_to_fail,
 )
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
@@ -61,11 +62,17 @@ _OF_VALUES = frozenset(
     unsupported-delete-operation unsupported-membership-test
     """.split()
 )
+#: What pylint says of the arguments of a call, which raises a TypeError then.
+_OF_CALLS = frozenset(
+    "missing-kwoa no-value-for-parameter redundant-keyword-arg too-many-function-args unexpected-keyword-arg".split()
+)
 
 
 def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     """Whether the *text* refutes what pylint says by *rule* at *line*, counted from 1, and *column*, from 0."""
     if rule in _OF_VALUES and takes_value(text, line):
+        return True
+    if rule in _OF_CALLS and is_to_fail(text, line):
         return True
     if rule == "no-value-for-parameter":
         return _is_decorated(text, line, column)

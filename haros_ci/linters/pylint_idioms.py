@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+import builtins
 import re
 import textwrap
 import warnings
@@ -15,6 +16,7 @@ _MOST = 12
 _LONGEST = 400
 _THREAD = re.compile(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\w.]+\.)?\w*Thread\([ \t]*\)")
 _ATTRIBUTE = re.compile(r"(?:self|cls)\.(\w+)[ \t]*\(")
+_RAISES = re.compile(r"(?:\w+\.)*(?:raises|assert_?[Rr]aises\w*)")
 _ABSTRACT = re.compile(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
 
 
@@ -57,6 +59,38 @@ def is_choice_of_calls(text: str, line: int) -> bool:
     """Whether the statement there is a conditional expression that calls one thing or another: an if statement, only shorter."""
     statement = _statement(text, line)
     return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.IfExp) and _only_calls(statement.value)
+
+
+def is_to_fail(text: str, line: int) -> bool:
+    """Whether a test calls there what is to raise a TypeError: in the block, or in a lambda, of ``pytest.raises`` or ``assertRaises``."""
+    if "aises" not in text:
+        return False
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    for node in ast.walk(tree):
+        if isinstance(node, ast.With | ast.AsyncWith):
+            calls = [item.context_expr for item in node.items]
+            if any(map(_awaits_type_error, calls)) and node.body[0].lineno <= line <= (node.end_lineno or 0):
+                return True
+        elif isinstance(node, ast.Call) and node.lineno <= line <= (node.end_lineno or 0) and _awaits_type_error(node):
+            return any(
+                isinstance(each, ast.Lambda) and each.lineno <= line <= (each.end_lineno or 0) for each in node.args
+            )
+    return False
+
+
+def _awaits_type_error(node: ast.expr) -> bool:
+    """Whether *node* is a call of ``raises`` or ``assertRaises``; another exception that Python has built in is not what a wrong call raises."""
+    if not isinstance(node, ast.Call) or _RAISES.fullmatch(ast.unparse(node.func)) is None:
+        return False
+    given = [*node.args[:1], *(each.value for each in node.keywords if each.arg == "expected_exception")]
+    kinds = [each for one in given for each in (one.elts if isinstance(one, ast.Tuple) else [one])]
+    named = [getattr(builtins, each.id, None) if isinstance(each, ast.Name) else None for each in kinds]
+    return not named or any(not isinstance(each, type) or issubclass(TypeError, each) for each in named)
 
 
 def is_one_of_several(text: str, line: int) -> bool:

@@ -27,6 +27,8 @@ _OF_PYTHON3 = frozenset(
 _OF_SIGNATURES = frozenset(
     "missing-kwoa no-value-for-parameter redundant-keyword-arg too-many-function-args unexpected-keyword-arg".split()
 )
+#: An alias of typing, which no version of Python is said to remove; ByteString is to go.
+_ALIAS = re.compile(r"\bclass (?!ByteString\b)\w+ of module typing\b")
 _PYTHON2 = re.compile(r"#![^\n]*\bpython2")
 _CALLEE = re.compile(r"([A-Za-z_]\w*)(?:[ \t]*\.[ \t]*\w+)*[ \t]*\(")
 #: Files of a package that are asked for their Python.
@@ -40,6 +42,8 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
     line = result.location.line
     if result.tool != TOOL or not line:
         return False
+    if result.rule == "deprecated-class" and _ALIAS.search(result.message) is not None:
+        return True
     if result.rule == "no-self-argument":
         return _is_helper(line, workspace.text(result.location.path), workspace)
     is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None

@@ -37,8 +37,15 @@ _KEY = re.compile(r"<(?:\w+_)?depend>\s*python-[\w-]+\s*<")
 _REMARK = re.compile(r"<!--.{0,10000}?-->", re.DOTALL)
 #: Texts over several lines, in which a line may begin with any word.
 _TEXTS = re.compile(r"\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
+#: Characters of a line that are looked at.
+_LONGEST = 400
 #: Type aliases, generic functions and classes (PEP 695).
 _NEWER = re.compile(r"\s*(?:type[ \t]+\w+.*=|(?:async[ \t]+)?def[ \t]+\w+\[|class[ \t]+\w+\[)")
+
+#: A line that ends inside the braces of an f-string, which Python 3.12 takes (PEP 701).
+_OPEN_BRACES = re.compile(
+    r"(?:^|(?<=[^\w'\"]))[rR]?[fF][rR]?(['\"])(?!\1)(?:(?!\1)[^\n{]|\{\{|\{[^\n{}]{0,200}\})*\{(?!\{)[^\n}]{0,200}$"
+)
 
 
 def is_python2(text: str) -> bool:
@@ -75,7 +82,12 @@ def is_of_python2(text: str, others: Iterable[str], manifest: str) -> bool:
 
 def is_newer(line: str, message: str) -> bool:
     """Whether the syntax error *message* on *line* is of what Python 3.12 has brought and this interpreter lacks."""
-    return sys.version_info < (3, 12) and ("f-string" in message or _NEWER.match(line) is not None)
+    if sys.version_info >= (3, 12):
+        return False
+    is_broken_text = "unterminated string literal" in message or "EOL while scanning string literal" in message
+    if is_broken_text and _OPEN_BRACES.search(line[:_LONGEST].rstrip()) is not None:
+        return True
+    return "f-string" in message or _NEWER.match(line) is not None
 
 
 def why_unreadable(text: str) -> str:

@@ -31,6 +31,16 @@ def result(
         (["pylint:expression-not-assigned", "ruff:B018"], "pylint:expression-not-assigned", ["ruff:B018"]),
         (["pylint:pointless-statement", "ruff:B018"], "pylint:pointless-statement", ["ruff:B018"]),
         (["ruff:F401", "pylint:unused-import"], "pylint:unused-import", ["ruff:F401"]),
+        (["ruff:F507", "pylint:too-many-format-args"], "pylint:too-many-format-args", ["ruff:F507"]),
+        (["ruff:F523", "pylint:too-many-format-args"], "pylint:too-many-format-args", ["ruff:F523"]),
+        (["flake8:F507", "pylint:too-many-format-args"], "pylint:too-many-format-args", ["flake8:F507"]),
+        (
+            ["ruff:F503", "ruff:F507", "pylint:too-few-format-args"],
+            "pylint:too-few-format-args",
+            ["ruff:F503", "ruff:F507"],
+        ),
+        (["ruff:F509", "pylint:bad-format-character"], "pylint:bad-format-character", ["ruff:F509"]),
+        (["ruff:F505", "pylint:missing-format-string-key"], "pylint:missing-format-string-key", ["ruff:F505"]),
         (["ruff:F841", "pylint:unused-variable"], "pylint:unused-variable", ["ruff:F841"]),
         (
             ["pylint:too-many-arguments", "metrics:max-function-parameters-6", "ruff:PLR0913"],

@@ -75,6 +75,45 @@ def test_what_is_broken_is_not_newer(line: str) -> None:
     assert not is_newer(line, "invalid syntax")
 
 
+UNTERMINATED = "unterminated string literal (detected at line 1)"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "x = f'a {",
+        'log(f"{one} and {',
+        "log(F'{{x}} {two(",
+        "x = rf'{a}{b",
+        "f'{",
+        'print("a", f"b {c',
+        "say(f'it is {  ",
+    ],
+)
+def test_a_line_break_in_the_braces_of_an_f_string_is_newer(line: str) -> None:
+    assert is_newer(line, UNTERMINATED) == (sys.version_info < (3, 12))
+    assert is_newer(line, "EOL while scanning string literal") == (sys.version_info < (3, 12))
+    assert not is_newer(line, "invalid syntax")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "x = 'a {",
+        "x = f'a",
+        "x = f'{a} b",
+        "x = f'{{ b",
+        "x = f'' + 'a {",
+        "x = f'{a}' + 'b {",
+        "half'{",
+        "x = f'{a}{{b}} c",
+        "",
+    ],
+)
+def test_a_text_that_does_not_end_is_not_newer(line: str) -> None:
+    assert not is_newer(line, UNTERMINATED)
+
+
 INERT = [
     ("pylintrc", "[A]\ndisable=a,\n b\nmax-line-length=99\n", {"disable": "a,\nb", "max-line-length": "99"}),
     (".pylintrc", "[A]\nmax_line_length: 99\n", {"max-line-length": "99"}),

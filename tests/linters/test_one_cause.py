@@ -197,3 +197,41 @@ def test_the_variables_of_one_declaration(text: str, places: list[tuple[int, int
     assert len(one_cause(given, lambda path: text)) == left
     others = [Result("cppcheck", "unreadVariable", r.level, r.message, r.location) for r in given]
     assert len(one_cause(others, lambda path: text)) == len(places)
+
+
+def thrown(line: int, name: str, rule: str = "exceptThrowInDestructor") -> Result:
+    message = f"Class {name} is not safe, destructor throws exception"
+    if rule == "throwInNoexceptFunction":
+        message = "Unhandled exception thrown in function declared not to throw exceptions."
+    return Result("cppcheck", rule, Level.WARNING, message, Location("a.cpp", line, 5))
+
+
+@pytest.mark.parametrize(
+    ("results", "expected"),
+    [
+        ([thrown(3, "Box"), thrown(3, "Box < int >")], [[3, 3]]),
+        ([thrown(3, "Box"), thrown(3, "", "throwInNoexceptFunction")], [[3, 3]]),
+        (
+            [thrown(3, "Box < int >"), thrown(3, "Box<std::map<int,int>>"), thrown(3, "", "throwInNoexceptFunction")],
+            [[3, 3, 3]],
+        ),
+        ([thrown(3, "Box"), thrown(5, "Box < int >")], [[3], [5]]),
+        ([thrown(3, "", "throwInNoexceptFunction"), thrown(5, "Box")], [[3], [5]]),
+    ],
+)
+def test_exceptions_that_leave_a_function(results: list[Result], expected: list[list[int | None]]) -> None:
+    assert lines(results) == expected
+
+
+@pytest.mark.parametrize(
+    ("names", "expected"),
+    [
+        (["Box", "Box < int >"], [[3, 3]]),
+        (["Box < int >", "Box", "Box < std :: vector < int > >"], [[3, 3, 3]]),
+        (["Box < int >", "Bag < int >"], [[3], [3]]),
+        (["Box", "Bag < int >"], [[3], [3]]),
+        (["Box", "Box"], [[3], [3]]),  # two variables, say
+    ],
+)
+def test_instances_of_a_template(names: list[str], expected: list[list[int | None]]) -> None:
+    assert lines([thrown(3, name, "noCopyConstructor") for name in names]) == expected

@@ -290,3 +290,40 @@ def test_codes_of_other_tools_for_the_same(rule: str, line: str, expected: bool)
 def test_what_stands_for_pass(text: str, line: int, expected: bool) -> None:
     assert is_refuted("pointless-statement", line, 4, text) is expected
     assert is_refuted("expression-not-assigned", line, 4, text) is expected
+
+
+#: The first line of a block, and whether what it calls wrongly is to fail there.
+AWAITED = [
+    ("with pytest.raises(TypeError):", True),
+    ("with raises(TypeError, match='missing'):", True),
+    ("with pytest.raises(expected_exception=TypeError):", True),
+    ("with pytest.raises((ValueError, TypeError)) as told:", True),
+    ("with pytest.raises(Exception):", True),
+    ("with pytest.raises(errors.Refused):", True),
+    ("with self.assertRaises(TypeError):", True),
+    ("with self.assertRaisesRegex(TypeError, 'missing'):", True),
+    ("with quiet(), pytest.raises(TypeError):", True),
+    ("with pytest.raises(ValueError):", False),
+    ("with self.assertRaises(KeyError):", False),
+    ("with pytest.warns(UserWarning):", False),
+    ("with open(raises):", False),
+    ("if raises(TypeError):", False),
+]
+
+
+@pytest.mark.parametrize("rule", ["missing-kwoa", "no-value-for-parameter", "unexpected-keyword-arg"])
+@pytest.mark.parametrize(("head", "expected"), AWAITED)
+def test_a_call_that_a_test_expects_to_fail(rule: str, head: str, expected: bool) -> None:
+    text = f"def test_it(self):\n    {head}\n        Moved(\n            name='a',\n        )\n    Moved()\n"
+    assert is_refuted(rule, 3, 8, text) is expected
+    assert not is_refuted(rule, 6, 4, text)
+    assert not is_refuted("no-member", 3, 8, text)
+
+
+def test_a_lambda_that_a_test_expects_to_fail() -> None:
+    text = (
+        "def test_it(self):\n    self.assertRaises(TypeError, lambda: Moved())\n    self.assertRaises(kind(), Moved)\n"
+    )
+    assert is_refuted("too-many-function-args", 2, 41, text)
+    assert not is_refuted("no-value-for-parameter", 3, 22, text)
+    assert not is_refuted("missing-kwoa", 2, 4, text + "def (:\n")

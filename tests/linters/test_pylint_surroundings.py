@@ -206,3 +206,21 @@ def test_signatures_of_libraries_for_python2(tmp_path: Path, rule: str, call: st
 def test_signatures_that_are_known(tmp_path: Path, text: str, more: dict[str, str]) -> None:
     assert not refuted(tmp_path, "no-value-for-parameter", {"a.py": text, **more}, "a.py", 5)
     assert not refuted(tmp_path, "undefined-variable", {"a.py": f"{OLD}yaml.load(f)\n"}, "a.py", 5)
+
+
+@pytest.mark.parametrize(
+    ("message", "expected"),
+    [
+        ("Using deprecated class Text of module typing", True),
+        ("Using deprecated class ByteString of module typing", False),
+        ("Using deprecated class ByteString of module collections.abc", False),
+        ("Using deprecated class MaybeEncodingError of module typing_tools", False),
+        ("Using deprecated class Distribution of module distutils", False),
+    ],
+)
+def test_aliases_of_typing_stay(tmp_path: Path, message: str, expected: bool) -> None:
+    made = workspace(tmp_path, {"a.py": "x = 1\n"})
+    assert (
+        is_refuted_around(Result("pylint", "deprecated-class", Level.WARNING, message, Location("a.py", 1)), made)
+        is expected
+    )
