@@ -118,7 +118,15 @@ def workers(place: Place) -> bool:
 
 def tool(place: Place) -> bool:
     """The linter and its child are at work."""
-    return sum(b"xmllint" in Path("/proc", str(pid), "cmdline").read_bytes() for pid in place.processes()) >= 2
+    return sum(b"xmllint" in command_line(pid) for pid in place.processes()) >= 2
+
+
+def command_line(pid: int) -> bytes:
+    """What a process was started with; nothing of one that has ended since."""
+    try:
+        return Path("/proc", str(pid), "cmdline").read_bytes()
+    except OSError:
+        return b""
 
 
 def base(place: Place) -> bool:

@@ -135,11 +135,11 @@ def is_running(process: int) -> bool:
 
 
 def until(holds: object) -> None:
-    for _ in range(3_000):
+    for _ in range(12_000):  # a machine with much other work is slow
         if holds():  # type: ignore[operator]
             return
         time.sleep(0.01)
-    raise AssertionError("it has not come to that in 30 s")
+    raise AssertionError("it has not come to that in 120 s")
 
 
 @pytest.mark.parametrize("path", ["/", "/tmp", os.path.expanduser("~"), os.getcwd(), "/home/.."])
