@@ -38,20 +38,11 @@ class Moves:
 def moves(before: Program, now: Program) -> Moves | None:
     """What an edit has changed; None where it changed more than what functions of C++ do."""
     lines: Lines = {}
-    is_cpp = before.language != "python"
-    for name in Program.__struct_fields__:
-        if name not in ("functions", "registered", "problems") and not _same(
-            getattr(before, name), getattr(now, name), lines
-        ):
-            return None
-    if not _same_places(before.registered, now.registered, lines) or len(before.functions) != len(now.functions):
-        return None
-    if [said for _, said in before.problems] != [said for _, said in now.problems]:
+    if not _same_around(before, now, lines) or len(before.functions) != len(now.functions):
         return None
     changed: set[str] = set()
     for old, new in zip(before.functions, now.functions, strict=True):
-        head = [name for name in Function.__struct_fields__ if name not in BODY]
-        if not all(_same_field(name, old, new, lines) for name in head) or (old.body is None) != (new.body is None):
+        if not _same_head(old, new, lines):
             return None
         inner: Lines = {}
         if _same_body(old, new, inner) and _fits(inner, lines):
@@ -60,9 +51,25 @@ def moves(before: Program, now: Program) -> Moves | None:
             changed.add(old.name)
     named = {function.name for function in now.functions if function.kind != "lambda"}
     around = {_outermost(name) for name in changed}
-    if (changed and not is_cpp) or not around <= named or "" in around:
+    if (changed and before.language == "python") or not around <= named or "" in around:
         return None
     return Moves(frozenset(changed), frozenset(around), lines)
+
+
+def _same_around(before: Program, now: Program, lines: Lines) -> bool:
+    """Whether all but the functions is the same."""
+    for name in Program.__struct_fields__:
+        if name not in ("functions", "registered", "problems"):
+            if not _same(getattr(before, name), getattr(now, name), lines):
+                return False
+    if [said for _, said in before.problems] != [said for _, said in now.problems]:
+        return False
+    return _same_places(before.registered, now.registered, lines)
+
+
+def _same_head(old: Function, new: Function, lines: Lines) -> bool:
+    head = [name for name in Function.__struct_fields__ if name not in BODY]
+    return all(_same_field(name, old, new, lines) for name in head) and (old.body is None) == (new.body is None)
 
 
 def _outermost(name: str) -> str:
