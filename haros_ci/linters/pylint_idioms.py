@@ -8,6 +8,7 @@ import builtins
 import re
 import textwrap
 import warnings
+from collections.abc import Iterator
 
 from haros_ci.results.scope import scopes
 
@@ -61,17 +62,22 @@ def is_choice_of_calls(text: str, line: int) -> bool:
     return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.IfExp) and _only_calls(statement.value)
 
 
-def is_to_fail(text: str, line: int) -> bool:
-    """Whether a test calls there what is to raise a TypeError: in the block, or in a lambda, of ``pytest.raises`` or ``assertRaises``."""
-    if "aises" not in text:
-        return False
+def _nodes(text: str) -> Iterator[ast.AST]:
+    """All that a Python file is made of; nothing of one that is not understood."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return
+    yield from ast.walk(tree)
+
+
+def is_to_fail(text: str, line: int) -> bool:
+    """Whether a test calls there what is to raise a TypeError: in the block, or in a lambda, of ``pytest.raises`` or ``assertRaises``."""
+    if "aises" not in text:
         return False
-    for node in ast.walk(tree):
+    for node in _nodes(text):
         if isinstance(node, ast.With | ast.AsyncWith):
             calls = [item.context_expr for item in node.items]
             if any(map(_awaits_type_error, calls)) and node.body[0].lineno <= line <= (node.end_lineno or 0):
@@ -139,13 +145,7 @@ def is_stub(text: str, line: int) -> bool:
     here = lines[line - 1].partition("#")[0].strip() if 0 < line <= len(lines) else ""
     if not here.endswith(("None", "...")):
         return False
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    for function in ast.walk(tree):
+    for function in _nodes(text):
         if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
             body = function.body[1:] if ast.get_docstring(function, clean=False) is not None else function.body
             if len(body) == 1 and isinstance(body[0], ast.Expr) and body[0].lineno == line:
