@@ -70,15 +70,16 @@ def reported(
     """Write every output, and give the exit code."""
     warn_of_missing_base(settings, outputs)
     is_whole = written(report, workspace, outputs, renderers, settings, flags)
-    shown = view_of(workspace, flags, to_file=False).joined(report)
     on_stdout = [format for format, path in outputs if path is None]
     if flags["statistics"]:
         from haros_ci.report.statistics import render
 
+        shown = view_of(workspace, flags, to_file=False).joined(report)
         click.echo(render(shown), err=any(format != "text" for format in on_stdout), nl=False)
     if not on_stdout or SILENT.intersection(on_stdout):
         from haros_ci.report.text import summary_line
 
+        shown = view_of(workspace, flags, to_file=False).joined(report)
         click.echo(summary_line(shown), err=True)
     return exit_code(report, settings) if is_whole else EXIT_TOOL_TROUBLE
 
