@@ -18,12 +18,13 @@ RECENT, SHORT = 4, 12
 
 
 def _is_state(row: Any) -> bool:
+    """Whether *row*, read from the cache, is a state with the digests of its files."""
     return (
         isinstance(row, list)
         and len(row) == 2
         and isinstance(row[0], str)
         and isinstance(row[1], dict)
-        and all(isinstance(digest, str) for digest in row[1].values())
+        and all(isinstance(each, str) for each in row[1].values())
     )
 
 
@@ -44,7 +45,6 @@ def keeper(workspace: Workspace, store: Store) -> Keeper:
 
     state = digest_of(sorted(files.items()))
     code = digest(OF_FOLLOWED)
-
     short = {path: found[:SHORT] for path, found in files.items()}
 
     def recent(key: str) -> list[tuple[str, dict[str, str]]]:

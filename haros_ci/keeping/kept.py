@@ -146,7 +146,10 @@ def read(
     try:
         paths = sorted(earlier.files)
         consulted = [_consulted(each, paths, earlier.names) for each in earlier.traces]
-        holding = [each if holds(each) else None for each in consulted]
+    except (Unfit, ValueError, TypeError, error):
+        return []
+    holding = [each if holds(each) else None for each in consulted]
+    try:
         found = []
         for trace, key, *item in earlier.followed:
             what = holding[_index(trace, holding)]
@@ -184,16 +187,24 @@ def _consulted(data: Any, paths: Sequence[str], every: Sequence[str]) -> Consult
     groups = zip(*[iter(numbers)] * 4, strict=True)
     return Consulted(
         _named(known, paths),
-        b64decode(_text(names)),
+        _whole_numbers(names),
         bool(scanned),
         _named(roots, paths),
-        b64decode(_text(bodies)),
+        _whole_numbers(bodies),
         (_text(language), _count(version), _named(files, paths)),
         None if answers is None else _answers(answers, every),
         None
         if effects is None
         else tuple((paths[_index(p, paths)], every[_index(n, every)], at, number) for p, n, at, number in groups),
     )
+
+
+def _whole_numbers(data: Any) -> bytes:
+    """Packed numbers as they are compared."""
+    held = b64decode(_text(data))
+    if len(held) % 4:
+        raise Unfit
+    return held
 
 
 def _answers(data: Any, every: Sequence[str]) -> tuple[tuple[str, ...], ...]:
