@@ -35,10 +35,12 @@ def _found(project: Project) -> Iterator[Finding]:
 
 
 def _finding(each: Unset) -> Finding:
+    method = each.routine.function.name.rpartition(".")[2]
     return Finding(
         at=each.location,
         message=f"{each.owner} reads self.{each.name}, but nothing sets or defines it: the line raises "
-        f"AttributeError{_like(each)}",
+        f"AttributeError{_like(each)}{'' if each.is_reached else f' (no Python file here calls {method}())'}",
+        level=None if each.is_reached else Level.NOTE,
         about=(each.owner, each.name),
         apart=(each.owner, each.name),
     )

@@ -86,3 +86,16 @@ def test_a_hint_names_what_a_base_has(tmp_path: Path) -> None:
         files = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE.format("talker.py"), "talker.py": node.format(name)}
         (tmp_path / name).mkdir()
         assert [hint in each.message for each in said(check, Example("", True, files), tmp_path / name)] == [True]
+
+
+def test_an_attribute_in_a_method_that_nothing_calls(tmp_path: Path) -> None:
+    node = (
+        "import rclpy\nfrom rclpy.node import Node\n\n\nclass Filter(Node):\n    def __init__(self):\n"
+        "        super().__init__('filter')\n        {}\n\n    def on_image(self, message):\n        self.process(message)\n\n\n"
+        "rclpy.init()\nrclpy.spin(Filter())\n"
+    )
+    subscription = "self.create_subscription(Image, 'image', self.on_image, 10)"
+    for number, (line, expected) in enumerate(((subscription, Level.ERROR), (f"# {subscription}", Level.NOTE))):
+        files = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE.format("filter.py"), "filter.py": node.format(line)}
+        (tmp_path / str(number)).mkdir()
+        assert levels("undefined-attribute", files, tmp_path / str(number)) == [expected]

@@ -72,13 +72,17 @@ _KNOWN = {
 
 @dataclass(frozen=True, slots=True)
 class Unset:
-    """Attribute *name* of class *owner* is read at *location* in *routine*; *known* are those that it and its bases have."""
+    """Attribute *name* of class *owner* is read at *location* in *routine*; *known* are those that it and its bases have.
+
+    *is_reached* is false where no Python file of the workspace names the method, so that nothing seems to call it.
+    """
 
     owner: str
     name: str
     routine: Routine
     location: Location
     known: frozenset[str]
+    is_reached: bool
 
 
 @dataclass(slots=True)
@@ -122,7 +126,8 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
             is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
             if name in has or name in elsewhere or is_hidden or _is_asked(code.text(source.path), name):
                 continue
-            yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(known))
+            is_reached = _is_reached(code, routine)
+            yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(known), is_reached)
 
 
 def _known(above: Owner | None, name: str, classes: dict[tuple[str, str], _Attributes]) -> Set[str]:
@@ -152,10 +157,29 @@ def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
                 one.has.add(function.name.rpartition(".")[2])
         for routine in code.routines(source.path):
             one = found.get((source.path, routine.owner))
-            if one is not None:
+            if one is not None and not _is_called_on_class(code, routine):
                 one.routines.append(routine)
                 _add(one, routine)
     return found
+
+
+def _is_called_on_class(code: Codebase, routine: Routine) -> bool:
+    """Whether some call gives a method its first argument by hand, as a function without ``self`` is called: ``Class.method(text)``."""
+    owner, name = (routine.owner or "").rpartition(".")[2], routine.function.name.rpartition(".")[2]
+    if name.startswith("__"):
+        return False
+    call = re.compile(rf"(?<!\w){re.escape(owner)}\.{re.escape(name)}\s*\((?!\s*self\b)")
+    paths = code.mentioning(f"{owner}.{name}")
+    return any(call.search(code.text(path)) for path in paths if path.endswith(".py") or path == routine.path)
+
+
+def _is_reached(code: Codebase, routine: Routine) -> bool:
+    """Whether a method is one that Python or a library calls by its name, or is named in the code of some Python file."""
+    name = routine.function.name.rpartition(".")[2]
+    if name.startswith("__") or name in _NODE | _LIFECYCLE | _THREAD:
+        return True
+    use = re.compile(rf"^(?:[^#\n]*[^#\w\n])?(?<!def ){re.escape(name)}(?!\w)", re.MULTILINE)
+    return any(use.search(code.text(path)) for path in code.mentioning(name))
 
 
 def _add(one: _Attributes, routine: Routine) -> None:
