@@ -18,7 +18,7 @@ from typing import Any
 from haros_ci.follow.made import Made
 from haros_ci.follow.twins import Twin
 from haros_ci.graph.ros2_process import RosNode
-from haros_ci.keeping.consulted import Consulted
+from haros_ci.keeping.consulted import Consulted, Effect
 from haros_ci.keeping.kept_json import Lost, Unfit, from_json, moved, to_json
 from haros_ci.keeping.moves import Lines
 from haros_ci.model.location import Location
@@ -69,6 +69,11 @@ def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) 
     def known(found: Iterable[str]) -> str:
         return _packed([paths[path] for path in found if path in paths])
 
+    def numbers_of(effects: Iterable[Effect]) -> str:
+        """Those in files; the code that is made from descriptions of parameters changes with these, which void the record."""
+        in_files = (each for each in effects if each[0] in paths)
+        return _packed([n for path, name, *rest in in_files for n in (paths[path], _at(names, name), *rest)])
+
     kept_traces = [
         [
             known(each.paths),
@@ -78,9 +83,7 @@ def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) 
             b64encode(each.bodies).decode(),
             [*each.view[:2], known(each.view[2])],
             None if each.answers is None else [numbered(group) for group in each.answers],
-            None
-            if each.effects is None
-            else _packed([n for path, name, *rest in each.effects for n in (paths[path], _at(names, name), *rest)]),
+            None if each.effects is None else numbers_of(each.effects),
         ]
         for each in traces
     ]

@@ -322,6 +322,22 @@ def test_classes_of_libraries(followed: list[str]) -> None:
         assert ("(library)" in model(after, Cache(), 2)) is is_told
 
 
+def test_code_that_is_made_of_descriptions_of_parameters(followed: list[str]) -> None:
+    description = "p/src/parameters.yaml"
+    files = {
+        "p/CMakeLists.txt": ROS2_CMAKE.format("p")
+        + "generate_parameter_library(parameters src/parameters.yaml)\nament_auto_add_executable(n src/n.cpp)\nament_auto_package()\n",
+        description: "p:\n  rate: {type: double, default_value: 5.0}\n",
+        "p/src/n.cpp": "#include <p/parameters.hpp>\n" + ROS2_HEAD + "struct Tuned { p::ParamListener listener; int count;\n"
+        "void again() { count = 1; listener.refresh_dynamic_parameters(); } };\n"
+        "class N : public rclcpp::Node { public: N() : Node(\"n\") { timer_ = create_wall_timer(1s, [this] { tuned_.again(); });"
+        ' create_publisher<String>("t", 1); }\nrclcpp::TimerBase::SharedPtr timer_; Tuned tuned_; };\n'
+        "int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<N>()); }\n",
+    }
+    assert again(files, files, followed, 2) == ([], False)
+    assert again(files, edited(files, description, "5.0", "6.0"), followed, 2)[0]
+
+
 @pytest.mark.parametrize("path", ("p/src/new.cpp", "p/src/new.h", "p/src/lib/new.py"))
 def test_files_that_come_and_go(path: str, followed: list[str]) -> None:
     """A name may mean something else from then on: all is followed anew."""
