@@ -191,7 +191,7 @@ def bind(run: Run, frame: Frame, inner: Frame, function: Function, args: tuple[c
         is_open = parameter.type.name in ("", "auto") or parameter.type.name in function.templates
         if isinstance(value, (Sequence, Mapped)) or argument.cell is not None:
             value = copies.passed(run, inner, value, kind, argument, is_open)
-        if kind.name and isinstance(value, Known) and isinstance(value.value, str) and not is_smart_pointer(kind):
+        if kind.name and isinstance(value, Known) and issubclass(value.kind, str) and not is_smart_pointer(kind):
             owner = run.class_of(kind.name, inner.source) if kind.name not in STRINGS else None
             if owner is not None:
                 value = construct.create(run, inner, kind.bare(), (argument,), Location(inner.source.path))

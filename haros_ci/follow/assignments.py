@@ -129,7 +129,7 @@ def _extended(run: Run, frame: Frame, held: Sequence, value: Value) -> Value:
     items: list[Value] | None = None
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         items = [cell.value for cell in value.content.value]
-    elif isinstance(value, Known) and isinstance(value.value, list):
+    elif isinstance(value, Known) and issubclass(value.kind, list):
         items = [Known(item) for item in value.value]
     if items is None or not isinstance(cells, tuple) or len(cells) + len(items) > LIST_LIMIT:
         run.state.write(held.content, run.opaque("a list that is changed", frame))
@@ -209,7 +209,7 @@ def _entry(run: Run, frame: Frame, target: syntax.Subscript) -> Cell | None:
     """The new entry of a dictionary that Python assigns to; None for all that is no dictionary, or is not known."""
     container, key, _ = _parts(run, frame, target)
     pairs: Any = container.content.value if isinstance(container, Mapped) else None
-    if not isinstance(pairs, dict) or not isinstance(key, Known) or isinstance(key.value, (list, dict)):
+    if not isinstance(pairs, dict) or not isinstance(key, Known) or issubclass(key.kind, (list, dict)):
         return None
     if len(pairs) >= LIST_LIMIT:
         return None
@@ -230,7 +230,7 @@ def indexed(run: Run, frame: Frame, expression: syntax.Subscript) -> Value:
     if cell is not None:
         return cell.value
     if isinstance(container, Known) and isinstance(key, Known):
-        if isinstance(container.value, str) and frame.source.program.language != "python":
+        if issubclass(container.kind, str) and frame.source.program.language != "python":
             if isinstance(key.value, int) and 0 <= key.value < len(container.value):
                 return texts.number(Known(container.value[key.value]))
             return run.opaque("a character that is not known", frame)
@@ -326,10 +326,10 @@ def element(run: Run, frame: Frame, container: Value, key: Value, kind: Type | N
         container = container.cell.value
     if isinstance(container, Sequence) and isinstance(container.content.value, tuple):
         cells = container.content.value
-        if isinstance(key, Known) and isinstance(key.value, int) and -len(cells) <= key.value < len(cells):
+        if isinstance(key, Known) and issubclass(key.kind, int) and -len(cells) <= key.value < len(cells):
             found: Cell = cells[key.value]
             return found
-        if isinstance(key, Known) and isinstance(key.value, int) and braces.is_open(container):
+        if isinstance(key, Known) and issubclass(key.kind, int) and braces.is_open(container):
             return braces.grown(run, frame, container, key.value)
         return None
     if isinstance(container, Mapped) and isinstance(container.content.value, dict) and isinstance(key, Known):

@@ -70,7 +70,7 @@ def _pairs(run: Run, frame: Frame, kind: Type, values: list[Value]) -> Value:
         if isinstance(value, Mapped) and len(values) == 1:
             return copies.copied(run, value, kind)
         key = pair[0].value if isinstance(pair, tuple) and len(pair) == 2 else None
-        if not isinstance(key, Known) or not isinstance(key.value, (str, int)):
+        if not isinstance(key, Known) or not issubclass(key.kind, (str, int)):
             return Mapped(Cell(run.opaque("a map with computed keys", frame)))
         made.setdefault(key.value, Cell(fitted(run, frame, inner, pair[1].value), inner))
     return Mapped(Cell(made))
@@ -84,7 +84,7 @@ def fitted(run: Run, frame: Frame, kind: Type | None, value: Value) -> Value:
         return from_list(run, frame, kind, value)
     if (
         isinstance(value, Known)
-        and isinstance(value.value, str)
+        and issubclass(value.kind, str)
         and copies.is_by_value(kind)
         and kind.name not in STRINGS
     ):

@@ -29,7 +29,7 @@ def items(value: Value) -> list[Value] | None:
         return [cell.value for cell in content]
     if isinstance(value, Mapped) and isinstance(content, dict):
         return [Known(key) for key in content]
-    if isinstance(value, Known) and isinstance(value.value, (str, list, dict)) and len(value.value) <= LIST_LIMIT:
+    if isinstance(value, Known) and issubclass(value.kind, (str, list, dict)) and len(value.value) <= LIST_LIMIT:
         return [Known(item) for item in value.value]
     return None
 
@@ -75,7 +75,7 @@ def _guarded(
     if holds is not None:
         return _call(run, frame, element, item) if holds else None
     text = args[3].value
-    shown = text.value if isinstance(text, Known) and isinstance(text.value, str) else "if"
+    shown = text.value if isinstance(text, Known) and issubclass(text.kind, str) else "if"
     mark = run.state.mark()
     with run.under("if", shown, frame, guard.function.line, guard.function.column):
         _call(run, frame, element, item)
@@ -138,7 +138,7 @@ def _pairs(value: Value) -> dict[Any, Cell] | None:
         return (
             {key: Cell(cell.value, cell.type) for key, cell in content.items()} if isinstance(content, dict) else None
         )
-    if isinstance(value, Known) and isinstance(value.value, dict):
+    if isinstance(value, Known) and issubclass(value.kind, dict):
         return {key: Cell(Known(item)) for key, item in value.value.items()}
     found = items(value)
     made: dict[Any, Cell] = {}
@@ -147,7 +147,7 @@ def _pairs(value: Value) -> dict[Any, Cell] | None:
         if pair is None or len(pair) != 2:
             return None
         key = pair[0]
-        if not isinstance(key, Known) or isinstance(key.value, (list, dict)):
+        if not isinstance(key, Known) or issubclass(key.kind, (list, dict)):
             return None
         made[key.value] = Cell(pair[1])
     return made if found is not None else None

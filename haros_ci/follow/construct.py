@@ -77,7 +77,7 @@ def initial(run: Run, frame: Frame, kind: Type, init: syntax.Init | None, locati
             return value
         if (
             isinstance(value, Known)
-            and isinstance(value.value, str)
+            and issubclass(value.kind, str)
             and run.class_of(kind.name, frame.source) is not None
         ):
             return create(run, frame, kind, (call_arguments.Argument(value),), location)
@@ -162,7 +162,7 @@ def _vector(run: Run, frame: Frame, kind: Type, arguments: tuple[call_arguments.
     most = LIST_LIMIT // max(1, len(within) if isinstance(within, tuple) else 1)
     if run.class_of(inner.name, frame.source) is not None:
         most = min(most, OBJECTS)
-    if isinstance(first, Known) and isinstance(first.value, int) and 0 <= first.value <= most:
+    if isinstance(first, Known) and issubclass(first.kind, int) and 0 <= first.value <= most:
         cells = []
         for _ in range(first.value):
             given = copies.copied(run, fill, inner) if fill is not None else None

@@ -16,6 +16,7 @@ from haros_ci.index.xml_files import Reader
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class
 from haros_ci.values.abstract import Value
+from haros_ci.values.given import Marks
 
 #: From a call's place, the last part of its function's name and the number of its arguments to the arguments' types and
 #: values and the template arguments' types, each None where it is not told.
@@ -58,5 +59,7 @@ class Context:
     process_namespace: str = "/"
     #: What a ROS 2 process is given; None in ROS 1.
     process: Process | None = None
+    #: What of it stands in what is made by a mark.
+    marks: Marks = field(default_factory=Marks)
     #: Whether to stop at the first name that the node gives itself (a value, and whether it is made anonymous).
     renames: Function_[[Value, bool], bool] = lambda name, anonymous: False

@@ -48,6 +48,8 @@ def converted(value: Value, kind: Type | None) -> Value:
     if isinstance(value, Opaque):
         return value if value.type is not None and _is_class(value.type) else Opaque(value.reason, value.location, kind)
     if isinstance(value, Known):
+        if value.__class__ is not Known and _is_as_declared(value.kind, kind):
+            return value
         data, name = value.value, kind.name
         if name in REALS and isinstance(data, (int, bool)):
             return Known(float(data))
@@ -64,6 +66,18 @@ def converted(value: Value, kind: Type | None) -> Value:
         if name == "bool" and isinstance(data, (int, float)):
             return Known(bool(data))
     return value
+
+
+def _is_as_declared(held: type, kind: Type) -> bool:
+    """Whether data of the type *held* that is given from outside is the same in a variable of type *kind*."""
+    name = kind.name
+    if held is str:
+        return name in STRINGS
+    if held is int:
+        words = name.rpartition("::")[2].split()
+        is_small = any(word in CHARACTERS or word.startswith(("short", "int16", "uint16")) for word in words)
+        return "*" not in kind.marks and not is_small and (name in INTEGERS or set(words) <= INTEGERS)
+    return (held is float and name in REALS) or (held is bool and name == "bool")
 
 
 def _integer(value: Known, data: float, name: str) -> Value:
@@ -113,7 +127,7 @@ SHOWN: dict[type, Type] = {
 def value_type(value: Value) -> Type | None:
     """The static type that a value shows by itself."""
     if isinstance(value, Known):
-        return SHOWN.get(int if isinstance(value.value, Character) else type(value.value))
+        return SHOWN.get(int if value.kind is Character else value.kind)
     if isinstance(value, Text):
         return syntax.Type("std::string")
     if isinstance(value, Object):

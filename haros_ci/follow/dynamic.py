@@ -93,7 +93,7 @@ def plugin(run: Run, called: str | None, reason: str, location: Location) -> Non
 def module(run: Run, frame: Frame, name: str, args: tuple[call_arguments.Argument, ...]) -> Value | None:
     """The Python module that one of ``IMPORTS`` gives: ``__import__`` alone gives the package that it is in."""
     wanted = args[0].value if args else None
-    if isinstance(wanted, Known) and isinstance(wanted.value, str) and not wanted.value.startswith("."):
+    if isinstance(wanted, Known) and issubclass(wanted.kind, str) and not wanted.value.startswith("."):
         is_top = name == "__import__" and len(args) == 1
         return lookup.imported(run, frame, wanted.value.partition(".")[0] if is_top else wanted.value)
     tail = wanted.parts[-1] if isinstance(wanted, Text) else None

@@ -118,7 +118,7 @@ def _dict(run: Run, frame: Frame, expression: syntax.DictLiteral) -> Value:
             pairs.update({name: Cell(cell.value) for name, cell in cells.items()})
             continue
         found = evaluate(run, frame, key) if key else NONE
-        if not isinstance(found, Known) or isinstance(found.value, (list, dict)):
+        if not isinstance(found, Known) or issubclass(found.kind, (list, dict)):
             return Mapped(Cell(run.opaque("a dictionary with computed keys", frame)))
         pairs[found.value] = Cell(evaluate(run, frame, item))
     return Mapped(Cell(pairs))

@@ -45,7 +45,7 @@ def given(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> None
 
 def _is_data(value: Value) -> bool:
     """Whether a value of Python is a list or dictionary that is held as data."""
-    return isinstance(value, Known) and isinstance(value.value, (list, dict))
+    return isinstance(value, Known) and issubclass(value.kind, (list, dict))
 
 
 def called(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> None:

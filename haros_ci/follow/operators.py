@@ -89,12 +89,12 @@ def binary(run: Run, frame: Frame, symbol: str, left: Value, right: Value) -> Va
         return _over(right, lambda option: binary(run, frame, symbol, left, option))
     if symbol == "+" and (_is_text(left) or _is_text(right)):
         for value in (left, right):
-            if isinstance(value, Known) and not isinstance(value.value, (str, Character)):
+            if isinstance(value, Known) and not issubclass(value.kind, (str, Character)):
                 return run.opaque("a number is added to a text", frame)
         return concatenate((left, right))
     if symbol == "/" and _is_text(left) and _is_text(right) and frame.source.separator == "::":  # std::filesystem::path
         return concatenate((left, Known("/"), right))
-    if symbol == "%" and isinstance(left, Known) and isinstance(left.value, str):
+    if symbol == "%" and isinstance(left, Known) and issubclass(left.kind, str):
         return formats.percent(run, frame, left.value, right)
     if isinstance(left, Known) and isinstance(right, Known):
         return _computed(run, frame, symbol, left.value, right.value)
@@ -221,7 +221,7 @@ def _unary(run: Run, frame: Frame, symbol: str, value: Value) -> Value:
         if holds is None:
             return run.opaque("it is computed from what is not known", frame, None, syntax.Type("bool"))
         return FALSE if holds else TRUE
-    if isinstance(value, Known) and isinstance(value.value, (int, float)):
+    if isinstance(value, Known) and issubclass(value.kind, (int, float)):
         if symbol == "-":
             return Known(-value.value)
         if symbol == "~" and isinstance(value.value, int):
@@ -249,7 +249,7 @@ def _shift(run: Run, frame: Frame, symbol: str, operands: tuple[Expression, ...]
         if text is not None and cell is not None:
             return _token(run, frame, left, text, cell)
     if symbol == ">>" and cell is not None:
-        if isinstance(left, Known) and not isinstance(left.value, int):
+        if isinstance(left, Known) and not issubclass(left.kind, int):
             run.state.write(cell, conversions.converted(left, cell.type))
         else:
             run.state.write(cell, run.opaque("it is read from a stream", frame, None, cell.type))
@@ -277,4 +277,4 @@ def _token(run: Run, frame: Frame, stream: Value, text: Cell, cell: Cell) -> Val
 def _is_text(value: Value) -> bool:
     if isinstance(value, Opaque):
         return value.type is not None and value.type.name in STRINGS
-    return isinstance(value, Text) or (isinstance(value, Known) and isinstance(value.value, str))
+    return isinstance(value, Text) or (isinstance(value, Known) and issubclass(value.kind, str))

@@ -28,7 +28,7 @@ def part(run: Run, frame: Frame, container: Value, bounds: Object) -> Value:
             found = part(run, frame, option, bounds)
             result = found if result is None else join(result, found)
         return result if result is not None else unknown
-    if isinstance(container, Known) and isinstance(container.value, (str, list)):
+    if isinstance(container, Known) and issubclass(container.kind, (str, list)):
         return Known(container.value[which])
     if isinstance(container, Sequence):
         cells = container.content.value

@@ -32,7 +32,7 @@ def some_elements(run: Run, frame: Frame, expression: Expression) -> tuple[list[
         return list(certain(value.content.value)), objects(value.content.value)
     is_dead = bool(run.dead or frame.is_dead)
     found = (
-        None if is_dead and isinstance(value, Known) and isinstance(value.value, str) else _all_elements(frame, value)
+        None if is_dead and isinstance(value, Known) and issubclass(value.kind, str) else _all_elements(frame, value)
     )
     return ([], ()) if found is None else (found, None)
 
@@ -56,9 +56,9 @@ def _all_elements(frame: Frame, value: Value) -> list[Value | Cell] | None:
             pairs = value.content.value.items()
             return [Object("std::pair", fields={"first": Cell(Known(key)), "second": cell}) for key, cell in pairs]
         return [Known(key) for key in value.content.value]
-    if isinstance(value, Known) and isinstance(value.value, (list, dict)):
+    if isinstance(value, Known) and issubclass(value.kind, (list, dict)):
         return [Known(item) for item in value.value]
-    if isinstance(value, Known) and isinstance(value.value, str) and python:
+    if isinstance(value, Known) and issubclass(value.kind, str) and python:
         return [Known(item) for item in value.value] if len(value.value) <= LIST_LIMIT else None
     return None
 

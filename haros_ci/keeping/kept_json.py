@@ -13,6 +13,7 @@ from haros_ci.graph.ros2_process import RosNode, Rule
 from haros_ci.model.architecture import KINDS, Condition, Qos
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Known, Opaque
+from haros_ci.values.given import AsGiven, Unseen
 
 #: Containers in containers that are kept.
 DEEPEST = 40
@@ -105,7 +106,7 @@ CLASSES: dict[type, dict[str, Check]] = {
         "value": _plain,
         "implicit": _flag,
         "qos": _optional(_is(Qos)),
-        "effective": _plain,
+        "effective": lambda value: value.__class__ is AsGiven or _plain(value),
         "read_only": _optional(_flag),
         "range": _optional(_every(_optional(_is(int, float)))),
         "is_dynamic": _flag,
@@ -119,6 +120,8 @@ CLASSES: dict[type, dict[str, Check]] = {
     Opaque: {"reason": _text, "location": _place, "type": lambda value: value is None},
     Perhaps: {"reason": _text, "location": _place, "type": lambda value: value is None},
     Known: {"value": _plain},
+    Unseen: {"shape": _text},
+    AsGiven: {"key": _text},
 }
 _NAMES = {kind.__name__: kind for kind in CLASSES}
 _SEQUENCES = {"t": tuple, "l": list}

@@ -195,6 +195,7 @@ def _followed_in(
         trace.is_whole = False
     trace.names.update(relevance.asked())
     made, nodes = tuple(run.made.values()), tuple(run.nodes)
+    asked = context.marks.settled(asked)
     followed = Followed(
         made,
         problems,

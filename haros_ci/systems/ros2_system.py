@@ -24,10 +24,12 @@ from haros_ci.model.location import Location
 from haros_ci.model.presence import together
 from haros_ci.model.workspace import Problem
 from haros_ci.systems import outside
-from haros_ci.systems.following import Types, files_key, followed_in, incomplete, same
+from haros_ci.systems import sharing
+from haros_ci.systems.following import Types, files_key, followed_in, incomplete
 from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.systems.system import PROGRAM, Job
 from haros_ci.values.abstract import Known, Opaque, Value
+from haros_ci.values.given import PARAMETER, Marks, filled
 
 NOTHING = ParameterServer(())
 #: Kinds of endpoints that rules for services rename.
@@ -89,7 +91,7 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
     entry, files = found
     return Job(
         basic,
-        (id(entry), name),
+        id(entry),
         lambda: nodes_of(types, entry, files, basic, started, node.name is not None or node.namespace is not None),
         _size(types, files),
         started.parameters,
@@ -142,7 +144,7 @@ def alone(types: Types, package: str, name: str, is_component: bool = False, lab
     started = Started((), Parameters(()), (), is_component, has_plugins=label == PLUGINS, has_trees=label == TREES)
     return Job(
         node,
-        (id(entry), name),
+        (id(entry), label) if label == PLUGINS else id(entry),
         lambda: nodes_of(types, entry, files, node, started, False),
         _size(types, files),
         label=label,
@@ -164,7 +166,7 @@ def plugin(types: Types, package: str, name: str) -> Job:
         makes = any(not end.implicit for each in nodes for end in each.endpoints)
         return (nodes if makes else (replace(node, kind=PROGRAM),)), problems
 
-    return Job(node, (id(entry), name), follow, _size(types, files))
+    return Job(node, id(entry), follow, _size(types, files))
 
 
 def _size(types: Types, files: frozenset[str]) -> int:
@@ -276,26 +278,59 @@ def run_process(types: Types, entry: Entry, files: frozenset[str], started: Star
         plain = run_process(types, entry, files, replace(started, has_trees=False), node)
         if behavior_trees.UNKNOWN not in plain.gaps and not plain.problems:
             return plain
-    kinds = (started.is_component, started.has_plugins, started.has_trees, started.around)
+    (rules, around), names, instead = sharing.without_names(started.rules, started.around)
+    found = _shared(types, entry, files, replace(started, rules=rules, around=around), node, names, instead)
+    if found is None:
+        found = _shared(types, entry, files, started, node, {}, {}, is_exact=True)
+    assert found is not None
+    return found
+
+
+def _shared(
+    types: Types,
+    entry: Entry,
+    files: frozenset[str],
+    started: Started,
+    node: Node,
+    names: Mapping[str, str],
+    instead: Mapping[Rule, Rule],
+    *,
+    is_exact: bool = False,
+) -> Followed | None:
+    """A process followed with marks for *names* and parameters, put under those that it has; None where marks hide what is the same.
+
+    Where it *is_exact* there are no marks.
+    """
+    kinds = (started.is_component, started.has_plugins, started.has_trees, started.around, is_exact)
     key = (2, entry.key, files_key(files), started.rules, started.words, *kinds)
     earlier = types.followed.setdefault(key, [])
+    marks = Marks(names)
 
     def parameter(full: str) -> Value | None:
-        name, _, inner = full.partition(":")
-        return started.parameters.get(name, inner, node.conditions)
+        if full in names:
+            return Known(names[full])
+        name, _, inner = filled(full, names).partition(":")
+        return started.parameters.get(clean(name) if name else name, inner, node.conditions)
 
     for done in earlier:
-        if all(same(parameter(name), value) for name, value in done.asked.items()):
-            return done
+        if sharing.fits(done.asked, parameter):
+            return sharing.put_under(done, names, instead, parameter)
     asked: dict[str, Value | None] = {}
+    given: dict[str, Value | None] = {}
 
     def ask(name: str) -> Value | None:
-        value = asked[name] = parameter(name)
-        return value
+        if PARAMETER in name:
+            name = marks.looked_at(name)
+        if name not in asked:
+            value = parameter(name)
+            asked[name] = value
+            given[name] = value if is_exact else marks.given(name, f"p{len(asked) - 1}", value)
+        return given[name]
 
     is_component = started.is_component
     words = None if any("?" in word for word in started.words) else started.words
     context = Context(
+        marks=marks,
         name="",
         namespace="/",
         arguments=words,
@@ -311,7 +346,7 @@ def run_process(types: Types, entry: Entry, files: frozenset[str], started: Star
         ),
     )
     earlier.append(followed_in(types, entry, files, context, asked, key))
-    return earlier[-1]
+    return sharing.put_under(earlier[-1], names, instead, parameter)
 
 
 def _not_followed(types: Types, launched_node: LaunchedNode, node: Node, started: Started) -> tuple[Node, ...]:

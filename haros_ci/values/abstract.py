@@ -43,6 +43,11 @@ class Known:
 
     value: Any
 
+    @property
+    def kind(self) -> type:
+        """The type of the data; of what is given from outside it may be asked without looking at the value (``values.given``)."""
+        return type(self.value)
+
 
 @dataclass(frozen=True, slots=True)
 class Opaque:
@@ -190,7 +195,7 @@ def join(one: Value, other: Value) -> Value:
     """What may hold when either may: the same value, a choice of known ones, or Opaque."""
     if one is other or (type(one) is type(other) and not isinstance(one, (Known, Opaque)) and one == other):
         return one
-    if isinstance(one, Known) and isinstance(other, Known) and same(one.value, other.value):
+    if isinstance(one, Known) and isinstance(other, Known) and one.kind is other.kind and one == other:
         return one
     if isinstance(one, Opaque):
         return other if _is_error(one, other) else one
@@ -233,6 +238,10 @@ def concatenate(values: tuple[Value, ...], show: Function_[[Any], str | Opaque] 
                 whole = concatenate((*values[:index], option, *values[index + 1 :]), show)
                 chosen = whole if chosen is None else join(chosen, whole)
             return chosen if chosen is not None else Opaque("no value")
+    for value in values:
+        if isinstance(value, Known) and value.__class__ is not Known:
+            joined: Value = value.joined(values, show)  # type: ignore[attr-defined]
+            return joined
     parts: list[str | Opaque] = []
     length = 0
     for value in values:

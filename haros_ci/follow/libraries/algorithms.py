@@ -49,7 +49,7 @@ def rewritten(run: Run, name: str, args: tuple[Argument, ...]) -> Value | None:
         return _ranged(run, name, args)
     tail = next((name[len(space) :] for space in reversed(BOOST) if name.startswith(space)), "")
     words = [argument.value for argument in args[1:]]
-    if not args or not all(isinstance(word, Known) and isinstance(word.value, str) for word in words):
+    if not args or not all(isinstance(word, Known) and issubclass(word.kind, str) for word in words):
         return None
     change = _boost(tail.removesuffix("_copy"), [str(word.value) for word in words if isinstance(word, Known)])
     if change is None:
@@ -96,7 +96,7 @@ def _fits(run: Run, frame: Frame, wanted: Value, cell: Cell) -> bool | None:
     given = call_arguments.Argument(cell.value, cell, cell.type)
     verdict = activation.invoke(run, frame, wanted, (given,))
     changes = run.state.undo(mark)
-    told = isinstance(verdict, Known) and isinstance(verdict.value, (bool, int)) and not changes
+    told = isinstance(verdict, Known) and issubclass(verdict.kind, (bool, int)) and not changes
     return bool(verdict.value) if told and isinstance(verdict, Known) else None
 
 
@@ -125,9 +125,9 @@ def _text_of(value: Value) -> Cell | None:
 
 
 def _character(value: Value) -> str | None:
-    if isinstance(value, Known) and isinstance(value.value, Character):
+    if isinstance(value, Known) and issubclass(value.kind, Character):
         return chr(value.value)
-    return value.value if isinstance(value, Known) and isinstance(value.value, str) and len(value.value) == 1 else None
+    return value.value if isinstance(value, Known) and issubclass(value.kind, str) and len(value.value) == 1 else None
 
 
 def _boost(name: str, words: list[str]) -> Function_[[str], str] | None:
@@ -155,7 +155,7 @@ def _ascii(text: str, change: Function_[[str], str]) -> str:
 
 
 def _changed(value: Value, change: Function_[[str], str], is_by_letter: bool) -> Value | None:
-    if isinstance(value, Known) and isinstance(value.value, str):
+    if isinstance(value, Known) and issubclass(value.kind, str):
         after = change(value.value)
         return Known(after) if len(after) <= TEXT_LIMIT else Opaque("it is a long text")
     if isinstance(value, Text) and is_by_letter:

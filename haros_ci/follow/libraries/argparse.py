@@ -65,7 +65,7 @@ def _parsed(options: Any, args: tuple[Argument, ...], is_partly: bool) -> Value 
     items = _words(args[0].value) if is_given else None
     if items is None or len(items) > MOST or not isinstance(options, tuple):
         return None
-    words = [item.value for item in items if isinstance(item, Known) and isinstance(item.value, str)]
+    words = [item.value for item in items if isinstance(item, Known) and issubclass(item.kind, str)]
     if len(words) < len(items):
         return None
     try:

@@ -154,7 +154,7 @@ def function(
             wanted = run.type_in(targs[0], frame)
             if wanted.name not in STRINGS:
                 return conversions.converted(_number(value), wanted)
-            if isinstance(value, Known) and isinstance(value.value, float):
+            if isinstance(value, Known) and issubclass(value.kind, float):
                 is_double = args[0].type is not None and args[0].type.name == "double"
                 return Known(f"{value.value:.17g}") if is_double else run.opaque("its digits are not known", frame)
             return concatenate((value,))
@@ -191,7 +191,7 @@ def protected(run: Run, this: Object, name: str) -> Cell | None:
 
 
 def _number(value: Value) -> Value:
-    if isinstance(value, Known) and isinstance(value.value, str):
+    if isinstance(value, Known) and issubclass(value.kind, str):
         try:
             return Known(float(value.value) if "." in value.value else int(value.value))
         except ValueError:
@@ -214,7 +214,7 @@ def method(
     if (name.startswith("as_") or name == "get_value") and not args and run.context.process is not None:
         if isinstance(receiver, (Known, Text, Sequence)) or (isinstance(receiver, Opaque) and _is_filled(cell)):
             return receiver  # what a rclcpp::Parameter that is filled by get_parameter holds
-    is_text = isinstance(receiver, Text) or (isinstance(receiver, Known) and isinstance(receiver.value, str))
+    is_text = isinstance(receiver, Text) or (isinstance(receiver, Known) and issubclass(receiver.kind, str))
     if is_text and name == "append" and cell is None and args:  # of a temporary
         return concatenate((receiver, texts.constructed(args)))
     if name == "get_type" and not args and run.context.process is not None:  # of what a parameter holds
@@ -280,7 +280,7 @@ def _object(
         return loaders.nodelet(run, frame, args, location)
     if receiver.name == LOADER and name == "getName" and args:
         named = args[0].value
-        if isinstance(named, Known) and isinstance(named.value, str):
+        if isinstance(named, Known) and issubclass(named.kind, str):
             return Known(named.value.replace("::", "/").rpartition("/")[2])
         return run.opaque("the plug-in's name is not known", frame, location.line)
     if receiver.name in STREAMS:

@@ -22,11 +22,14 @@ PARTS = frozenset(("path", "string", "filename", "extension", "stem", "parent_pa
 def of_known(
     run: Run, frame: Frame, receiver: Known, cell: Cell | None, name: str, args: tuple[Argument, ...]
 ) -> Value | None:
-    data = receiver.value
-    if name == "has_value" and not args and isinstance(data, bool):
+    if name == "has_value" and not args and receiver.kind is bool:
         return receiver  # what BT::TreeNode::getInput says
     if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
         return receiver
+    if name in ("append", "push_back") and issubclass(receiver.kind, str) and cell is not None and args:
+        run.state.write(cell, concatenate((receiver, texts.constructed(args))))
+        return cell.value
+    data = receiver.value
     if isinstance(data, str):
         if name in ("size", "length"):
             return Known(len(data))
@@ -62,9 +65,8 @@ def of_known(
             run.state.write(cell, args[0].value)
             run.state.write(args[0].cell, receiver)
             return NONE
-        if name in ("append", "push_back", "assign") and cell is not None and args:
-            before: tuple[Value, ...] = () if name == "assign" else (receiver,)
-            run.state.write(cell, concatenate((*before, texts.constructed(args))))
+        if name == "assign" and cell is not None and args:
+            run.state.write(cell, concatenate((texts.constructed(args),)))
             return cell.value
         if name == "clear" and cell is not None:
             run.state.write(cell, Known(""))

@@ -133,7 +133,7 @@ def _step(run: Run, frame: Frame, value: Value, step: str) -> Value | None:
     index = whole_number(step[1:-1])
     key: Any = step[1:-1] if index is None else index
     content: Any = value.content.value if isinstance(value, (Sequence, Mapped)) else None
-    if isinstance(value, Known) and isinstance(value.value, (list, dict)):
+    if isinstance(value, Known) and issubclass(value.kind, (list, dict)):
         content = value.value
     if isinstance(content, dict):
         found = content.get(key)
@@ -143,7 +143,7 @@ def _step(run: Run, frame: Frame, value: Value, step: str) -> Value | None:
 
 
 def _formatted(value: Value, specifier: str, conversion: str | None) -> Value:
-    if conversion not in (None, "s") and not (isinstance(value, Known) and isinstance(value.value, int)):
+    if conversion not in (None, "s") and not (isinstance(value, Known) and issubclass(value.kind, int)):
         return Opaque("its representation is not known")
     if not specifier:
         return value

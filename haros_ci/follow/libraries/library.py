@@ -58,7 +58,7 @@ def method(
             found = _pointed_to(run, receiver)
     if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:
         return found
-    if isinstance(receiver, Known) and not isinstance(receiver.value, (str, list, dict)):
+    if isinstance(receiver, Known) and not issubclass(receiver.kind, (str, list, dict)):
         return None
     return havoc.method(run, frame, receiver, cell, name, args)
 

@@ -91,7 +91,7 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
     if name == "enumerate" and first is not None:
         items = comprehensions.items(first)
         begin = args[1].value if len(args) > 1 else Known(0)
-        if items is not None and isinstance(begin, Known) and isinstance(begin.value, int):
+        if items is not None and isinstance(begin, Known) and issubclass(begin.kind, int):
             pairs = [Sequence(Cell((Cell(Known(n)), Cell(item)))) for n, item in enumerate(items, begin.value)]
             return Sequence(Cell(tuple(Cell(pair) for pair in pairs)))
     if name == "zip":
@@ -113,7 +113,7 @@ def function(run: Run, frame: Frame, name: str, args: tuple[Argument, ...]) -> V
         return plain
     if name in ("os.path.join", "posixpath.join") and args:
         return formats.path(run, frame, args)
-    if name in formats.PATHS and isinstance(first, Known) and isinstance(first.value, str) and len(args) == 1:
+    if name in formats.PATHS and isinstance(first, Known) and issubclass(first.kind, str) and len(args) == 1:
         return formats.of_path(name, first.value)
     if name in ("open", "io.open", "file") and first is not None:
         return Object("file", fields={"[path]": Cell(first)})
@@ -164,12 +164,12 @@ def argv(run: Run, is_own: bool = False) -> Value:
 
 
 def _may_be_text(value: Value) -> bool:
-    return not isinstance(value, Known) or isinstance(value.value, str)
+    return not isinstance(value, Known) or issubclass(value.kind, str)
 
 
 def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argument, ...]) -> Value | None:
     """A modelled method."""
-    if isinstance(receiver, Known) and isinstance(receiver.value, str):
+    if isinstance(receiver, Known) and issubclass(receiver.kind, str):
         if name == "format":
             return formats.braces(run, frame, receiver.value, args)
         if name == "join" and args:
@@ -210,7 +210,7 @@ def method(run: Run, frame: Frame, receiver: Value, name: str, args: tuple[Argum
         if name in ("append", "extend", "insert", "remove", "pop", "sort", "reverse"):
             run.state.write(receiver.content, run.opaque("a list that is changed", frame))
             return NONE
-    if isinstance(receiver, Known) and isinstance(receiver.value, dict):
+    if isinstance(receiver, Known) and issubclass(receiver.kind, dict):
         pairs = {key: Cell(Known(item)) for key, item in receiver.value.items()}
         return _dictionary(run, frame, pairs, name, args)
     if isinstance(receiver, Mapped) and name in ("update", "pop", "setdefault", "clear", "copy"):
@@ -254,13 +254,13 @@ def _changed(run: Run, frame: Frame, receiver: Mapped, name: str, args: tuple[Ar
             return Mapped(Cell({key: Cell(cell.value, cell.type) for key, cell in pairs.items()}))
         if name == "update" and len(args) == 1 and not args[0].keyword:
             more: Any = first.content.value if isinstance(first, Mapped) else None
-            if isinstance(first, Known) and isinstance(first.value, dict):
+            if isinstance(first, Known) and issubclass(first.kind, dict):
                 more = {key: Cell(Known(item)) for key, item in first.value.items()}
             if isinstance(more, dict) and len(pairs) + len(more) <= LIST_LIMIT:
                 fresh = {key: Cell(cell.value, cell.type) for key, cell in more.items()}
                 run.state.write(receiver.content, {**pairs, **fresh})
                 return NONE
-        if isinstance(first, Known) and isinstance(first.value, (str, int)) and name in ("pop", "setdefault"):
+        if isinstance(first, Known) and issubclass(first.kind, (str, int)) and name in ("pop", "setdefault"):
             found = pairs.get(first.value)
             default = args[1].value if len(args) > 1 else NONE
             if found is None and name == "setdefault":

@@ -78,7 +78,7 @@ def end_of(expression: Expression, iterator: Value) -> Value | None:
     name = expression.callee.name
     of = iterator.fields["[of]"].value if "[of]" in iterator.fields else None
     held = of.cell.value if isinstance(of, Pointer) else None
-    if not isinstance(held, Known) or not isinstance(held.value, str) or not held.value:
+    if not isinstance(held, Known) or not issubclass(held.kind, str) or not held.value:
         return None
     if name not in ("begin", "cbegin", "rbegin", "crbegin"):
         return None

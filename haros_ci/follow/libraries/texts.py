@@ -94,10 +94,10 @@ def start(run: Run, stream: Object, value: Value) -> None:
 
 def number(value: Value) -> Value:
     """A text of one character that is an element of another text, as the number that it is."""
-    if isinstance(value, Known) and isinstance(value.value, str) and len(value.value) == 1:
+    if isinstance(value, Known) and issubclass(value.kind, str) and len(value.value) == 1:
         return Known(Character(ord(value.value))) if ord(value.value) < 128 else Opaque("its number is not known")
     return value
 
 
 def is_text(value: Value) -> bool:
-    return isinstance(value, Text) or (isinstance(value, Known) and isinstance(value.value, str))
+    return isinstance(value, Text) or (isinstance(value, Known) and issubclass(value.kind, str))

@@ -88,7 +88,7 @@ def _first(elements: tuple[LaunchElement, ...], start: int, tag: object) -> Valu
 def directory(run: Run, value: Value) -> Value | None:
     """``directory_iterator(path)`` as a list of paths; None where these are not known, or too many."""
     reader = run.context.xml
-    if reader is None or not isinstance(value, Known) or not isinstance(value.value, str):
+    if reader is None or not isinstance(value, Known) or not issubclass(value.kind, str):
         return None
     if run.index.trace is not None:
         run.index.trace.paths.add(XML_FILES)

@@ -53,7 +53,7 @@ def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
     if isinstance(name, Choice):
         ways = [partial(_named, run, frame, loader, option, location) for option in name.options]
         return run.either_way(ways, "it is one of several plug-ins")
-    if not isinstance(name, Known) or not isinstance(name.value, str):
+    if not isinstance(name, Known) or not issubclass(name.kind, str):
         why = opaque_of(name)
         said = why.reason if why is not None else "it is no text"
         dynamic.plugin(run, None, f"its name is not known: {said}", location)
@@ -66,7 +66,7 @@ def _named(run: Run, frame: Frame, loader: Object, name: Value, location: Locati
 
 
 def yaml_file(run: Run, path: Value) -> Value:
-    if isinstance(path, Known) and isinstance(path.value, str):
+    if isinstance(path, Known) and issubclass(path.kind, str):
         if run.index.trace is not None:
             run.index.trace.paths.add(YAML_FILES)
             is_traced = not path.value or path.value.endswith((".yaml", ".yml"))  # no file has no name
@@ -84,7 +84,7 @@ def yaml_stream(run: Run, stream: Value) -> Value:
             return yaml_file(run, stream.fields["[path]"].value)
         if "[text]" in stream.fields:
             stream = stream.fields["[text]"].value
-    if isinstance(stream, Known) and isinstance(stream.value, str):
+    if isinstance(stream, Known) and issubclass(stream.kind, str):
         found = run.context.read_yaml(f"\n{stream.value}")
         if found is not None:
             return found

@@ -175,7 +175,7 @@ def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
     if wanted == "string":
         return (
             isinstance(value, Text)
-            or (isinstance(value, Known) and isinstance(value.value, str))
+            or (isinstance(value, Known) and issubclass(value.kind, str))
             or name in STRINGS
             or name == "char"
         )
@@ -184,7 +184,7 @@ def _has_type(argument: Argument | None, wanted: str, run: Run) -> bool:
     if wanted == "list":
         return isinstance(value, Sequence) or name in SEQUENCES or name == "list"
     if wanted == "bool":
-        return (isinstance(value, Known) and isinstance(value.value, bool)) or name == "bool"
+        return (isinstance(value, Known) and issubclass(value.kind, bool)) or name == "bool"
     if wanted == "int":
         return parameter_type(kind) == "int"
     if wanted == "double":

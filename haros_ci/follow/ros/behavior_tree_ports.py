@@ -43,7 +43,7 @@ DEEPEST = 8
 
 def text_of(value: Value | None) -> str | None:
     """*value*, if it is a text that is known."""
-    return value.value if isinstance(value, Known) and isinstance(value.value, str) else None
+    return value.value if isinstance(value, Known) and issubclass(value.kind, str) else None
 
 
 def configured(this: Object, args: tuple[Argument, ...]) -> None:
@@ -101,7 +101,7 @@ def _target(target: Argument) -> Cell | None:
 
 def _read_as(run: Run, frame: Frame, value: Value, kind: Type | None) -> Value:
     """*value*, where it is a text, as BT::convertFromString reads it as a *kind*."""
-    if not isinstance(value, Known) or not isinstance(value.value, str) or kind is None:
+    if not isinstance(value, Known) or not issubclass(value.kind, str) or kind is None:
         return conversions.converted(value, kind)
     if kind.name in STRINGS or kind.name in ("", "auto"):
         return value

@@ -191,7 +191,7 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
         if result is None and found.type.name:
             unknowns.append(("type", f"{found.type.name} is no message type that is known", applied.location))
             return None
-    elif isinstance(found, Known) and isinstance(found.value, str):
+    elif isinstance(found, Known) and issubclass(found.kind, str):
         result = found.value
     if result is not None and not is_ros2 and entry.kind in ("action_servers", "action_clients"):
         result = result.removesuffix("Action")
@@ -276,7 +276,7 @@ def _integer(applied: Applied, entry: Entry, key: str, unknowns: Unknowns) -> in
     found = value_of(applied, entry.values[key])
     if found is None:
         return None
-    if isinstance(found, Known) and isinstance(found.value, (int, float)) and not isinstance(found.value, bool):
+    if isinstance(found, Known) and issubclass(found.kind, (int, float)) and not isinstance(found.value, bool):
         if isfinite(found.value):
             return int(found.value)
         found = Opaque("it is infinite")

@@ -18,6 +18,7 @@ from haros_ci.model.location import Location
 from haros_ci.syntax import Function
 from haros_ci.values import iterators
 from haros_ci.values.abstract import Choice, Known, Library, Opaque, Text
+from haros_ci.values.given import marked
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import Argument
@@ -46,7 +47,7 @@ def through(
 @contextmanager
 def _outermost(run: Run, args: tuple[Argument, ...], location: Location) -> Iterator[None]:
     values = [each.value for each in args if isinstance(each.value, (Known, Text, Choice, Opaque, Library))]
-    texts = [pattern(each)[0] for value in values for each in (value, *iterators.options(value))]
+    texts = [pattern(marked(each))[0] for value in values for each in (value, *iterators.options(value))]
     run.outer = location, frozenset(text or UNKNOWN for text in texts)
     try:
         yield
@@ -56,9 +57,14 @@ def _outermost(run: Run, args: tuple[Argument, ...], location: Location) -> Iter
 
 def place(run: Run, name: str, location: Location) -> Location:
     """Where an endpoint of that *name* stands that the call at *location* makes."""
-    if run.outer is not None and any(text in name for text in run.outer[1]):
-        return run.outer[0]
-    return location
+    if run.outer is None:
+        return location
+    marks = run.context.marks
+    whole, texts = marks.real(name), [marks.real(text) for text in run.outer[1]]
+    is_through = any(text in whole for text in texts)
+    if is_through is not any(text in name for text in run.outer[1]):
+        marks.looked_at("".join((name, *run.outer[1])))
+    return run.outer[0] if is_through else location
 
 
 def _is_wrapper(function: Function) -> bool:

@@ -43,7 +43,7 @@ def nodelet(run: Run, frame: Frame, args: tuple[Argument, ...], location: Locati
 
 
 def _load(run: Run, name: Value, kind: Value, renames: Mapping[str, Value] | None, location: Location) -> None:
-    if not isinstance(kind, Known) or not isinstance(kind.value, str):
+    if not isinstance(kind, Known) or not issubclass(kind.kind, str):
         run.gaps.setdefault("it loads a nodelet of which the type is not known", location)
         return
     context = run.context

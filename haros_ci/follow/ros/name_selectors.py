@@ -13,6 +13,7 @@ from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import FALSE, TRUE, Choice, Known, Object, Opaque, Text, Value, join
+from haros_ci.values.given import marked
 
 #: A name as a pattern, with why and where it is not wholly known.
 Name = tuple[str, str | None, Location | None]
@@ -36,6 +37,7 @@ def _full(applied: selectors.Applied, value: Any, flag: str) -> Value:
         return applied.run.opaque("the namespace that an empty name is resolved to", applied.frame)
     full, unknown = _absolute(applied, _name(value))
     if unknown is not None:
+        full = applied.run.context.marks.looked_at(full)
         pieces: list[str | Opaque] = []
         for number, piece in enumerate(full.split("?")):
             pieces += ([unknown] if number else []) + ([piece] if piece else [])
@@ -43,9 +45,10 @@ def _full(applied: selectors.Applied, value: Any, flag: str) -> Value:
     name = _remap(applied, full)
     given = selectors.given(applied.args, flag) if flag else None
     remaps, expands = (TRUE, FALSE) if applied.run.context.process is None else (FALSE, TRUE)  # ROS 2: only_expand
+    known = applied.run.context.marks.known
     if given is None or name == full or given.value == remaps:
-        return Known(name)
-    return Known(full) if given.value == expands else applied.run.opaque("whether the name is remapped", applied.frame)
+        return known(name)
+    return known(full) if given.value == expands else applied.run.opaque("whether the name is remapped", applied.frame)
 
 
 def remapped(applied: selectors.Applied, selector: str) -> Value:
@@ -55,13 +58,13 @@ def remapped(applied: selectors.Applied, selector: str) -> Value:
         return applied.run.opaque("a name that is not known", applied.frame)
     full, unknown = _absolute(applied, _name(value))
     name = _remap(applied, full) if unknown is None else full
-    return Known(name) if name != full else value
+    return applied.run.context.marks.known(name) if name != full else value
 
 
 def canonical(applied: selectors.Applied, selector: str) -> Value | None:
     """A name without doubled and trailing slashes; one that is not known stays as it is."""
     value: Value | None = _first(applied, selector)
-    if isinstance(value, Known) and isinstance(value.value, str):
+    if isinstance(value, Known) and issubclass(value.kind, str):
         name = "/".join(part for part in value.value.split("/") if part)
         return Known(f"/{name}" if value.value.startswith("/") else name)
     return value
@@ -71,7 +74,8 @@ def parent(applied: selectors.Applied, selector: str) -> Value:
     """The namespace of a name as it is resolved and remapped, with its last slash."""
     full, why = _absolute(applied, _name(_first(applied, selector)))
     if why is None:
-        return Known(f"{_remap(applied, full).rpartition('/')[0]}/")
+        return Known(f"{applied.run.context.marks.looked_at(_remap(applied, full)).rpartition('/')[0]}/")
+    full = applied.run.context.marks.looked_at(full)
     head = f"{full.rpartition('/')[0]}/"
     return Text((head.partition("?")[0] or "/", why))
 
@@ -96,7 +100,7 @@ def _above(value: Value) -> Value:
 def expanded(applied: selectors.Applied, name: str, node: str, space: str) -> Value:
     """A name as rclcpp::expand_topic_or_service_name gives it for a node's name and namespace, without remapping."""
     found = [_first(applied, where) for where in (name, node, space)]
-    texts = [each.value if isinstance(each, Known) and isinstance(each.value, str) else None for each in found]
+    texts = [each.value if isinstance(each, Known) and issubclass(each.kind, str) else None for each in found]
     if isinstance(found[0], Text) and str(found[0].parts[0])[:1] == "/":
         return found[0]
     if texts[0] is None or "{" in texts[0] or (texts[0][:1] != "/" and (texts[1] is None or texts[2] is None)):
@@ -184,7 +188,7 @@ def _node(applied: selectors.Applied) -> ros2_process.RosNode | None:
 def _remap(applied: selectors.Applied, full: str) -> str:
     """What the full name is remapped to, by the ROS 2 node's rules where there is one."""
     node = _node(applied) if applied.run.context.process is not None else None
-    return node.remap(full) if node is not None else applied.run.context.remap(full)
+    return ros2_nodes.remapped(applied.run, node, full) if node is not None else applied.run.context.remap(full)
 
 
 def _first(applied: selectors.Applied, alternatives: str) -> Any:
@@ -198,7 +202,7 @@ def _first(applied: selectors.Applied, alternatives: str) -> Any:
 
 def _name(value: Any) -> Name:
     if isinstance(value, (Known, Text, Opaque, Choice)):
-        return pattern(value)
+        return pattern(marked(value))
     return "?", "it is not known", None
 
 

@@ -107,7 +107,7 @@ def override_policies(options: Value | None) -> tuple[str, ...] | None:
         options = options.cell.value
     if options is None or options == Known(None):
         return ()
-    if isinstance(options, Known) and isinstance(options.value, str):
+    if isinstance(options, Known) and issubclass(options.kind, str):
         return tuple(word for word in options.value.split(",") if word in (*POLICIES, "liveliness_lease_duration"))
     if isinstance(options, Sequence):  # {policies}, or {{policies}, callback, id}
         inner = _braced(options, 0)
@@ -149,7 +149,7 @@ def override_id(options: Value | None) -> str | None:
     if inner is not None:
         return override_id(inner.value)
     held = options.fields["id"].value if "id" in options.fields else Known("")
-    return held.value if isinstance(held, Known) and isinstance(held.value, str) else None
+    return held.value if isinstance(held, Known) and issubclass(held.kind, str) else None
 
 
 def _of_data(data: Any) -> tuple[Qos, Why | None]:
@@ -230,9 +230,9 @@ def _policy(policy: str, value: Value) -> tuple[Any, Why | None]:
 def _word(policy: str, value: Value) -> Any:
     if policy == "depth":
         return _depth(value)
-    if isinstance(value, Known) and isinstance(value.value, int) and not isinstance(value.value, bool):
+    if isinstance(value, Known) and issubclass(value.kind, int) and not isinstance(value.value, bool):
         return NUMBERS[policy].get(value.value, "?")
-    if isinstance(value, Known) and isinstance(value.value, str):
+    if isinstance(value, Known) and issubclass(value.kind, str):
         return WORDS[policy].get(value.value.lower(), "?")
     if isinstance(value, Library):
         name = value.name.removesuffix(".value")
@@ -244,7 +244,7 @@ def _word(policy: str, value: Value) -> Any:
 
 
 def _depth(value: Value) -> Any:
-    if isinstance(value, Known) and isinstance(value.value, (int, float)) and not isinstance(value.value, bool):
+    if isinstance(value, Known) and issubclass(value.kind, (int, float)) and not isinstance(value.value, bool):
         return int(value.value)
     if isinstance(value, Known) and value.value in ("default", "system_default"):
         return None
@@ -289,7 +289,7 @@ def _duration(value: Value) -> Any:
             if inner == "?" or inner is None:
                 return inner
             total += inner
-        elif isinstance(part, Known) and isinstance(part.value, (int, float)) and not isinstance(part.value, bool):
+        elif isinstance(part, Known) and issubclass(part.kind, (int, float)) and not isinstance(part.value, bool):
             total += part.value * UNITS[name]
         else:
             return "?"

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow.made import Made, make
+from haros_ci.follow.ros.ros2_nodes import remapped
 from haros_ci.follow.ros.qos import DURATIONS, overridden, override_id, override_policies
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.model.architecture import Qos
@@ -43,7 +44,9 @@ def apply(
     A parameter that nothing seen sets counts as not set, also where a file is not seen.
     """
     policies, suffix = override_policies(options), override_id(options)
-    final = node.whole.remap(name)
+    if policies == () or "?" in name:
+        return qos, []
+    final = remapped(applied.run, node.whole, name)
     if policies == () or "?" in final:
         return qos, []
     head = f"qos_overrides.{final}.{ENDS[kind]}"

@@ -29,6 +29,7 @@ from haros_ci.values.abstract import (
     data_of,
     opaque_of,
 )
+from haros_ci.values.given import AsGiven, Given, marked
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
@@ -69,7 +70,8 @@ def _named(applied: Applied, entry: Entry, given: Any, node: RosNode | None, why
 
     run = applied.run
     unknowns: Unknowns = []
-    text, why, where = pattern(given if given is not None else Opaque("it is not given", applied.location))
+    told = given if given is not None else Opaque("it is not given", applied.location)
+    text, why, where = pattern(told if entry.kind in PARAMETERS else marked(told))
     if entry.kind in PARAMETERS and entry.each is not None:
         text = text.removeprefix(".")
     if why is None and not text and entry.kind not in PARAMETERS:
@@ -180,7 +182,7 @@ def _parameter(
     is_told = why is None or ros2_parameters.is_telling(text)
     value, effective = _effective(applied, node, text if is_told else None, default, entry.kind)
     if declared is None and entry.kind == "parameters":
-        declared = ros2_data_type(effective)
+        declared = ros2_data_type(value.held if isinstance(value, Given) else effective)
     if declared is None and ("type" in entry.values or "value" in entry.values):
         unknowns.append(("type", "the type of the parameter is not known", applied.location))
     read_only, limits = _descriptor(applied, entry, unknowns)
@@ -256,6 +258,8 @@ def _effective(
     if found is None and kind == "parameters" and _is_empty(value) and "?" in name:
         assert isinstance(value, Sequence)  # of what is an element of a list itself, a list may have any
         value = Sequence(Cell(Opaque(MORE, applied.location)), value.type)
+    if isinstance(value, Given):
+        return value, AsGiven(value.cells[0]) if value.mark is None else value.mark
     known, data = data_of(value)
     if known and isinstance(value, Sequence):
         value = Known(data)  # of each reading it is a copy

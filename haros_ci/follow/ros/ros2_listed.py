@@ -72,7 +72,7 @@ def _texts(value: Value | None) -> list[str] | None:
     if isinstance(value, Pointer):
         value = value.cell.value
     content = value.content.value if isinstance(value, Sequence) else None
-    if isinstance(value, Known) and isinstance(value.value, list):
+    if isinstance(value, Known) and issubclass(value.kind, list):
         content = tuple(Cell(Known(item)) for item in value.value)
     if not isinstance(content, tuple):
         return None

@@ -4,15 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.follow import twins
-from haros_ci.graph.names import pattern
+from haros_ci.graph.names import clean, pattern
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import Arguments, Parameters, RosNode, Rule, from_arguments, named, ros_arguments
 from haros_ci.model.api import Entry
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
+from haros_ci.values.given import marked
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
@@ -140,7 +142,7 @@ def made(
         switches[UNDECLARED] = True
     given = {**_parameters(local, full, location), **_overrides(options)}
     sim_time = given.get(SIM_TIME)
-    if isinstance(sim_time, Known) and isinstance(sim_time.value, bool):
+    if isinstance(sim_time, Known) and issubclass(sim_time.kind, bool):
         switches[SIM_TIME] = sim_time.value
     node = RosNode(
         name=full,
@@ -171,7 +173,7 @@ def options_for(run: Run) -> Object:
     for rule in (process.component or ()) if process is not None else ():
         head = f"{rule.node}:{rule.source}" if rule.node else rule.source
         words += ["-r", f"{head}:={rule.target}"]
-    cells = tuple(Cell(Known(word)) for word in words)
+    cells = tuple(Cell(run.context.marks.known(word)) for word in words)
     fields = {
         "arguments": Cell(Sequence(Cell(cells))),
         "use_global_arguments": Cell(Known(process is None or process.component is None)),
@@ -203,7 +205,7 @@ def _field(value: Any, name: str) -> Value | None:
 
 def _flag(options: Any, name: str) -> bool | None:
     held = _field(options, name)
-    return held.value if isinstance(held, Known) and isinstance(held.value, bool) else None
+    return held.value if isinstance(held, Known) and issubclass(held.kind, bool) else None
 
 
 def _arguments(options: Any) -> tuple[Arguments, bool]:
@@ -212,10 +214,10 @@ def _arguments(options: Any) -> tuple[Arguments, bool]:
     if held is None or held == NONE:
         return Arguments(), False
     words: list[str] = []
-    if isinstance(held, Known) and isinstance(held.value, list):
+    if isinstance(held, Known) and issubclass(held.kind, list):
         words = [str(word) for word in held.value]
     elif isinstance(held, Sequence) and isinstance(held.content.value, tuple):
-        words = [pattern(cell.value)[0] for cell in held.content.value]
+        words = [pattern(marked(cell.value))[0] for cell in held.content.value]
     else:
         return Arguments(), True
     return ros_arguments(words), False
@@ -278,6 +280,29 @@ def handed(run: Run, name: str, values: Iterable[Value]) -> None:
             for node in run.nodes:
                 if found is not None and node.name == found.name:
                     node.options[UNDECLARED] = True
+
+
+def remapped(run: Run, node: RosNode, name: str) -> str:
+    """What the absolute *name*, with marks, is remapped to; where marks hide which rule is for it, it depends on what they stand for."""
+    marks = run.context.marks
+    found = node.remap(name)
+    whole = marks.real(name)
+    if whole == name and marks.real(node.name) == node.name:
+        return found
+    told = _as_named(run, node).remap(clean(whole))
+    if told == clean(marks.real(found)):
+        return found
+    marks.looked_at(name + node.name)
+    return told
+
+
+def _as_named(run: Run, node: RosNode) -> RosNode:
+    """*node* with the names that it is given instead of their marks."""
+    real = run.context.marks.real
+    name, own, space = (clean(real(text)) for text in (node.name, node.own, node.space))
+    rules = tuple(replace(rule, target=real(rule.target)) for rule in node.rules)
+    main = _as_named(run, node.main) if node.main is not None else None
+    return replace(node, name=name, own=own, space=space, rules=rules, main=main)
 
 
 def of_entry(applied: Applied, entry: Entry) -> tuple[RosNode | None, str]:

@@ -59,13 +59,14 @@ def node_name(applied: Applied, part: str) -> Value:
         "sub_namespace": node.space[len(own.own) :].strip("/") if node.main is not None else "",
         "effective_namespace": node.space,
     }
-    return known_text(texts[part], node)
+    return known_text(applied, texts[part], node)
 
 
-def known_text(text: str, node: RosNode) -> Value:
+def known_text(applied: Applied, text: str, node: RosNode) -> Value:
     """A text in which ``?`` stands for what is not known of a node's name."""
     if "?" not in text:
-        return Known(text)
+        return applied.run.context.marks.known(text)
+    text = applied.run.context.marks.looked_at(text)
     why = Opaque(*(node.why or ("the name of the node is not known", node.location)))
     head, _, tail = text.partition("?")
     return Text(tuple(part for part in (head, why, tail) if part != ""))
@@ -89,7 +90,7 @@ def items(applied: Applied, value: Any) -> list[Mapping[str, Any] | None]:
 
 def listed(value: Any) -> list[Mapping[str, Any]] | None:
     """The items of a list of parameters; None if it is not known."""
-    if isinstance(value, Known) and isinstance(value.value, (list, tuple)):
+    if isinstance(value, Known) and issubclass(value.kind, (list, tuple)):
         cells: Any = tuple(Cell(Known(item)) for item in value.value)
     else:
         cells = value.content.value if isinstance(value, (Sequence, Mapped)) else None
@@ -110,7 +111,7 @@ def _item(value: Any) -> Mapping[str, Any]:
     parts: list[Any] = []
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         parts = [cell.value for cell in value.content.value]
-    elif isinstance(value, Known) and isinstance(value.value, (list, tuple)):
+    elif isinstance(value, Known) and issubclass(value.kind, (list, tuple)):
         parts = [Known(part) for part in value.value]
     if not parts:
         return {"name": value}

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One program started under several names and with several parameters: what was followed once, put under each of them.
+
+In what ``follow`` gives, marks stand for names and values that the program has never looked at (``values.given``). A result is used again
+where all that it did look at is the same; then the marks are replaced by what this one is given.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from haros_ci.follow.made import Made
+from haros_ci.follow.twins import Twin
+from haros_ci.graph.names import clean
+from haros_ci.graph.ros2_process import NAMES, SPACES, RosNode, Rule
+from haros_ci.keeping.kept import Followed
+from haros_ci.values.abstract import Known, Value
+from haros_ci.values.given import BEGIN, END, AsGiven, Unseen, filled, shape
+
+_NAME = re.compile(r"[A-Za-z]\w{0,100}", re.ASCII)
+_SPACE = re.compile(r"/|/?[A-Za-z][\w/]{0,100}", re.ASCII)
+
+Rules = tuple[Rule, ...]
+
+
+def without_names(*groups: Rules) -> tuple[tuple[Rules, ...], dict[str, str], dict[Rule, Rule]]:
+    """Rules with marks for the names that they give, the text of each mark's key, and the rule that each new one is for.
+
+    Where a rule is for one node alone all stay as they are: which one that is depends on the names.
+    """
+    texts: dict[str, str] = {}
+    instead: dict[Rule, Rule] = {}
+    if any(rule.node for group in groups for rule in group):
+        return groups, texts, instead
+    found = []
+    for group in groups:
+        rules = []
+        for rule in group:
+            made = rule
+            if rule.source in NAMES and _NAME.fullmatch(rule.target):
+                key = f"n{len(texts)}"
+                texts[key], made = rule.target, replace(rule, target=f"{BEGIN}{key}{END}")
+            elif rule.source in SPACES and _SPACE.fullmatch(rule.target):
+                key = f"s{len(texts)}"
+                texts[key], made = clean(rule.target), replace(rule, target=f"/{BEGIN}{key}{END}")
+            instead[made] = rule
+            rules.append(made)
+        found.append(tuple(rules))
+    return tuple(found), texts, instead
+
+
+def fits(asked: Mapping[str, Any], given: Callable[[str], Value | None]) -> bool:
+    """Whether what is *given* now is what was *asked* for: the same, or of the same shape where nobody looked at it."""
+    for name, before in asked.items():
+        now = given(name)
+        if isinstance(before, Unseen):
+            if shape(now) != before.shape:
+                return False
+        elif not same(now, before):
+            return False
+    return True
+
+
+def same(one: Value | None, other: Value | None) -> bool:
+    """Whether two values are the same, and not only equal as ``1`` and ``True`` are."""
+    return one is other or (one == other and repr(one) == repr(other))
+
+
+def put_under(
+    followed: Followed, names: Mapping[str, str], rules: Mapping[Rule, Rule], given: Callable[[str], Value | None]
+) -> Followed | None:
+    """*followed* with *names* for their keys, *rules* for those with marks and the parameters that are *given*.
+
+    None if two things that were made are one then.
+    """
+    if not names and not any(isinstance(before, Unseen) for before in followed.asked.values()):
+        return followed
+    texts = dict(names)
+    for number, (name, before) in enumerate(followed.asked.items()):
+        value = given(name) if isinstance(before, Unseen) else before
+        if isinstance(value, Known) and isinstance(value.value, str):
+            texts[f"p{number}"] = value.value
+    nodes: dict[int, RosNode] = {}
+
+    def text(marked: str) -> str:
+        return filled(marked, texts) if BEGIN in marked else marked
+
+    def name(marked: str) -> str:
+        if BEGIN not in marked:
+            return marked
+        head, colon, tail = filled(marked, texts).partition(":")
+        return f"{clean(head)}{colon}{tail}"
+
+    def node(before: RosNode) -> RosNode:
+        if id(before) not in nodes:
+            nodes[id(before)] = replace(
+                before,
+                name=name(before.name),
+                own=name(before.own),
+                space=name(before.space),
+                rules=tuple(rules.get(rule, rule) for rule in before.rules),
+                why=before.why and (text(before.why[0]), before.why[1]),
+                main=node(before.main) if before.main is not None else None,
+            )
+        return nodes[id(before)]
+
+    def made(before: Made) -> Made:
+        effective: Any = before.effective
+        if isinstance(effective, AsGiven):
+            value = given(effective.key)
+            effective = value.value if isinstance(value, Known) else None
+        elif isinstance(effective, str):
+            effective = text(effective)
+        return replace(
+            before,
+            name=name(before.name),
+            effective=effective,
+            node=node(before.node) if before.node is not None else None,
+            unknowns=tuple((what, text(why), where) for what, why, where in before.unknowns),
+            written=before.written and text(before.written),
+        )
+
+    every = tuple(map(made, followed.made))
+    if _number(every) != _number(followed.made):
+        return None
+    return replace(
+        followed,
+        made=every,
+        gaps={text(said): where for said, where in followed.gaps.items()},
+        nodes=tuple(map(node, followed.nodes)),
+        twins=tuple(Twin(name(twin.name), twin.first, twin.second) for twin in followed.twins),
+    )
+
+
+def _number(made: Iterable[Made]) -> int:
+    return len({(m.kind, m.name, m.type, m.location, m.node and m.node.name) for m in made})
