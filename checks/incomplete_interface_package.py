@@ -126,8 +126,11 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
             Level.ERROR if is_missing else Level.WARNING,
         )
     if not {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
-        effect = "on a machine with only the declared dependencies its interfaces may not load"
-        yield _missing(package, call, runtimes[0], "exec_depend", effect, Level.WARNING)
+        effect, level = "on a machine with only the declared dependencies its interfaces may not load", Level.WARNING
+        bringing = next((each.name for each in needs(package, *EXPORTED) if brings(package, (each.name,), *runtimes)), None)
+        if bringing is not None:
+            effect, level = f"it is there only because {bringing} brings it", Level.NOTE
+        yield _missing(package, call, runtimes[0], "exec_depend", effect, level)
 
 
 def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, effect: str, level: Level) -> Finding:

@@ -219,3 +219,30 @@ def test_a_find_module_is_advised_where_cmake_names_it(cmake: str, source: str, 
     found = messages(MANIFEST.format(' format="3"', ROS2.format("")), cmake, source, tmp_path)
     assert any(advice in message for message in found), found
     assert any("eigen3_cmake_module" in message for message in found) == ("eigen3_cmake_module" in cmake)
+
+
+@pytest.mark.parametrize(
+    ("needs", "level"),
+    [
+        ("", "warning"),
+        ("<exec_depend>xacro</exec_depend>", "warning"),
+        ("<build_depend>roscpp</build_depend>", "warning"),
+        ("<test_depend>std_msgs</test_depend>", "warning"),
+        ("<exec_depend>roscpp</exec_depend>", "note"),
+        ("<exec_depend>rospy</exec_depend>", "note"),
+        ("<depend>geometry_msgs</depend>", "note"),
+    ],
+)
+def test_a_runtime_that_another_dependency_brings(needs: str, level: str, tmp_path: Path) -> None:
+    tags = f"<buildtool_depend>catkin</buildtool_depend><build_depend>message_generation</build_depend>{needs}"
+    files = {
+        "package.xml": MANIFEST.format(' format="2"', tags),
+        "CMakeLists.txt": CMAKE.format(
+            "find_package(catkin REQUIRED COMPONENTS message_generation)\nadd_message_files(FILES Joint.msg)\n"
+            "generate_messages()\ncatkin_package()"
+        ),
+        "msg/Joint.msg": "float64 position\n",
+    }
+    check = next(check for check in checks() if check.id == "incomplete-interface-package")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level.value == level and "message_runtime" in result.message, result.message
