@@ -225,7 +225,7 @@ def test_a_find_module_is_advised_where_cmake_names_it(cmake: str, source: str, 
     ("needs", "level"),
     [
         ("", "warning"),
-        ("<exec_depend>xacro</exec_depend>", "warning"),
+        ("<exec_depend>python3-numpy</exec_depend>", "warning"),
         ("<build_depend>roscpp</build_depend>", "warning"),
         ("<test_depend>std_msgs</test_depend>", "warning"),
         ("<exec_depend>roscpp</exec_depend>", "note"),
@@ -246,3 +246,45 @@ def test_a_runtime_that_another_dependency_brings(needs: str, level: str, tmp_pa
     check = next(check for check in checks() if check.id == "incomplete-interface-package")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert result.level.value == level and "message_runtime" in result.message, result.message
+
+
+BOTH = (
+    '<buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>{}'
+    '<export><build_type condition="$ROS_VERSION == 1">catkin</build_type>'
+    '<build_type condition="$ROS_VERSION == 2">ament_python</build_type></export>'
+)
+
+
+@pytest.mark.parametrize(
+    ("version", "needs", "tag"),
+    [
+        (3, BOTH.format(""), '<depend condition="$ROS_VERSION == 1">rospy</depend>'),
+        (3, "<buildtool_depend>catkin</buildtool_depend>", "<depend>rospy</depend>"),
+        (3, '<buildtool_depend condition="$ROS_DISTRO == noetic">catkin</buildtool_depend>', "<depend>rospy</depend>"),
+        (2, "<buildtool_depend>catkin</buildtool_depend>", "<depend>rospy</depend>"),
+    ],
+)  # fmt: skip
+def test_what_one_ros_has_gets_its_condition(version: int, needs: str, tag: str, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format(f' format="{version}"', needs),
+        "CMakeLists.txt": CMAKE.format("find_package(catkin REQUIRED COMPONENTS rospy std_msgs)\ncatkin_package()"),
+        "a.py": "import rospy\n",
+    }
+    check = next(check for check in checks() if check.id == "undeclared-dependency")
+    found = [result for result in said(check, Example("", True, files), tmp_path) if "needs rospy" in result.message]
+    assert len(found) == 1 and f"add {tag}" in found[0].message, found
+    assert [edit.text.strip() for edit in found[0].fixes[0].edits] == [tag]
+
+
+def test_imports_of_either_ros_get_their_conditions(tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format(' format="3"', BOTH.format("")),
+        "CMakeLists.txt": CMAKE.format("find_package(catkin REQUIRED)\ncatkin_python_setup()\ncatkin_package()"),
+        "setup.py": "from setuptools import setup\nsetup(packages=['demo'], package_dir={'': 'src'})\n",
+        "src/demo/__init__.py": "import numpy\nimport sensor_msgs.msg\nimport rosgraph\nimport tf\n",
+    }
+    check = next(check for check in checks() if check.id == "undeclared-import")
+    message = " ".join(result.message for result in said(check, Example("", True, files), tmp_path))
+    assert '<exec_depend condition="$ROS_VERSION == 1">tf</exec_depend>' in message
+    assert '<exec_depend condition="$ROS_VERSION == 1">rosgraph</exec_depend>' in message
+    assert "<exec_depend>sensor_msgs</exec_depend>" in message and "<exec_depend>python3-numpy</exec_depend>" in message

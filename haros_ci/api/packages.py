@@ -98,7 +98,7 @@ from haros_ci.checking.uninstalled import (
 )
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
-from haros_ci.checking.worlds import serves_both
+from haros_ci.checking.worlds import dependency_tag, serves_both
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
     Build,
@@ -150,6 +150,7 @@ __all__ = [
     "Using",
     "COUNTERPARTS",
     "add_dependency",
+    "dependency_tag",
     "dependency_tags",
     "add_element",
     "add_export",

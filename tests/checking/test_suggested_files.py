@@ -22,7 +22,10 @@ INCLUDE = '<launch><include file="$(find demo)/launch/{}"/></launch>\n'
     ("files", "suggested"),
     [
         ({"robot_parts.launch": INCLUDE.format("robots_parts.launch")}, ""),
-        ({"a.launch": INCLUDE.format("robots_parts.launch"), "robot_parts.launch": "<launch/>\n"}, "robot_parts.launch"),
+        (
+            {"a.launch": INCLUDE.format("robots_parts.launch"), "robot_parts.launch": "<launch/>\n"},
+            "robot_parts.launch",
+        ),
         (
             {
                 "robot_parts.launch": INCLUDE.format("inner.launch"),

@@ -69,7 +69,7 @@ class Finder:
         if known is None:
             known = self._found[key] = self._look_up(use)
         start = self.files.directories.get(known.package or "", "")
-        above = {use.location.path, *(place.path for place in use.included)}  # who includes one of these includes itself
+        above = {use.location.path, *(place.path for place in use.included)}  # to include one of them is to go round
         return replace(
             use,
             package=known.package,
