@@ -288,3 +288,28 @@ def test_imports_of_either_ros_get_their_conditions(tmp_path: Path) -> None:
     assert '<exec_depend condition="$ROS_VERSION == 1">tf</exec_depend>' in message
     assert '<exec_depend condition="$ROS_VERSION == 1">rosgraph</exec_depend>' in message
     assert "<exec_depend>sensor_msgs</exec_depend>" in message and "<exec_depend>python3-numpy</exec_depend>" in message
+
+
+@pytest.mark.parametrize(
+    ("name", "needs", "keys"),
+    [
+        ("opencv", "", ["python3-opencv", "libopencv-dev"]),
+        ("opencv", "<exec_depend>python3-numpy</exec_depend>", ["python3-opencv", "libopencv-dev"]),
+        ("opencv", "<exec_depend>python-numpy</exec_depend>", ["python-opencv", "libopencv-dev"]),
+    ],
+)
+def test_keys_for_a_name_that_is_none(name: str, needs: str, keys: list[str], tmp_path: Path) -> None:
+    tags = f"<buildtool_depend>catkin</buildtool_depend><depend>rospy</depend><depend>{name}</depend>{needs}"
+    files = {
+        "package.xml": MANIFEST.format(' format="2"', tags),
+        "CMakeLists.txt": CMAKE.format(
+            "find_package(catkin REQUIRED)\nfind_package(OpenCV REQUIRED)\ncatkin_package()\n"
+            "catkin_install_python(PROGRAMS view.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})"
+        ),
+        "view.py": "#!/usr/bin/env python3\nimport cv2\n",
+    }
+    check = next(check for check in checks() if check.id == "misspelt-dependency")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    advice = result.message.partition("; write ")[2]
+    assert all(f"{key}, which the code uses" in advice for key in keys), advice
+    assert sum("python" in word for word in advice.split()) == 1, advice

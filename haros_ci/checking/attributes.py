@@ -158,7 +158,7 @@ def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
         for routine in code.routines(source.path):
             one = found.get((source.path, routine.owner))
             if one is not None and _is_called_on_class(code, routine):
-                one.has.update(_set_in(routine.function.body))  # of the class, if it is a class method
+                one.has.update(_set_in(routine.function.body or ()))  # of the class, if it is a class method
             elif one is not None:
                 one.routines.append(routine)
                 _add(one, routine)
