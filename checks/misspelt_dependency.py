@@ -39,7 +39,9 @@ def check(project: Project) -> Iterator[Finding]:
             meant: dict[str, Need] = {}
             for need in needs[:MAX_NEEDS]:
                 alike = frozenset(each for each in need.providers - {name} if _is_meant(name, each, need))
-                if alike:  # one that is there where the package is used: python3-x, where nothing here has keys of Python 2
+                if (
+                    alike
+                ):  # one that is there where the package is used: python3-x, where nothing here has keys of Python 2
                     meant.setdefault(first_provider(alike, package), need)
             if meant:
                 yield _finding(package, name, meant)

@@ -133,7 +133,9 @@ def _finding(use: PluginUse, meant: str, known: _Known, unlisted: Unlisted | Non
         hint = f"there are {', '.join(names[:3])}" + (" and more" if len(names) > 3 else "")
     effect = f": loading {use.key} fails"
     if unlisted is not None:
-        effect = f", and {unlisted.key} (line {unlisted.line}) does not name {unlisted.section}, so that nothing loads it"
+        effect = (
+            f", and {unlisted.key} (line {unlisted.line}) does not name {unlisted.section}, so that nothing loads it"
+        )
         hint = f"remove the section {unlisted.section}, or mend both; {hint}"
     return Finding(
         at=use.location,
