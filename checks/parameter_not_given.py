@@ -31,11 +31,12 @@ def _declared(system: System) -> Iterator[Finding]:
         if missing:
             keys = [key for key, _ in missing]
             end = missing[0][1]
-            alike = _alike(system, node, keys)
+            alike = _alike(system, node, missing)
             if any(each.is_default and (not node.is_default or _at(each) < _at(node)) for each in alike):
                 continue  # told there
             files = _files(node)
-            where = f"set it in {files[0]}" if len(files) == 1 and alike else "set it here"
+            shared = f"set it in {files[0]}" if len(files) == 1 else "set it in one of the files that they share"
+            where = shared if alike else "set it here"
             given = {each.key for each in node.given}
             meant = near(keys[0], [key for key in given if key not in node.names.declared])
             yield Finding(
@@ -48,7 +49,7 @@ def _declared(system: System) -> Iterator[Finding]:
                     + (f"; {meant} is set, but not declared" if meant else "")
                 ),
                 about=(node, *(each for _, each in missing)),
-                apart=(node.type, *keys),
+                apart=tuple(keys),
                 related=(
                     (end.location, f"{keys[0]} is declared without a default"),
                     *((each.location, f"{each} does not get it, either") for each in alike),
@@ -69,15 +70,16 @@ def _lacking(node: SystemNode) -> list[tuple[str, End]]:
     ]
 
 
-def _alike(system: System, node: SystemNode, keys: list[str]) -> list[SystemNode]:
-    """The nodes of other launch files with the program and the files of parameters of *node*, which lack the same: one file is to be mended."""
+def _alike(system: System, node: SystemNode, missing: list[tuple[str, End]]) -> list[SystemNode]:
+    """The nodes of other launch files, of the same class and with the same files of parameters, that lack the same: one file is to be mended."""
     found: dict[tuple[object, ...], SystemNode] = {}
-    files = _files(node)
+    files, wanted = _files(node), [(key, end.location) for key, end in missing]
     for each in system.whole.systems if files else ():
         for other in each.nodes:
-            if other.type == node.type and _at(other) != _at(node) and other.location.path not in each.refused:
-                if _files(other) == files and [key for key, _ in _lacking(other)] == keys:
-                    found.setdefault(_at(other), other)
+            if _at(other) == _at(node) or _at(other) in found or other.location.path in each.refused:
+                continue
+            if _files(other) == files and [(key, end.location) for key, end in _lacking(other)] == wanted:
+                found[_at(other)] = other
     return [found[place] for place in sorted(found)]
 
 
