@@ -48,7 +48,14 @@ from haros_ci.checking.manifests import (
 from haros_ci.checking.needs import Need, needs_of
 from haros_ci.checking.outside_targets import may_have_more
 from haros_ci.checking.package_names import meant_here, meant_released
-from haros_ci.checking.plugin_uses import PLUGIN_NAME, PluginUse, plugins_in_parameters, plugins_in_yaml
+from haros_ci.checking.plugin_uses import (
+    PLUGIN_NAME,
+    PluginUse,
+    Unlisted,
+    plugins_in_parameters,
+    plugins_in_yaml,
+    unlisted_plugins,
+)
 from haros_ci.checking.plugins import (
     MACROS,
     Registration,
@@ -98,7 +105,7 @@ from haros_ci.checking.uninstalled import (
 )
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
-from haros_ci.checking.worlds import serves_both
+from haros_ci.checking.worlds import dependency_tag, serves_both
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
     Build,
@@ -147,9 +154,11 @@ __all__ = [
     "Sources",
     "Target",
     "Uninstalled",
+    "Unlisted",
     "Using",
     "COUNTERPARTS",
     "add_dependency",
+    "dependency_tag",
     "dependency_tags",
     "add_element",
     "add_export",
@@ -226,4 +235,5 @@ __all__ = [
     "used_by_launch_files",
     "variant",
     "word",
+    "unlisted_plugins",
 ]

@@ -135,7 +135,7 @@ class Evaluating:
             return f"{FIND}{given[0]}"
         if kind == "arg" and len(given) == 1:
             return self.argument_value(given[0])
-        if kind == "optenv" and given:
+        if kind == "optenv" and len(given) > 1:  # without a default it is what a user's environment has
             return " ".join(given[1:])
         if kind == "dirname":
             return (HERE + posixpath.dirname(self.file)).rstrip("/")
