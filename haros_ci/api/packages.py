@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
+from haros_ci.checking.devel_spaces import DevelSpaces
 from haros_ci.checking.editing import (
     add_dependency,
     add_element,
@@ -125,6 +126,7 @@ __all__ = [
     "CMake",
     "CMakeCommand",
     "Dependency",
+    "DevelSpaces",
     "Element",
     "EntryPoint",
     "Install",
