@@ -6,15 +6,9 @@ from __future__ import annotations
 import re
 from functools import cached_property
 
+from haros_ci.checking.pages import pages
 from haros_ci.checking.project import Project, ProjectPackage
 
-#: Where people and machines are told how a workspace is built and used.
-_TELLING = re.compile(
-    r"(?:^|/)(?:readme[^/]*|install[^/]*\.(?:md|rst|txt)|[^/]*dockerfile[^/]*|containerfile|\.travis\.yml|\.gitlab-ci\.yml|makefile"
-    r"|\.?[\w-]*(?:bashrc|zshrc|profile|bash_aliases))$"
-    r"|\.(?:md|rst|sh|bash|zsh|service)$|docker[^/]*\.ya?ml$|/Jenkinsfile$",
-    re.IGNORECASE,
-)
 #: What builds and sources a devel space.
 _DEVEL = re.compile(
     r"\bdevel(?:_isolated)?/(?:local_)?setup\.|\bcatkin_make(?:_isolated)?\b|\bcatkin[ \t]+(?:build|b)\b"
@@ -26,9 +20,6 @@ _INSTALL = re.compile(
     re.IGNORECASE,
 )
 _DEBIAN = re.compile(r"(?:^|/)debian/(?:rules|control)(?:\.em)?$|(?:^|/)tracks\.yaml$")
-_CHANGES = re.compile(r"(?:^|/)changelog[^/]*$", re.IGNORECASE)
-#: Of one page so much is read.
-_MAX = 200_000
 
 
 class DevelSpaces:
@@ -54,13 +45,10 @@ class DevelSpaces:
 
 
 def _is_told(project: Project) -> bool:
+    if any(_DEBIAN.search(path) for path in project.workspace.names):
+        return False
     is_devel = False
-    for path in sorted(project.workspace.names):
-        if _DEBIAN.search(path):
-            return False
-        if not _TELLING.search(path) or _CHANGES.search(path):
-            continue
-        text = project.text(path)[:_MAX]
+    for text in pages(project):
         if _INSTALL.search(text):
             return False
         is_devel = is_devel or _DEVEL.search(text) is not None

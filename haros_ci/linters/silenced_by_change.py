@@ -59,4 +59,9 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "undeclared-launch-dependency in its package is a note",
         "tests/test_launch_dependencies.py::test_a_package_that_the_setup_assistant_wrote",
     ),
+    (
+        ("CMake files, scripts and code that give a script to an interpreter",),
+        "script-not-runnable of that script",
+        "tests/test_script_not_runnable.py::test_what_an_interpreter_is_given_may_be_started_by_others",
+    ),
 )
