@@ -9,14 +9,17 @@ from haros_ci.api import Check, Decidability, Finding, Level, Location, Project,
 from haros_ci.api.code import (
     Codebase,
     Routine,
+    attribute_values,
     callbacks,
     called,
     calls_of,
     dotted,
     given_function,
     in_callbacks,
+    is_local,
     last_part,
     nodes,
+    owner_of,
     type_name,
     undone_ways,
 )
@@ -26,6 +29,8 @@ OUTCOMES = frozenset(
     "succeed abort canceled setSucceeded setAborted setPreempted setRejected setCanceled set_succeeded set_aborted "
     "set_preempted terminate terminate_all terminate_current succeeded_current".split()
 )
+#: Those of a goal handle.
+_ENDS = frozenset(("succeed", "abort", "canceled"))
 HANDLES = ("rclcpp_action::ServerGoalHandle", "rclcpp_action::ServerGoalHandleBase")
 
 
@@ -47,12 +52,16 @@ def check(project: Project) -> Iterator[Finding]:
 
         function = routine.function
         ways = undone_ways(function.body or (), does, (function.line, function.column), names)
+        is_ended = bool(ways) and _is_ended_elsewhere(code, routine)
+        if is_ended and not routine.is_python:
+            continue  # it is called again and again, or waits
         if ways:
             yield Finding(
                 at=Location(routine.path, function.line, function.column),
                 message=f"{routine.title} executes an action goal, but one of its paths neither succeeds nor aborts nor cancels "
                 f"the goal: {why}; set the final state on every path",
                 about=(routine.title,),
+                level=Level.NOTE if is_ended else None,
                 related=tuple(
                     (Location(routine.path, *way), "this path returns without a final state") for way in ways
                 ),
@@ -100,6 +109,42 @@ def _does(
             if any(_does(code, target, call.whole, frozenset(), depth - 1) for call in code.body(target).calls):
                 return True
     return False
+
+
+def _is_ended_elsewhere(code: Codebase, routine: Routine) -> bool:
+    """Whether the class keeps a goal handle in a member, and another of its functions ends the goal by that.
+
+    One that puts a new handle there in the same breath does not count: it ends the goal before, for the sake of the new one.
+    """
+    owner = owner_of(code, routine)
+    if owner is None:
+        return False
+    paths = code.mentioning(owner[1].name.rpartition(owner[0].separator)[2])
+    for other in (each for path in sorted(paths) for each in code.routines(path)):
+        if other.owner != routine.owner or other.method is routine.method or other.is_python != routine.is_python:
+            continue
+        for call in code.body(other).calls:
+            member = _member(code, other, call.callee) if call.name in _ENDS else ""
+            kept = attribute_values(code, owner, member) if member else ()
+            is_new = any(each.method is other.method for each, _ in kept)
+            if not is_new and any(isinstance(value, syntax.Name) for _, value in kept):
+                return True
+    return False
+
+
+def _member(code: Codebase, routine: Routine, callee: syntax.Expression) -> str:
+    """The member of ``this`` that a method is called on; of C++ one that holds a goal handle."""
+    if not isinstance(callee, syntax.Member):
+        return ""
+    held = callee.object
+    while isinstance(held, syntax.Dereference):
+        held = held.value
+    if not routine.is_python and type_name(code, routine, held) not in HANDLES:
+        return ""
+    if isinstance(held, syntax.Member) and isinstance(held.object, syntax.This):
+        return held.name
+    is_own = isinstance(held, syntax.Name) and not routine.is_python and not is_local(code, routine, held.name)
+    return held.name if isinstance(held, syntax.Name) and is_own else ""
 
 
 def _is_handed(value: syntax.Expression, names: frozenset[str]) -> bool:
