@@ -381,3 +381,20 @@ def test_goals_that_another_function_ends(accepted: str, tick: str, expected: Le
     example = Example("", True, filled({"dock.py": DOCKING.format(accepted=accepted, tick=tick)}))
     (result,) = said(check, example, tmp_path)
     assert result.level is expected
+
+
+@pytest.mark.parametrize(
+    ("comment", "expected"),
+    [
+        ("It docks and aborts.", Level.WARNING),
+        ("Otherwise it waits.", Level.WARNING),
+        ("It succeeds if there is a name, otherwise it will abort.", Level.NOTE),
+        ("Without a name the goal is aborted by itself.", Level.NOTE),
+    ],
+)
+def test_goals_that_a_comment_leaves_to_be_aborted(comment: str, expected: Level, tmp_path: Path) -> None:
+    check = next(check for check in checks() if check.id == "action-without-result")
+    code = DOCKING.format(accepted="pass", tick="pass")
+    code = code.replace("execute(self, goal_handle):\n", f'execute(self, goal_handle):\n        """{comment}"""\n')
+    (result,) = said(check, Example("", True, filled({"dock.py": code})), tmp_path)
+    assert result.level is expected

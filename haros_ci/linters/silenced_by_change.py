@@ -64,4 +64,9 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "script-not-runnable of that script",
         "tests/test_script_not_runnable.py::test_what_an_interpreter_is_given_may_be_started_by_others",
     ),
+    (
+        ("comments in a function that say that the goal is aborted otherwise",),
+        "action-without-result of that function is a note",
+        "tests/test_note_levels.py::test_goals_that_a_comment_leaves_to_be_aborted",
+    ),
 )
