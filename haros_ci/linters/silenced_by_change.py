@@ -67,6 +67,6 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
     (
         ("comments in a function that say that the goal is aborted otherwise",),
         "action-without-result of that function is a note",
-        "tests/test_note_levels.py::test_goals_that_a_comment_leaves_to_be_aborted",
+        "tests/test_action_levels.py::test_goals_that_a_comment_leaves_to_be_aborted",
     ),
 )
