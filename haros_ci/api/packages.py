@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
+from haros_ci.checking.devel_spaces import DevelSpaces
 from haros_ci.checking.editing import (
     add_dependency,
     add_element,
@@ -27,6 +28,7 @@ from haros_ci.checking.installing import (
     landings,
     left_out_on_purpose,
 )
+from haros_ci.checking.interpreted import is_given_to_another
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
 from haros_ci.checking.manifests import (
@@ -48,6 +50,7 @@ from haros_ci.checking.manifests import (
 from haros_ci.checking.needs import Need, needs_of
 from haros_ci.checking.outside_targets import may_have_more
 from haros_ci.checking.package_names import meant_here, meant_released
+from haros_ci.checking.pages import is_for_noetic
 from haros_ci.checking.plugin_uses import (
     PLUGIN_NAME,
     PluginUse,
@@ -132,6 +135,7 @@ __all__ = [
     "CMake",
     "CMakeCommand",
     "Dependency",
+    "DevelSpaces",
     "Element",
     "EntryPoint",
     "Install",
@@ -189,6 +193,8 @@ __all__ = [
     "installs_nothing",
     "is_aside",
     "is_asked_for",
+    "is_for_noetic",
+    "is_given_to_another",
     "is_ignored",
     "is_left_out",
     "is_of_tests",

@@ -59,4 +59,14 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "undeclared-launch-dependency in its package is a note",
         "tests/test_launch_dependencies.py::test_a_package_that_the_setup_assistant_wrote",
     ),
+    (
+        ("CMake files, scripts and code that give a script to an interpreter",),
+        "script-not-runnable of that script",
+        "tests/test_script_not_runnable.py::test_what_an_interpreter_is_given_may_be_started_by_others",
+    ),
+    (
+        ("comments in a function that say that the goal is aborted otherwise",),
+        "action-without-result of that function is a note",
+        "tests/test_action_levels.py::test_goals_that_a_comment_leaves_to_be_aborted",
+    ),
 )

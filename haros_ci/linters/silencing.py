@@ -265,6 +265,20 @@ OTHERS: tuple[Row, ...] = (
         Origin.BASE,
         f"{_HERE}::test_gitignore_of_the_change_lowers_no_finding",
     ),
+    Row(
+        OWN,
+        ("pages and scripts that build or source a devel space", "debian/rules"),
+        "directory-not-installed and target-not-installed in packages of ROS 1 that no distribution has are notes",
+        Origin.BASE,
+        "tests/checking/test_devel_spaces.py::test_a_change_alone_shows_nothing",
+    ),
+    Row(
+        OWN,
+        ("pages and scripts that are for ROS Noetic and no older distribution",),
+        "script-not-runnable of a .cfg file of dynamic_reconfigure is a note",
+        Origin.BASE,
+        "tests/test_script_not_runnable.py::test_files_of_dynamic_reconfigure",
+    ),
     *(Row(OWN, files, what, Origin.HEAD, test) for files, what, test in CHANGE),
     Row(
         OWN,
