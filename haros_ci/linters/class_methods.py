@@ -55,7 +55,10 @@ def takes_value(text: str, line: int) -> bool:
     lines = text.split("\n")
     here = lines[line - 1] if 0 < line <= len(lines) else ""
     words = set(re.findall(r"\w+", here[:_LONGEST]))
-    return any(first < line <= last and parameter in words and parameter not in CLASS for first, last, _, _, parameter in _methods(text))
+    return any(
+        first < line <= last and parameter in words and parameter not in CLASS
+        for first, last, _, _, parameter in _methods(text)
+    )
 
 
 @lru_cache(maxsize=16)

@@ -35,7 +35,9 @@ def is_surplus(text: str, line: int, column: int) -> bool:
             return False
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "format":
             value = node.func.value
-            found = isinstance(value, ast.Constant) and isinstance(value.value, str) and bool(_FIELD.search(value.value))
+            found = (
+                isinstance(value, ast.Constant) and isinstance(value.value, str) and bool(_FIELD.search(value.value))
+            )
     return found
 
 

@@ -120,7 +120,9 @@ def _is_helper(line: int, text: str, workspace: Workspace) -> bool:
     use = re.compile(rf"(\w+|[)\]}}'\"])[ \t]*\.[ \t]*{re.escape(name)}\b")
     texts = (workspace.text(file.path) for file in workspace.files if file.language in ("python", "launch"))
     texts = tuple(each for each in texts if name in each)
-    given = re.compile(rf"\.[ \t]*{re.escape(name)}\b(?!\s*\(\s*(?:{'|'.join(CLASS)}|type\([^()\n]{{0,80}}\)|[A-Z]\w*)\s*[,)])")
+    given = re.compile(
+        rf"\.[ \t]*{re.escape(name)}\b(?!\s*\(\s*(?:{'|'.join(CLASS)}|type\([^()\n]{{0,80}}\)|[A-Z]\w*)\s*[,)])"
+    )
     if is_of_class and any(given.search(each) for each in texts):
         return False
     receivers = {found[1] for each in texts for found in use.finditer(each)}

@@ -39,7 +39,8 @@ _REMARK = re.compile(r"<!--.{0,10000}?-->", re.DOTALL)
 _TEXTS = re.compile(r"\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
 #: What Python 3 does anyhow, and Python 2 by request.
 _FUTURE = re.compile(
-    r"^from[ \t]+__future__[ \t]+import[ \t(]+[^\n#]{0,200}?\b(?:absolute_import|division|print_function|unicode_literals)\b", re.MULTILINE
+    r"^from[ \t]+__future__[ \t]+import[ \t(]+[^\n#]{0,200}?\b(?:absolute_import|division|print_function|unicode_literals)\b",
+    re.MULTILINE,
 )
 #: Characters of a line that are looked at.
 _LONGEST = 400
