@@ -6,6 +6,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from typing import TypeGuard
 
 from haros_ci.linters.pylint_idioms import nodes
 
@@ -50,10 +51,9 @@ def is_of_another(text: str, line: int) -> bool:
             continue
         first = next(iter((*function.args.posonlyargs, *function.args.args)), None)
         for node in ast.walk(function):
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "super":
-                if node.lineno == line and len(node.args) == 2:
-                    given = node.args[1]
-                    return not isinstance(given, ast.Name) or first is None or given.id != first.arg
+            if _is_super(node) and node.lineno == line and len(node.args) == 2:
+                given = node.args[1]
+                return not isinstance(given, ast.Name) or first is None or given.id != first.arg
     return False
 
 
@@ -71,15 +71,20 @@ def is_test_for_nan(text: str, line: int) -> bool:
     )
 
 
+def _is_super(node: ast.AST) -> TypeGuard[ast.Call]:
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "super"
+
+
 def called_at(text: str, start: tuple[int, int], end: tuple[int, int] | None) -> str:
     """The last name of what is called from *start* to *end*, lines from 1 and columns from 0; the outermost call without an *end*; "" if none is."""
     begin = (start[0], _byte(text, *start))
     stop = end and (end[0], _byte(text, *end))
     for node in nodes(text):  # from the outermost to the innermost
-        if isinstance(node, ast.Call) and (node.lineno, node.col_offset) == begin:
-            if stop is None or (node.end_lineno, node.end_col_offset) == stop:
-                name = node.func
-                return name.attr if isinstance(name, ast.Attribute) else name.id if isinstance(name, ast.Name) else ""
+        if not isinstance(node, ast.Call) or (node.lineno, node.col_offset) != begin:
+            continue
+        if stop is None or (node.end_lineno, node.end_col_offset) == stop:
+            name = node.func
+            return name.attr if isinstance(name, ast.Attribute) else name.id if isinstance(name, ast.Name) else ""
     return ""
 
 

@@ -118,8 +118,8 @@ def _is_helper(line: int, text: str, workspace: Workspace) -> bool:
         return False
     owner, name, is_of_class = method
     use = re.compile(rf"(\w+|[)\]}}'\"])[ \t]*\.[ \t]*{re.escape(name)}\b")
-    texts = (workspace.text(file.path) for file in workspace.files if file.language in ("python", "launch"))
-    texts = tuple(each for each in texts if name in each)
+    every = (workspace.text(file.path) for file in workspace.files if file.language in ("python", "launch"))
+    texts = tuple(each for each in every if name in each)
     given = re.compile(
         rf"\.[ \t]*{re.escape(name)}\b(?!\s*\(\s*(?:{'|'.join(CLASS)}|type\([^()\n]{{0,80}}\)|[A-Z]\w*)\s*[,)])"
     )
