@@ -111,7 +111,8 @@ def _is_of_library(result: Result, line: int, workspace: Workspace) -> bool:
 def _is_helper(line: int, text: str, workspace: Workspace) -> bool:
     """Whether every use of the method at *line* goes through a class, ``Arm.by_name(x)``: it works, and lacks a decorator only.
 
-    One whose first parameter is called as a class is (``cls``) is given a class by each: ``Arm.read(cls, x)``.
+    One whose first parameter is called as a class is (``cls``) is given a class by each: ``Arm.read(cls, x)``. Nor
+    does one lack anything that is a decorator of other methods of its class.
     """
     method = method_at(text, line)
     if method is None:
@@ -126,7 +127,10 @@ def _is_helper(line: int, text: str, workspace: Workspace) -> bool:
     if is_of_class and any(given.search(each) for each in texts):
         return False
     receivers = {found[1] for each in texts for found in use.finditer(each)}
-    return owner in receivers and all(each == owner or each[0].isupper() for each in receivers)
+    if not receivers:  # the body of the class itself uses it
+        return not is_of_class and re.search(rf"(?m)^[ \t]+@[ \t]*{re.escape(name)}\b", text) is not None
+    classes = CLASS if is_of_class else ()
+    return owner in receivers and all(each == owner or each[0].isupper() or each in classes for each in receivers)
 
 
 def _is_shadowed(result: Result, line: int, workspace: Workspace) -> bool:

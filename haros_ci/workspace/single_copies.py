@@ -75,7 +75,7 @@ class SingleCopies(Judged):
 
     def _is_copy(self, file: SourceFile) -> bool:
         head = self._head(file)
-        owner, licences = _owner(head), _licences(head)
+        owner, licences = _owner(head), _first_licence(head)
         if not owner or not licences or file.lines < SHORTEST or not self._workspace.packages:
             return False
         text = self._workspace.text(file.path)
@@ -88,7 +88,7 @@ class SingleCopies(Judged):
         if len(own) > MOST or any(posixpath.dirname(each.path) != directory for each in own):
             return False
         group = {each.path for each in own}
-        if any(not _owner(self._head(each)) & owner or not _licences(self._head(each)) & licences for each in own):
+        if any(not _owner(self._head(each)) & owner or _first_licence(self._head(each)) != licences for each in own):
             return False
         others = [each for each in self._code if each.package == file.package and each.path not in group]
         if len(others) < OTHERS or any(_licences(self._head(each)) & licences for each in others):
@@ -149,6 +149,13 @@ def _owner(head: str) -> frozenset[str]:
 def _licences(head: str) -> frozenset[str]:
     plain = re.sub(r"[\s#*/]+", " ", head)
     return frozenset(name for name, says in _LICENCES.items() if says.search(plain))
+
+
+def _first_licence(head: str) -> frozenset[str]:
+    """The licence that *head* names first: others may be in its history."""
+    plain = re.sub(r"[\s#*/]+", " ", head)
+    places = {name: found.start() for name, says in _LICENCES.items() if (found := says.search(plain))}
+    return frozenset(sorted(places, key=lambda name: places[name])[:1])
 
 
 def _words(text: str) -> frozenset[str]:

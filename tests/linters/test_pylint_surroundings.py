@@ -230,7 +230,9 @@ READ = "class Options:\n    def _read(cls, path):\n        return cls(path)\n"
 MADE = "    @classmethod\n    def make(cls, path):\n        return Options._read(cls, path)\n"
 
 
-@pytest.mark.parametrize("main", ["", "Options._read(Narrow, 1)\n", "Options._read (\n    type(it), 1)\n"])
+@pytest.mark.parametrize(
+    "main", ["", "Options._read(Narrow, 1)\n", "cls._read(cls, 1)\n", "Options._read (\n    type(it), 1)\n"]
+)
 def test_a_helper_that_is_given_the_class(tmp_path: Path, main: str) -> None:
     assert refuted(tmp_path, "no-self-argument", {"a.py": READ + MADE, "main.py": main}, "a.py", 2)
 
@@ -250,6 +252,26 @@ def test_a_helper_that_is_given_the_class(tmp_path: Path, main: str) -> None:
 def test_a_class_method_without_its_decorator(tmp_path: Path, text: str, main: str) -> None:
     assert not refuted(tmp_path, "no-self-argument", {"a.py": text, "main.py": main}, "a.py", 2)
     assert not is_refuted("not-callable", 3, 15, READ)
+
+
+TOLD = "class Machine:\n    def telling(func):\n        return func\n    {}\n    def go(self):\n        pass\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (TOLD.format("@telling"), True),
+        (TOLD.format("@telling  # each"), True),
+        (TOLD.format("@telling").replace("func", "cls"), False),
+        (TOLD.format("@telling_more"), False),
+        (TOLD.format("@staticmethod"), False),
+        (TOLD.format("@telling") + "Machine().telling(1)\n", False),
+        (TOLD.format("@telling") + "        self.telling()\n", False),
+        (TOLD.format("x = 1") + "@telling\ndef go():\n    pass\n", False),
+    ],
+)
+def test_a_decorator_of_methods(tmp_path: Path, text: str, expected: bool) -> None:
+    assert refuted(tmp_path, "no-self-argument", {"a.py": text}, "a.py", 2) is expected
 
 
 WRAPPED = "class Line:\n    @needs_length\n    def bend(self, *, length):\n        return length\n"

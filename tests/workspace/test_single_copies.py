@@ -44,6 +44,10 @@ FIRES = [
     made("# SPDX-FileCopyrightText: 2020 Stromberg\n# SPDX-License-Identifier: MIT\n"),
     made('"""Sums.\n\nCopyright © 2001, 2003 by Grete Stromberg\nGNU General Public License\n"""\n'),
     made(demo__more_dot_py=HEAD + BODY),
+    {
+        **made(HEAD + "# The first version was under the GPL.\n"),
+        "demo/package.xml": MANIFEST.replace("Apache-2.0", "GPL"),
+    },
     made(body="import more\n" + BODY, demo__more_dot_py=HEAD + BODY),
     made(body="import os, numpy as np\n" + BODY),
     {**made(), "demo/node0.py": "# Copyright 2020 Somebody\n# Redistribution and use in source and binary forms\n"},
