@@ -44,7 +44,7 @@ def is_decorated(text: str, name: str) -> bool:
 def is_call_of_decorated(result: Result, workspace: Workspace) -> bool:
     """Whether the call at *result* is of a function of the workspace with a decorator that may change its parameters.
 
-    A function that is called by its plain name, and that the file defines itself, is that one; else any of the name may be meant.
+    A function that is called by its plain name or on ``self``, and that the file defines itself, is that one; else any of the name may be meant.
     """
     at = result.location
     if not at.line or not at.column:
@@ -56,7 +56,7 @@ def is_call_of_decorated(result: Result, workspace: Workspace) -> bool:
         return False
     own = decorators(text, name)
     before = text.split("\n")[at.line - 1][at.column - 1 :]
-    if own and before.startswith(name):
+    if own and before.startswith((name, f"self.{name}", f"cls.{name}")):
         return any(not TRANSPARENT.issuperset(each) for each in own)
     sources = (file.path for file in workspace.files if file.language == "python")
     needle = f"def {name}"

@@ -301,6 +301,7 @@ def test_a_function_that_a_decorator_changes(tmp_path: Path, rule: str, files: d
         ({"line.py": WRAPPED.replace("needs_length", "functools.lru_cache(1)")}, "a.bend(1)"),
         ({"line.py": WRAPPED}, "a.bends(1)"),
         ({"line.py": WRAPPED}, "bend(1)\ndef bend(): pass"),
+        ({"line.py": WRAPPED}, "self.bend(1)\nclass Arc:\n    def bend(self): pass"),
         ({"line.py": WRAPPED}, "Line(a.bend)"),
         ({"line.py": WRAPPED + "class Other:\n    def __init__(self, a):\n        pass\n"}, "Other()"),
         ({"line.md": WRAPPED}, "a.bend(1)"),
