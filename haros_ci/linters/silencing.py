@@ -215,6 +215,16 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         "all linters",
+        (
+            "a first comment with a copyright line and a licence that nothing else in the project names",
+            "`package.xml`, `setup.py` and first comments that would name them",
+        ),
+        "all that linters report on that file in the profiles `ros` and `bugs-only`",
+        Origin.BASE,
+        "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_another_owners",
+    ),
+    Row(
+        "all linters",
         ("a C++ source that no target compiles, a superseded Python module (`…_old.py`) that nothing names",),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",
         Origin.BASE,
