@@ -3,20 +3,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, syntax
 from haros_ci.api.code import (
     Codebase,
     Routine,
+    attribute_values,
     callbacks,
     called,
+    callers,
     calls_of,
     dotted,
     given_function,
     in_callbacks,
+    is_local,
     last_part,
     nodes,
+    owner_of,
     type_name,
     undone_ways,
 )
@@ -26,6 +31,14 @@ OUTCOMES = frozenset(
     "succeed abort canceled setSucceeded setAborted setPreempted setRejected setCanceled set_succeeded set_aborted "
     "set_preempted terminate terminate_all terminate_current succeeded_current".split()
 )
+#: Those of a goal handle.
+_ENDS = frozenset(("succeed", "abort", "canceled"))
+#: Comments by which a goal is left to be aborted, and so many lines of a function that are read.
+_ABORTS = re.compile(
+    r"\b(?:otherwise|automatically|implicitly)\b[^.;()=]{0,60}\babort|\babort(?:s|ed)?\b[^.;()=]{0,60}\b(?:automatically|implicitly|by itself)\b",
+    re.IGNORECASE,
+)
+_READ = 200
 HANDLES = ("rclcpp_action::ServerGoalHandle", "rclcpp_action::ServerGoalHandleBase")
 
 
@@ -47,12 +60,16 @@ def check(project: Project) -> Iterator[Finding]:
 
         function = routine.function
         ways = undone_ways(function.body or (), does, (function.line, function.column), names)
+        is_ended = bool(ways) and _is_ended_elsewhere(code, routine)
+        if ways and not routine.is_python and (is_ended or _is_step(code, routine)):
+            continue  # it is called again and again, or waits
         if ways:
             yield Finding(
                 at=Location(routine.path, function.line, function.column),
                 message=f"{routine.title} executes an action goal, but one of its paths neither succeeds nor aborts nor cancels "
                 f"the goal: {why}; set the final state on every path",
                 about=(routine.title,),
+                level=Level.NOTE if is_ended or _is_meant(project, routine, ways) else None,
                 related=tuple(
                     (Location(routine.path, *way), "this path returns without a final state") for way in ways
                 ),
@@ -100,6 +117,68 @@ def _does(
             if any(_does(code, target, call.whole, frozenset(), depth - 1) for call in code.body(target).calls):
                 return True
     return False
+
+
+def _is_ended_elsewhere(code: Codebase, routine: Routine) -> bool:
+    """Whether the class keeps a goal handle in a member, and another of its functions ends the goal by that.
+
+    One that puts a new handle there in the same breath does not count: it ends the goal before, for the sake of the new one.
+    """
+    owner = owner_of(code, routine)
+    if owner is None:
+        return False
+    paths = code.mentioning(owner[1].name.rpartition(owner[0].separator)[2])
+    for other in (each for path in sorted(paths) for each in code.routines(path)):
+        if other.owner != routine.owner or other.method is routine.method or other.is_python != routine.is_python:
+            continue
+        for call in code.body(other).calls:
+            member = _member(code, other, call.callee) if call.name in _ENDS else ""
+            kept = attribute_values(code, owner, member) if member else ()
+            is_new = any(each.method is other.method for each, _ in kept)
+            if not is_new and any(isinstance(value, syntax.Name) for _, value in kept):
+                return True
+    return False
+
+
+def _is_step(code: Codebase, routine: Routine) -> bool:
+    """Whether every call of *routine* gives it the goal handle that a member keeps: the goal outlives what it returns."""
+    calls = [(caller, call) for caller, call in callers(code, routine) if not caller.is_test]
+    return bool(calls) and all(any(_is_kept(code, caller, value) for value in call.args) for caller, call in calls)
+
+
+def _is_kept(code: Codebase, caller: Routine, value: syntax.Expression) -> bool:
+    """Whether *value* is such a member, or a local variable that is set to nothing else."""
+    if not isinstance(value, syntax.Name) or not is_local(code, caller, value.name):
+        return bool(_held(code, caller, value))
+    body = code.body(caller)
+    starts = [part for each in body.variables.get(value.name, ()) for part in each.parts]
+    sets = [source for target, _, source, _ in body.sets if target == value]
+    return bool(starts or sets) and all(_held(code, caller, each) for each in (*starts, *sets))
+
+
+def _is_meant(project: Project, routine: Routine, ways: Iterable[tuple[int, int]]) -> bool:
+    """Whether a comment in the function says that the goal is aborted otherwise: lines up to the last way are read."""
+    first = routine.function.line - 1
+    last = max((line for line, _ in ways), default=first)
+    lines = project.text(routine.path).splitlines()[first : min(max(last, first + 10), first + _READ)]
+    return any(_ABORTS.search(line) for line in lines)
+
+
+def _member(code: Codebase, routine: Routine, callee: syntax.Expression) -> str:
+    """The member of ``this`` that a method is called on; of C++ one that holds a goal handle."""
+    return _held(code, routine, callee.object) if isinstance(callee, syntax.Member) else ""
+
+
+def _held(code: Codebase, routine: Routine, held: syntax.Expression) -> str:
+    """The member of ``this`` that *held* is; of C++ one that holds a goal handle."""
+    while isinstance(held, syntax.Dereference):
+        held = held.value
+    if not routine.is_python and type_name(code, routine, held) not in HANDLES:
+        return ""
+    if isinstance(held, syntax.Member) and isinstance(held.object, syntax.This):
+        return held.name
+    is_own = isinstance(held, syntax.Name) and not routine.is_python and not is_local(code, routine, held.name)
+    return held.name if isinstance(held, syntax.Name) and is_own else ""
 
 
 def _is_handed(value: syntax.Expression, names: frozenset[str]) -> bool:

@@ -9,6 +9,8 @@ from haros_ci.api import Check, Finding, Level, System
 from haros_ci.api.launch import Comparison, ConditionUse, included_by
 
 _TRUTHS = {"true": True, "false": False}
+#: What authors write to switch a part of a launch file on or off by hand.
+_SWITCHES = frozenset((*_TRUTHS, "1", "0"))
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -21,6 +23,7 @@ def check(system: System) -> Iterator[Finding]:
                 apart=(use.text,),
                 flow=included_by(use),
                 presence=use.presence,
+                level=Level.NOTE if use.text.strip(" '\"").lower() in _SWITCHES else None,
             )
         for each in use.comparisons:
             said = _misspelt(each, use.ros)

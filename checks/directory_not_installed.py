@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
 from haros_ci.api.launch import FileUse
 from haros_ci.api.packages import (
+    CMakeCommand,
+    DevelSpaces,
     Leftovers,
     Programs,
     install_directory,
@@ -61,12 +63,12 @@ def check(project: Project) -> Iterator[Finding]:
         need = needs.setdefault((name, inner.partition("/")[0]), _Need())
         need.places.append((place, f"needs {inner}"))
         need.wrong = need.wrong or next(iter(found), "")
-    leftovers = Leftovers(project)
+    leftovers, devel = Leftovers(project), DevelSpaces(project)
     for package in project.packages:
         if _is_readable(package):
             for folder, place in _launch_folders(package, leftovers):
                 needs.setdefault((package.name, folder), _Need())
-            yield from _headers(package)
+            yield from _headers(package, devel)
     programs = Programs(project)
     wanting: dict[str, dict[str, _Need]] = {}
     for (name, thing), need in needs.items():
@@ -84,11 +86,11 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if not installs_nothing(package):
             for thing, need in things.items():
-                yield _finding(package, thing, need)
+                yield _finding(package, thing, need, devel)
         elif all(each.level is Level.NOTE for each in uninstalled(package, programs)):
             # else target-not-installed tells that the package has no install() at all
             is_one = len(things) == 1 and package.ros == 2
-            yield _finding(package, *next(iter(things.items()))) if is_one else _nothing(package, things)
+            yield _finding(package, *next(iter(things.items())), devel) if is_one else _nothing(package, things)
 
 
 def _is_told(package: ProjectPackage, thing: str, need: _Need, told: set[str]) -> bool:
@@ -166,7 +168,7 @@ def _launch_folders(package: ProjectPackage, leftovers: Leftovers) -> Iterator[t
             yield folder, Location(paths[0], 1)
 
 
-def _headers(package: ProjectPackage) -> Iterator[Finding]:
+def _headers(package: ProjectPackage, devel: DevelSpaces) -> Iterator[Finding]:
     """An exported include directory that is not installed."""
     root = package.inside("include")
     headers = [file.path for file in package.files if file.path.startswith(f"{root}/") and file.path.endswith(_HEADERS)]
@@ -209,6 +211,7 @@ def _headers(package: ProjectPackage) -> Iterator[Finding]:
     kinds = {target.kind for target in package.build.targets if not target.is_test}
     libraries = package.commands("ament_export_targets", "ament_export_libraries")
     is_private = not users and (kinds == {"executable"} or bool(kinds) and not is_old and not libraries)  # for nobody
+    is_private = is_private or (is_old and not users and _is_own(package, command)) or devel.has(package)
     who = f"{users[0]} includes them" if users else "packages that use it cannot find them"
     yield Finding(
         at=command.location,
@@ -218,6 +221,15 @@ def _headers(package: ProjectPackage) -> Iterator[Finding]:
         related=((Location(headers[0]), "such a header"),),
         fixes=(fix,) if fix is not None and is_usual else (),
     )
+
+
+def _is_own(package: ProjectPackage, command: CMakeCommand) -> bool:
+    """Whether a package of ROS 1 is for its workspace alone, where no package includes its headers: it was never released and exports no library."""
+    knowledge = package.project.knowledge
+    if not knowledge.is_there or knowledge.is_package(package.name):
+        return False
+    exported = command.after("LIBRARIES", "INCLUDE_DIRS", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS")
+    return not any("$" in name or name in package.cmake.targets for name in exported)
 
 
 def _includes(package: ProjectPackage) -> Iterator[str]:
@@ -252,7 +264,7 @@ def _install_all(package: ProjectPackage, things: Iterable[str]) -> str:
     return "\n".join(f"install({kind} {' '.join(names)} DESTINATION {share})" for kind, names in kinds if names)
 
 
-def _finding(package: ProjectPackage, thing: str, need: _Need) -> Finding:
+def _finding(package: ProjectPackage, thing: str, need: _Need, devel: DevelSpaces) -> Finding:
     is_folder = package.inside(thing) in package.project.directories
     is_old = package.ros == 1
     what = f"the directory {thing}" if is_folder else f"the file {thing}"
@@ -269,13 +281,14 @@ def _finding(package: ProjectPackage, thing: str, need: _Need) -> Finding:
         message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files"
     if not need.wrong and is_folder and package.build.commands:
         fix = install_directory(package, thing)
+    is_idle = not need.wrong and devel.has(package)
     return Finding(
         at=install_place(package),
         message=message,
         about=(package.name, thing),
         apart=(thing,),
         related=tuple(need.places[:_SHOWN]),
-        level=Level.ERROR if need.places and not is_old else Level.WARNING,
+        level=Level.ERROR if need.places and not is_old else Level.NOTE if is_idle else Level.WARNING,
         fixes=(fix,) if fix is not None else (),
     )
 

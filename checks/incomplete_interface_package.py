@@ -16,6 +16,7 @@ from haros_ci.api.packages import (
     add_element,
     applying,
     brings,
+    dependency_tags,
     needs,
     place,
     reaches,
@@ -126,8 +127,13 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
             Level.ERROR if is_missing else Level.WARNING,
         )
     if not {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
-        effect = "on a machine with only the declared dependencies its interfaces may not load"
-        yield _missing(package, call, runtimes[0], "exec_depend", effect, Level.WARNING)
+        effect, level = "on a machine with only the declared dependencies its interfaces may not load", Level.WARNING
+        bringing = next(
+            (each.name for each in needs(package, *EXPORTED) if brings(package, (each.name,), *runtimes)), None
+        )
+        if bringing is not None:
+            effect, level = f"it is there only because {bringing} brings it", Level.NOTE
+        yield _missing(package, call, runtimes[0], "exec_depend", effect, level)
 
 
 def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, effect: str, level: Level) -> Finding:
@@ -135,7 +141,7 @@ def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, 
     fix = add_dependency(package, kind, name)
     return Finding(
         at=place(package, None),
-        message=f"{package} generates interfaces, but does not depend on {name}: {effect}; add <{kind}>{name}</{kind}>",
+        message=f"{package} generates interfaces, but does not depend on {name}: {effect}; add {dependency_tags(package, kind, name)}",
         about=(package.name, name),
         related=((call.location, "interfaces are generated here"),),
         fixes=() if fix is None else (fix,),

@@ -3,10 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, is_slip
-from haros_ci.api.packages import Need, Sources, distributions_of, holds_for_python, imports_of, needs_of, normal
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, is_slip, listed
+from haros_ci.api.packages import (
+    Need,
+    Sources,
+    distributions_of,
+    first_provider,
+    holds_for_python,
+    imports_of,
+    needs_of,
+    normal,
+)
 
 #: Of so many names of one package it is told what is meant by them, and so many needs are looked at for it.
 MAX_UNKNOWN = 100
@@ -24,20 +33,18 @@ def check(project: Project) -> Iterator[Finding]:
             need
             for tests in (False, True)
             for need in (*needs_of(package, sources, tests=tests), *imports_of(package, sources, tests=tests))
-            if not need.providers & declared
+            if not need.providers & declared.difference(unknown)
         ]
         for name in unknown[:MAX_UNKNOWN]:
-            meant = next(
-                (
-                    (each, need)
-                    for need in needs[:MAX_NEEDS]
-                    for each in sorted(need.providers)
-                    if _is_meant(name, each, need)
-                ),
-                None,
-            )
-            if meant is not None:
-                yield _finding(package, name, *meant)
+            meant: dict[str, Need] = {}
+            for need in needs[:MAX_NEEDS]:
+                alike = frozenset(each for each in need.providers - {name} if _is_meant(name, each, need))
+                if (
+                    alike
+                ):  # one that is there where the package is used: python3-x, where nothing here has keys of Python 2
+                    meant.setdefault(first_provider(alike, package), need)
+            if meant:
+                yield _finding(package, name, meant)
 
 
 def _is_nowhere(name: str, package: ProjectPackage) -> bool:
@@ -54,7 +61,7 @@ def _declared(package: ProjectPackage) -> frozenset[str]:
 
 def _is_meant(name: str, provider: str, need: Need) -> bool:
     """Whether somebody who wrote *name* may have meant *provider*: one slip, or the name of the module, or of pip, for that of its key."""
-    if is_slip(name, provider) or provider in (f"python3-{name}", f"python-{name}"):
+    if is_slip(name, provider) or provider in (f"python3-{name}", f"python-{name}", f"lib{name}-dev"):
         return True
     first, _, module = need.what.partition("import ")
     prefix, _, stem = normal(name).partition("-") if name.startswith("python3-") else ("python3", "", normal(name))
@@ -62,15 +69,16 @@ def _is_meant(name: str, provider: str, need: Need) -> bool:
     return "-" in name and stem in called and provider.startswith(f"{prefix}-") and not provider.endswith("-pip")
 
 
-def _finding(package: ProjectPackage, name: str, meant: str, need: Need) -> Finding:
+def _finding(package: ProjectPackage, name: str, meant: Mapping[str, Need]) -> Finding:
     line = next((each.line for each in package.raw.dependencies if each.name == name), None)
+    keys = listed([f"{each}, which the code uses ({need.what})" for each, need in meant.items()])
     return Finding(
         at=Location(package.manifest_path, line or 1),
         message=f"{package.name} depends on {name}, which is neither a ROS package nor a rosdep key: rosdep stops here; "
-        f"write {meant}, which the code uses ({need.what})",
+        f"write {keys}",
         about=(package.name, name),
-        apart=(name, meant),
-        related=((need.location, f"needs {meant}: {need.what}"),),
+        apart=(name, *meant),
+        related=tuple((need.location, f"needs {each}: {need.what}") for each, need in meant.items()),
     )
 
 

@@ -10,6 +10,10 @@ from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System
 
 #: Names that a message lists.
 _SHOWN = 5
+#: What gets the name space of a node or handle in C++, and a variable that takes it.
+_NAMESPACE = re.compile(
+    r"(?:\b(\w+)\s*(?:=|\{|\()[^;={}\n]{0,200})?\bgetNamespace\s*\(\s*\)(\s*\.\s*(?:substr|erase)\b)?"
+)
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -34,6 +38,8 @@ def check(system: System) -> Iterator[Finding]:
         by_last.setdefault(each.name.rpartition("/")[0], []).append(each)
     moved: dict[tuple[SystemNode, str], list[tuple[End, Parameter, Location]]] = {}
     for end in _missing(reads, said, names):
+        if _is_of_stripped_namespace(end, system):
+            continue
         for each in _meant(end, by_last, unread):
             at = each.origin or each.location
             if at is not None and end.name.rpartition("/")[2] == each.name.rpartition("/")[2]:
@@ -51,6 +57,19 @@ def _missing(reads: list[End], said: set[str], names: set[str]) -> Iterator[End]
         above = set(_around(end.name))
         if end.kind == "getters" and end.known and end.name not in said and not above & names and not above & written:
             yield end
+
+
+def _is_of_stripped_namespace(end: End, system: System) -> bool:
+    """Whether the file cuts something off what getNamespace() gives, which begins with two slashes in old versions of roscpp."""
+    if system.workspace is None or end.location.path.endswith(".py"):
+        return False
+    text = system.workspace.text(end.location.path)
+    found = list(_NAMESPACE.finditer(text)) if "getNamespace" in text else []
+    if any(each[2] for each in found):
+        return True
+    names = "|".join(sorted({each[1] for each in found if each[1]}))
+    cut = rf"\b(?:{names})\s*\.\s*(?:substr|erase|replace)\b|\btrim\w*\s*\(\s*(?:{names})\b|\b(?:{names})\s*\.\s*(?:begin|cbegin)\s*\(\s*\)\s*\+"
+    return bool(names) and re.search(cut, text) is not None
 
 
 def _meant(end: End, spaces: Mapping[str, list[Parameter]], unread: list[Parameter]) -> Iterator[Parameter]:

@@ -27,31 +27,68 @@ def check(system: System) -> Iterator[Finding]:
 
 def _declared(system: System) -> Iterator[Finding]:
     for node in system.nodes:
-        if node.ros != 2 or not node.is_launched or not node.known or node.raw.conditions:
-            continue
-        given = {each.key for each in node.given}
-        missing = [
-            (key, end)
-            for key, ends in node.names.declared.items()
-            for end in ends
-            if key not in given and _is_needed(end, key) and not node.names.set.get(key)
-        ]
+        missing = _lacking(node)
         if missing:
             keys = [key for key, _ in missing]
             end = missing[0][1]
+            alike = _alike(system, node, missing)
+            if any(each.is_default and (not node.is_default or _at(each) < _at(node)) for each in alike):
+                continue  # told there
+            files = _files(node)
+            shared = f"set it in {files[0]}" if len(files) == 1 else "set it in one of the files that they share"
+            where = shared if alike else "set it here"
+            given = {each.key for each in node.given}
             meant = near(keys[0], [key for key in given if key not in node.names.declared])
             yield Finding(
                 at=node.location,
                 message=(
                     (
                         f"{node} does not get {_listed(keys)}, which {node.type} declares without a default: the node throws at "
-                        "start; set it here"
+                        f"start; {where}"
                     )
                     + (f"; {meant} is set, but not declared" if meant else "")
                 ),
                 about=(node, *(each for _, each in missing)),
-                related=((end.location, f"{keys[0]} is declared without a default"),),
+                apart=tuple(keys),
+                related=(
+                    (end.location, f"{keys[0]} is declared without a default"),
+                    *((each.location, f"{each} does not get it, either") for each in alike),
+                ),
             )
+
+
+def _lacking(node: SystemNode) -> list[tuple[str, End]]:
+    """What a node of ROS 2 declares without a value and does not get."""
+    if node.ros != 2 or not node.is_launched or not node.known or node.raw.conditions:
+        return []
+    given = {each.key for each in node.given}
+    return [
+        (key, end)
+        for key, ends in node.names.declared.items()
+        for end in ends
+        if key not in given and _is_needed(end, key) and not node.names.set.get(key)
+    ]
+
+
+def _alike(system: System, node: SystemNode, missing: list[tuple[str, End]]) -> list[SystemNode]:
+    """The nodes of other launch files, of the same class and with the same files of parameters, that lack the same: one file is to be mended."""
+    found: dict[tuple[object, ...], SystemNode] = {}
+    files, wanted = _files(node), [(key, end.location) for key, end in missing]
+    for each in system.whole.systems if files else ():
+        for other in each.nodes:
+            if _at(other) == _at(node) or _at(other) in found or other.location.path in each.refused:
+                continue
+            if _files(other) == files and [(key, end.location) for key, end in _lacking(other)] == wanted:
+                found[_at(other)] = other
+    return [found[place] for place in sorted(found)]
+
+
+def _at(node: SystemNode) -> tuple[object, ...]:
+    return node.location.sort_key
+
+
+def _files(node: SystemNode) -> list[str]:
+    return sorted({each.at.path for each in node.given if each.at.path.endswith((".yaml", ".yml"))})
 
 
 def _read(system: System) -> Iterator[Finding]:

@@ -11,13 +11,12 @@ from dataclasses import dataclass
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed, syntax
 from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import Installed
+from haros_ci.api.packages import Installed, Programs, is_for_noetic, is_given_to_another
 
 _PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(python)(2[\d.]*)?[ \t]*\r?\Z")
 _LAUNCH = ("launch.py", "__init__.py", "setup.py", "conftest.py")
 _MODES = ("USE_SOURCE_PERMISSIONS", "PERMISSIONS", "FILE_PERMISSIONS")
 _SHELL = (".sh", ".bash")
-_PROSE = (".md", ".rst", "README.txt")
 #: Why the bit counts, of one script and of several.
 _DEVEL = "it does not start from a devel space, which runs it in place"
 _LINKED = "colcon build --symlink-install links to it, and ros2 run does not find it"
@@ -56,13 +55,15 @@ class _Bit:
 
 
 def check(project: Project) -> Iterator[Finding]:
-    launched = _launched(project)
+    launched, programs = _launched(project), Programs(project)
     level = Level.NOTE if _is_copied(project) else Level.WARNING
     for package in project.packages:
-        yield from _joined(package, _of(package, launched.get(package.name, {}), level))
+        yield from _joined(package, _of(package, launched.get(package.name, {}), level, programs))
 
 
-def _of(package: ProjectPackage, launched: dict[str, Location], level: Level) -> Iterator[Finding | _Bit]:
+def _of(
+    package: ProjectPackage, launched: dict[str, Location], level: Level, programs: Programs
+) -> Iterator[Finding | _Bit]:
     seen: set[str] = set()
     for each in package.build.installed:
         if not _is_for_programs(each, package):
@@ -72,7 +73,7 @@ def _of(package: ProjectPackage, launched: dict[str, Location], level: Level) ->
         elif each.path not in seen and package.project.text(each.path) and not _is_sourced(each.path, package):
             seen.add(each.path)
             yield from _first_line(each.path, package)
-            yield from _mode(each, package, level)
+            yield from _mode(each, package, level, programs)
     yield from _started(package, launched, seen)
     yield from _configured(package)
 
@@ -116,14 +117,14 @@ def _is_sourced(path: str, package: ProjectPackage) -> bool:
 
 
 def _configured(package: ProjectPackage) -> Iterator[_Bit]:
-    """ROS 1's .cfg files: dynamic_reconfigure-macros.cmake runs them while building, by their own first line."""
+    """ROS 1's .cfg files: dynamic_reconfigure-macros.cmake runs them while building, by their own first line; with Noetic by its Python."""
     bits = package.project.workspace.executables
     if bits is None:
         return
     for command in package.commands("generate_dynamic_reconfigure_options"):
         for path in () if command.is_conditional else map(command.place, command.arguments):
             if path and path.endswith(".cfg") and path not in bits and package.project.text(path).startswith("#!"):
-                yield _Bit(path, _RUN_BY_BUILD)
+                yield _Bit(path, _RUN_BY_BUILD, Level.NOTE if is_for_noetic(package.project) else Level.WARNING)
 
 
 def _is_for_programs(each: Installed, package: ProjectPackage) -> bool:
@@ -136,7 +137,7 @@ def _first_line(path: str, package: ProjectPackage) -> Iterator[Finding]:
     lines = text.splitlines(keepends=True)
     first, at = lines[0], Location(path, 1)
     if not first.startswith("#!"):
-        if (path.endswith(_SHELL) or _is_program(path, package.project)) and not _is_given_to_another(path, package):
+        if (path.endswith(_SHELL) or _is_program(path, package.project)) and not is_given_to_another(path, package):
             yield _without(path, package, lines)
     elif first.endswith("\r\n"):
         yield Finding(
@@ -186,12 +187,14 @@ def _without(path: str, package: ProjectPackage, lines: list[str]) -> Finding:
     )
 
 
-def _mode(each: Installed, package: ProjectPackage, level: Level) -> Iterator[Finding | _Bit]:
+def _mode(each: Installed, package: ProjectPackage, level: Level, programs: Programs) -> Iterator[Finding | _Bit]:
     """The execute bit: taken away by the installation, or missing where the source's own counts."""
     text = package.project.text(each.path)
     if not text.startswith("#!"):
         return
     if each.kind == "file":
+        if _is_read_alone(each, package, programs):
+            return
         if not each.keeps_mode and _is_program(each.path, package.project) and not _gives_modes(each, package):
             yield Finding(
                 at=each.location,
@@ -205,7 +208,7 @@ def _mode(each: Installed, package: ProjectPackage, level: Level) -> Iterator[Fi
     bits = package.project.workspace.executables
     if bits is None or each.path in bits or _is_relayed(each, package) or not _is_program(each.path, package.project):
         return
-    if _is_given_to_another(each.path, package):
+    if is_given_to_another(each.path, package):
         return
     if each.keeps_mode:
         why = _KEPT
@@ -293,19 +296,11 @@ def _is_program(path: str, project: Project) -> bool:
     )
 
 
-def _is_given_to_another(path: str, package: ProjectPackage) -> bool:
-    """Whether code of the package gives the file to an interpreter, or reads it: ``python3 x.py``, ``. x.sh``."""
-    name = re.escape(path.rpartition("/")[2])
-    given = re.compile(
-        rf"""(?:\bpython[\d.]*|(?i:python)\w*EXECUTABLE\}}?|\b(?:source|sh|bash)|^\s*\.)["']?[\s,][^\n;]{{0,200}}\b{name}\b""",
-        re.MULTILINE,
-    )
-    inside = "" if package.path == "." else f"{package.path}/"
-    return any(
-        given.search(package.project.text(other))
-        for other in package.project.workspace.names
-        if other.startswith(inside) and other != path and not other.endswith(_PROSE)
-    )
+def _is_read_alone(each: Installed, package: ProjectPackage, programs: Programs) -> bool:
+    """Whether an interpreter is given the file, and nothing starts it by its name."""
+    if (package.name, each.name) in programs.started or programs.told(package.name, each.name) is not None:
+        return False
+    return is_given_to_another(each.path, package)
 
 
 def _imports(text: str) -> bool:

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
 from haros_ci.api.packages import (
+    DevelSpaces,
     Programs,
     Target,
     Uninstalled,
@@ -35,23 +37,28 @@ _ORDER = (Level.ERROR, Level.WARNING, Level.NOTE)
 
 
 def check(project: Project) -> Iterator[Finding]:
-    programs = Programs(project)
+    programs, devel = Programs(project), DevelSpaces(project)
     for package in project.packages:
-        if package.ros is None or package.raw.is_metapackage:
-            continue
-        libraries = list(_libraries(package)) if _is_known(package) else []
-        left = list(uninstalled(package, programs))
-        if (libraries or left) and installs_nothing(package):
-            yield _nothing(package, libraries, left)
-            continue
-        yield from libraries
-        if _is_known(package):
-            yield from _elsewhere(package, programs)
-        groups: dict[tuple[str, Level], list[Uninstalled]] = {}
-        for each in left:
-            groups.setdefault((each.kind, each.level), []).append(each)
-        for group in groups.values():
-            yield _left_out(package, group)
+        for each in _of(package, programs):
+            yield replace(each, level=Level.NOTE) if devel.has(package) else each
+        if _is_known(package) and package.ros is not None and not package.raw.is_metapackage:
+            yield from _elsewhere(package, programs)  # a rule that is there, and wrong, counts in a devel space, too
+
+
+def _of(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
+    if package.ros is None or package.raw.is_metapackage:
+        return
+    libraries = list(_libraries(package)) if _is_known(package) else []
+    left = list(uninstalled(package, programs))
+    if (libraries or left) and installs_nothing(package):
+        yield _nothing(package, libraries, left)
+        return
+    yield from libraries
+    groups: dict[tuple[str, Level], list[Uninstalled]] = {}
+    for each in left:
+        groups.setdefault((each.kind, each.level), []).append(each)
+    for group in groups.values():
+        yield _left_out(package, group)
 
 
 def _is_known(package: ProjectPackage) -> bool:

@@ -14,6 +14,7 @@ from haros_ci.api.packages import (
     Sources,
     add_dependency,
     closes_a_cycle,
+    dependency_tags,
     distributions_of,
     first_provider,
     imports_of,
@@ -132,7 +133,7 @@ def _finding(package: ProjectPackage, group: list[_Missing]) -> Finding:
     """One finding for all modules of which the same is at stake: they are declared in one place."""
     kind = "exec_depend" if package.raw.format > 1 else "run_depend"
     modules = tuple(module for each in group for module in each.modules)
-    lines = [f"<{kind}>{each.name}</{kind}>{_alternative(each)}" for each in group]
+    lines = [f"{dependency_tags(package, kind, each.name)}{_alternative(each)}" for each in group]
     if len(group) == 1:
         them, fails = "it", f"the import fails on a machine without {group[0].name}"
     else:
@@ -196,7 +197,7 @@ def _only_tested(package: ProjectPackage, name: str, uses: list[Need]) -> Findin
     return Finding(
         at=Location(package.manifest_path, line or 1),
         message=f"{package.name} imports {name} ({uses[0].what}), but declares it for tests only: an installation without "
-        f"tests lacks it; write <{kind}>{name}</{kind}>",
+        f"tests lacks it; write {dependency_tags(package, kind, name)}",
         about=(package.name, *modules),
         level=Level.WARNING,
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),

@@ -13,6 +13,7 @@ from haros_ci.api.packages import (
     Package,
     closes_a_cycle,
     dependency_place,
+    dependency_tag,
     is_aside,
     is_left_out,
     is_of_tests,
@@ -80,7 +81,7 @@ def _finding(package: Package, group: list[_Missing], level: Level | None, is_te
     return Finding(
         at=dependency_place(package),
         message=f"{files} of {package.name} {'uses' if is_one else 'use'} {listed(names)}, but package.xml does not declare {them}: "
-        f"{fails} on a machine without {lacking}; add {listed([f'<{tag}>{name}</{tag}>' for name in names])}",
+        f"{fails} on a machine without {lacking}; add {listed([dependency_tag(tag, name, package) for name in names])}",
         about=(package.name, *names),
         related=tuple((use.location, f"needs {each.name}") for each in group for use in each.uses[:_SHOWN]),
         flow=included_by(group[0].uses[0]) if len(group) == 1 else (),

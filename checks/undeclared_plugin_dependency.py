@@ -16,6 +16,7 @@ from haros_ci.api.packages import (
     brought_by,
     closes_a_cycle,
     dependency_place,
+    dependency_tag,
     is_aside,
     is_left_out,
     is_to_be_had,
@@ -93,7 +94,7 @@ def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Le
         at=dependency_place(package),
         message=f"parameters of {package.name} name the plug-in{'' if one else 's'} {named}, but package.xml does not declare "
         f"{'this package' if one else 'these packages'}: on a machine without {'it' if one else 'them'} the node cannot load the "
-        f"plug-in; add {listed([f'<{tag}>{name}</{tag}>' for name in lacking])}",
+        f"plug-in; add {listed([dependency_tag(tag, name, package) for name in lacking])}",
         about=(package.name, *lacking),
         related=tuple(
             (each.location, f"needs {name}") for name, plugins in lacking.items() for each in plugins[:_SHOWN]

@@ -12,6 +12,7 @@ from haros_ci.api.packages import (
     Sources,
     add_dependency,
     closes_a_cycle,
+    dependency_tags,
     first_provider,
     imports_of,
     is_of_ros,
@@ -53,7 +54,7 @@ def _finding(package: ProjectPackage, uses: list[Need]) -> Finding:
     return Finding(
         at=last_dependency(package),
         message=f"the tests of {package.name} need {name} ({uses[0].what}), but package.xml does not declare it: they "
-        f"fail on a machine without {name}; add <test_depend>{name}</test_depend>{alternative}",
+        f"fail on a machine without {name}; add {dependency_tags(package, 'test_depend', name)}{alternative}",
         about=(package.name, name),
         related=tuple((use.location, f"needs {name}: {use.what}") for use in uses[:_SHOWN]),
         apart=(name,),

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Finding, Level, Location, Project
-from haros_ci.api.code import LOADS, parsed, undefined_names
+from haros_ci.api import Check, Finding, Level, Location, Project, listed
+from haros_ci.api.code import LOADS, commented_blocks, parsed, switched_off, undefined_names
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -25,13 +25,36 @@ def check(project: Project) -> Iterator[Finding]:
             )
         if loads[file.package]:
             continue
-        for name, line in undefined_names(found[0], found[1]):
-            yield Finding(
-                at=Location(file.path, line),
-                message=f"{name} is not defined in this file: the line raises NameError; import it, or correct the name",
-                about=(file.path, name),
-                apart=(file.path, name),
-            )
+        names = dict(undefined_names(found[0], found[1]))
+        dead = switched_off(found[0]) if names else frozenset()
+        blocks = commented_blocks(found[1], names) if names else {}
+        groups: dict[tuple[int, str], list[str]] = {}
+        for name, line in names.items():
+            is_alone = line in dead or name not in blocks
+            groups.setdefault((0, name) if is_alone else (blocks[name], ""), []).append(name)
+        for (block, _), group in groups.items():
+            yield _finding(file.path, {name: names[name] for name in group}, block, names[group[0]] in dead)
+
+
+def _finding(path: str, names: Mapping[str, int], block: int, is_dead: bool) -> Finding:
+    """One for all *names* that are made in one *block* of comments: it is brought back, or what uses them goes, too."""
+    first = next(iter(names))
+    if len(names) == 1:
+        what, mend = f"{first} is not defined in this file: the line raises NameError", "import it, or correct the name"
+    else:
+        what, mend = f"{listed(list(names))} are not defined in this file: their lines raise NameError", "import them"
+    if block:
+        mend = f"what would define {'it' if len(names) == 1 else 'them'} is in a comment (line {block}): bring it back, or remove the use"
+    if is_dead:
+        what = f"{first} is not defined in this file: the line would raise NameError, but stands below a condition that is never true"
+    return Finding(
+        at=Location(path, names[first]),
+        message=f"{what}; {mend}",
+        about=(path, *names),
+        related=tuple((Location(path, line), f"uses {name}") for name, line in names.items() if name != first),
+        apart=(path, *names),
+        level=Level.NOTE if is_dead else Level.WARNING if block else None,
+    )
 
 
 CHECK = Check(

@@ -13,8 +13,10 @@ from haros_ci.api.packages import (
     Build,
     Element,
     PluginUse,
+    Unlisted,
     plugins_in_parameters,
     plugins_in_yaml,
+    unlisted_plugins,
 )
 
 _CREATE = re.compile(rf'\bcreate(?:Unique|Shared|Unmanaged)?Instance\s*\(\s*"({PLUGIN_NAME})"')
@@ -55,6 +57,7 @@ def check(project: Project) -> Iterator[Finding]:
     vague = {package.name for package in project.packages if _is_vague(package.build)}
     by_plain = {_plain(name): name for name in known.names}
     told: set[tuple[Location, str]] = set()
+    left: dict[str, Mapping[int, Unlisted]] = {}
     for use in _uses(project):
         if use.name in known.names or (use.location, use.name) in told:
             continue
@@ -67,7 +70,10 @@ def check(project: Project) -> Iterator[Finding]:
         if meant is None or known.owners.get(_plain(meant or use.name).rpartition("::")[0], set()) & vague:
             continue
         told.add((use.location, use.name))
-        yield _finding(use, meant, known)
+        path = use.location.path
+        if path not in left:
+            left[path] = unlisted_plugins(project.text(path)) if path.endswith((".yaml", ".yml")) else {}
+        yield _finding(use, meant, known, left[path].get(use.location.line or 0))
 
 
 def _meant(use: PluginUse, known: _Known, by_plain: Mapping[str, str]) -> str | None:
@@ -116,7 +122,7 @@ def _of_elsewhere(use: PluginUse, meant: str) -> Finding:
     )
 
 
-def _finding(use: PluginUse, meant: str, known: _Known) -> Finding:
+def _finding(use: PluginUse, meant: str, known: _Known, unlisted: Unlisted | None) -> Finding:
     owners = sorted(known.owners.get(_plain(meant or use.name).rpartition("::")[0], ()))
     if meant and _plain(meant) == _plain(use.name):
         hint = f"it is exported as {meant}; write the same name"
@@ -125,9 +131,16 @@ def _finding(use: PluginUse, meant: str, known: _Known) -> Finding:
     else:
         names = sorted(known.spaces[_plain(use.name).rpartition("::")[0]])
         hint = f"there are {', '.join(names[:3])}" + (" and more" if len(names) > 3 else "")
+    effect = f": loading {use.key} fails"
+    if unlisted is not None:
+        effect = (
+            f", and {unlisted.key} (line {unlisted.line}) does not name {unlisted.section}, so that nothing loads it"
+        )
+        hint = f"remove the section {unlisted.section}, or mend both; {hint}"
     return Finding(
         at=use.location,
-        message=f"no plug-in description of package {owners[0]} exports {use.name}: loading {use.key} fails; {hint}",
+        message=f"no plug-in description of package {owners[0]} exports {use.name}{effect}; {hint}",
+        level=None if unlisted is None else Level.NOTE,
         about=(use.name, use.key),
         related=((known.names[meant], f"{meant} is exported here"),) if meant else (),
         apart=(use.name,),

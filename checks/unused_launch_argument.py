@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, System
-from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, included_by, meant, owner
+from haros_ci.api import Check, Finding, Level, Location, System, listed
+from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, PassedArgument, included_by, meant, owner
 
 #: A declaration is this many lines long at most.
 LINES = 12
@@ -19,7 +19,7 @@ _FAMILY = re.compile(r"[A-Za-z0-9]+[_-]")
 _COMMENT = re.compile(r"\s*(?:#|<!--.*-->\s*$)")
 _KEPT = re.compile(
     r"compat(?:ib|\b)|\bdeprecated\b|\blegacy\b|\bobsolete\b|\b(?:is|are|currently|now) (?:ignored|unused)\b|\bno longer\b|\bnot (?:\w+ )?used\b"
-    r"|\bunused\b(?!-)|\bhas no effect\b|\breserved\b|\bplaceholder\b",
+    r"|\bunused\b(?!-)|\b(?:has no effect|does nothing|(?:has|have) been left here)\b|\bbreaking downstream\b|\breserved\b|\bplaceholder\b",
     re.I,
 )
 #: Comments by which something that is not seen needs the argument; the first do so below it, too.
@@ -28,7 +28,7 @@ _NEEDED = re.compile(
     rf"{_NOT_TO_GO.pattern}|\b(?:required|needed|used|expected|read) (?:by|for)\b|\bkept (?:for|as|because)\b|\bkeep\b",
     re.I,
 )
-_NOTE = re.compile(r"<!--(.*?)-->|#(.*)")
+_NOTE = re.compile(r"<!--((?s:.*?))-->|#(.*)")
 #: What a launch file reads and declares, and how near two names are.
 _READ = re.compile(r"""\$\((?:arg|var)\s+([\w-]+)\s*\)|\bLaunchConfiguration\(\s*["']([\w-]+)["']""")
 _DECLARED = re.compile(
@@ -55,6 +55,12 @@ def check(system: System) -> Iterator[Finding]:
                 continue
             similar = tuple(get_close_matches(passed.name, free, 1, 0.7))
             what = "launch stops here" if use.ros == 1 else "it has no effect"
+            key = (passed.location.path, passed.name)
+            targets = system.whole.passed_with_all.get(key, ()) if use.ros == 2 else ()
+            if targets:
+                if targets[0] == (use.path, passed.location):
+                    yield _passed_with_all(use, passed, targets, similar)
+                continue
             yield Finding(
                 at=passed.location,
                 message=f"passes {passed.name!r} to {use.path}, which does not declare it: {what}{meant(similar)}",
@@ -81,6 +87,23 @@ def check(system: System) -> Iterator[Finding]:
                 presence=argument.presence,
                 level=Level.NOTE if is_set or _is_of_family(argument, system) else None,
             )
+
+
+def _passed_with_all(
+    use: IncludeUse, passed: PassedArgument, targets: tuple[tuple[str, Location], ...], similar: tuple[str, ...]
+) -> Finding:
+    """One finding for an argument that a launch file passes with all its includes, some of which do not know it."""
+    paths = [path for path, _ in targets]
+    return Finding(
+        at=passed.location,
+        message=f"passes {passed.name!r} with every include, but {listed(paths)} do not declare it: it has no effect there{meant(similar)}",
+        about=(*paths, passed.name),
+        apart=(*paths, passed.name),
+        flow=included_by(use),
+        related=tuple((place, f"passes it to {path}, too") for path, place in targets[1:]),
+        level=Level.NOTE if passed.name == _CLOCK and not similar else None,
+        presence=use.presence,
+    )
 
 
 def _is_set(argument: ArgumentDeclaration, system: System) -> bool:
@@ -159,9 +182,7 @@ def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:
         return False
     lines = system.workspace.text(argument.location.path).splitlines()
     at = (argument.location.line or 1) - 1
-    start = at
-    while start > 0 and _COMMENT.match(lines[start - 1]):
-        start -= 1
+    start = _comment_above(lines, at)
     first, *rest = lines[at : at + LINES] or [""]
     after = "\n".join(rest)
     following = _NEXT.search(after)
@@ -172,6 +193,22 @@ def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:
         pattern.search(each)
         for pattern, each in ((_KEPT, text), (_NEEDED, _comments(above)), (_NOT_TO_GO, _comments(below)))
     )
+
+
+def _comment_above(lines: list[str], at: int) -> int:
+    """Where the comments begin that end just above the line *at*, as indices; those of XML may have several lines."""
+    start = at
+    while start > 0:
+        if _COMMENT.match(lines[start - 1]):
+            start -= 1
+            continue
+        if not lines[start - 1].rstrip().endswith("-->"):
+            break
+        first = next((n for n in range(start - 1, max(start - 1 - LINES, -1), -1) if "<!--" in lines[n]), None)
+        if first is None or not lines[first].lstrip().startswith("<!--"):
+            break
+        start = first
+    return start
 
 
 def _comments(text: str) -> str:

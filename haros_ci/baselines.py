@@ -21,8 +21,8 @@ from haros_ci.results.rule import Level
 from haros_ci.timing import stage, timed
 from haros_ci.workspace.files import TooLarge, read_regular
 from haros_ci.workspace.git import BaselineUnavailable
+from haros_ci.workspace.left_out import LeftOut
 from haros_ci.workspace.third_party import around
-from haros_ci.workspace.unused import Unused
 
 if TYPE_CHECKING:
     from haros_ci.results.known import Known, Sides
@@ -122,16 +122,16 @@ def _as_known_before(workspace: Workspace, base: Base | BaselineUnavailable) -> 
 
 
 @timed("unused code")
-def unused_code(workspace: Workspace, settings: Settings, base: Base | BaselineUnavailable | None) -> Unused:
-    """What tells which files of *workspace* nothing uses, and nothing used in *base* either.
+def left_out(workspace: Workspace, settings: Settings, base: Base | BaselineUnavailable | None) -> LeftOut:
+    """What tells which files of *workspace* nothing uses, and nothing used in *base* either, and which are copies now as then.
 
-    Else a change could keep linters out of a file by taking it from its target.
+    Else a change could keep linters out of a file by taking it from its target, or by a first comment.
     """
     if base is None or settings.trust_config:
-        return Unused(workspace)
+        return LeftOut(workspace)
     if isinstance(base, BaselineUnavailable):
-        return Unused(workspace, is_known=False)
-    return Unused(workspace, Unused(base.workspace), base.renames)
+        return LeftOut(workspace, is_known=False)
+    return LeftOut(workspace, base.workspace, base.renames)
 
 
 @timed("baseline")

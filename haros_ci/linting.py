@@ -67,11 +67,11 @@ def worthwhile(
     results: Iterable[Result],
     workspace: Workspace,
     selection: Selection,
-    unused: Callable[[Collection[str]], Collection[str]],
+    left_out: Callable[[Collection[str]], Collection[str]],
 ) -> tuple[Result, ...]:
     """*results* without those of linters that nobody mends where they are; who asks for every finding, or for the rule, has them.
 
-    They are in code that nothing uses, of which *unused* tells, in tests, of what is deprecated in no Python of ROS 1, or refuted by
+    They are in files that are *left_out*, as nothing uses them or as they are copies, in tests, of what is deprecated in no Python of ROS 1, or refuted by
     other files.
     """
     ros = {package.name: package.ros for package in reversed(workspace.packages)}
@@ -87,7 +87,7 @@ def worthwhile(
             continue
         if not extra or not is_idle(result, ros.get(package_of(result.location.path) or "")):
             kept.append((result, extra))
-    left = unused({result.location.path for result, extra in kept if extra})
+    left = left_out({result.location.path for result, extra in kept if extra})
     return tuple(result for result, extra in kept if not extra or result.location.path not in left)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from haros_ci import PROJECT_URL, __version__
 from haros_ci.analysis.inspection import Architectures, inspected_or_kept, is_inspected
-from haros_ci.baselines import at_base, compare, read_input, sarif_runs, settled, unused_code
+from haros_ci.baselines import at_base, compare, left_out, read_input, sarif_runs, settled
 from haros_ci.brought import before, notices, silenced
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors, slip_finder
@@ -59,8 +59,8 @@ from haros_ci.results.suppress import suppress
 from haros_ci.timing import timed
 from haros_ci.workspace.base import Base
 from haros_ci.workspace.discover import discover
+from haros_ci.workspace.left_out import LeftOut
 from haros_ci.workspace.provenance import provenance
-from haros_ci.workspace.unused import Unused
 
 Progress = Callable[[str], None]
 
@@ -88,8 +88,8 @@ def analyse(
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if told is None else told(workspace, past)
-        unused = unused_code(workspace, settings, base)
-        runs = examine(workspace, selection, architectures, progress, past, head, unused)
+        left = left_out(workspace, settings, base)
+        runs = examine(workspace, selection, architectures, progress, past, head, left)
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
         compared = compare(
             runs,
@@ -118,7 +118,7 @@ def analyse(
             *notices(workspace, silence),
         ),
         baseline=compared.baseline,
-        coverage=coverage(workspace, confinement(runs, settings, head), unused.found),
+        coverage=coverage(workspace, confinement(runs, settings, head), left.unused.found, left.copies.found),
         artifacts=tuple(Artifact(f.path, f.digest, f.size, f.language) for f in workspace.files),
         provenance=provenance(workspace.root),
         fail_on=settings.fail_on,
@@ -181,14 +181,14 @@ def examine(
     progress: Progress | None,
     base: Base | None = None,
     told: Testimony | None = None,
-    unused: Unused | None = None,
+    left: LeftOut | None = None,
 ) -> tuple[Run, ...]:
     """What the tools say of one revision: selected, suppressed and fingerprinted; not yet compared with a baseline.
 
-    With *base*, the revision before, they also say what has changed. What was *told* is not found out anew; *unused* tells which
-    files nothing uses.
+    With *base*, the revision before, they also say what has changed. What was *told* is not found out anew; *left* tells which
+    files linters say nothing of.
     """
-    unused = unused or Unused(workspace)
+    left = left or LeftOut(workspace)
     known, store = architectures.registry, architectures.store
     options = lint_options(architectures.settings, known)
     raw = lint(workspace, known.linters, options, store, selection.wants, progress, told.lint if told else None)
@@ -201,17 +201,17 @@ def examine(
         raw = (*raw, structured(workspace, architectures, progress) if told is None else told.whole(STRUCTURE))
     runs = (own_one, *with_metrics(raw))
     every = drop_unfounded(results_of(runs), workspace.text)
-    results = without_hints(selected(every, selection, workspace, unused), every, workspace, selection)
+    results = without_hints(selected(every, selection, workspace, left), every, workspace, selection)
     results = with_names(results, workspace, selection)
     of_plugins = hosted(workspace, selection, architectures, results, progress)
-    runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace, unused))
+    runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace, left))
     merged = merge_same_defects(keep_worst_band(one_cause(results, workspace.text)))
     return finished(
         distribute(runs, said_once(merged, workspace.package_finder())),
         workspace,
         selection,
         architectures.settings,
-        frozenset(unused.found),
+        frozenset(left.found),
     )
 
 
@@ -302,13 +302,13 @@ def idle_entries(runs: tuple[Run, ...], workspace: Workspace, settings: Settings
 
 
 def selected(
-    results: Iterable[Result], selection: Selection, workspace: Workspace, unused: Unused | None = None
+    results: Iterable[Result], selection: Selection, workspace: Workspace, left: LeftOut | None = None
 ) -> tuple[Result, ...]:
     """Those results whose rule is on for their file, at the level that the settings give them.
 
     Where they give none, a check's finding keeps its own level: it may weigh less or more than the check as a rule. So
     does what a tool says that weighs each finding, and a declared one, whose rules nobody has weighed. Copies of other
-    projects have none: who has the copy does not mend it. Nor does anyone what linters say of code that is *unused*.
+    projects have none: who has the copy does not mend it. Nor does anyone what linters say of code that is *left* out.
     """
     third_party = {file.path for file in workspace.files if file.third_party}
     kept = []
@@ -319,7 +319,7 @@ def selected(
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
-    return worthwhile(kept, workspace, selection, unused.among if unused else lambda paths: ())
+    return worthwhile(kept, workspace, selection, left.among if left else lambda paths: ())
 
 
 def own_run(workspace: Workspace, known: Registry) -> Run:

@@ -219,3 +219,97 @@ def test_a_find_module_is_advised_where_cmake_names_it(cmake: str, source: str, 
     found = messages(MANIFEST.format(' format="3"', ROS2.format("")), cmake, source, tmp_path)
     assert any(advice in message for message in found), found
     assert any("eigen3_cmake_module" in message for message in found) == ("eigen3_cmake_module" in cmake)
+
+
+@pytest.mark.parametrize(
+    ("needs", "level"),
+    [
+        ("", "warning"),
+        ("<exec_depend>python3-numpy</exec_depend>", "warning"),
+        ("<build_depend>roscpp</build_depend>", "warning"),
+        ("<test_depend>std_msgs</test_depend>", "warning"),
+        ("<exec_depend>roscpp</exec_depend>", "note"),
+        ("<exec_depend>rospy</exec_depend>", "note"),
+        ("<depend>geometry_msgs</depend>", "note"),
+    ],
+)
+def test_a_runtime_that_another_dependency_brings(needs: str, level: str, tmp_path: Path) -> None:
+    tags = f"<buildtool_depend>catkin</buildtool_depend><build_depend>message_generation</build_depend>{needs}"
+    files = {
+        "package.xml": MANIFEST.format(' format="2"', tags),
+        "CMakeLists.txt": CMAKE.format(
+            "find_package(catkin REQUIRED COMPONENTS message_generation)\nadd_message_files(FILES Joint.msg)\n"
+            "generate_messages()\ncatkin_package()"
+        ),
+        "msg/Joint.msg": "float64 position\n",
+    }
+    check = next(check for check in checks() if check.id == "incomplete-interface-package")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level.value == level and "message_runtime" in result.message, result.message
+
+
+BOTH = (
+    '<buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>{}'
+    '<export><build_type condition="$ROS_VERSION == 1">catkin</build_type>'
+    '<build_type condition="$ROS_VERSION == 2">ament_python</build_type></export>'
+)
+
+
+@pytest.mark.parametrize(
+    ("version", "needs", "tag"),
+    [
+        (3, BOTH.format(""), '<depend condition="$ROS_VERSION == 1">rospy</depend>'),
+        (3, "<buildtool_depend>catkin</buildtool_depend>", "<depend>rospy</depend>"),
+        (3, '<buildtool_depend condition="$ROS_DISTRO == noetic">catkin</buildtool_depend>', "<depend>rospy</depend>"),
+        (2, "<buildtool_depend>catkin</buildtool_depend>", "<depend>rospy</depend>"),
+    ],
+)  # fmt: skip
+def test_what_one_ros_has_gets_its_condition(version: int, needs: str, tag: str, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format(f' format="{version}"', needs),
+        "CMakeLists.txt": CMAKE.format("find_package(catkin REQUIRED COMPONENTS rospy std_msgs)\ncatkin_package()"),
+        "a.py": "import rospy\n",
+    }
+    check = next(check for check in checks() if check.id == "undeclared-dependency")
+    found = [result for result in said(check, Example("", True, files), tmp_path) if "needs rospy" in result.message]
+    assert len(found) == 1 and f"add {tag}" in found[0].message, found
+    assert [edit.text.strip() for edit in found[0].fixes[0].edits] == [tag]
+
+
+def test_imports_of_either_ros_get_their_conditions(tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format(' format="3"', BOTH.format("")),
+        "CMakeLists.txt": CMAKE.format("find_package(catkin REQUIRED)\ncatkin_python_setup()\ncatkin_package()"),
+        "setup.py": "from setuptools import setup\nsetup(packages=['demo'], package_dir={'': 'src'})\n",
+        "src/demo/__init__.py": "import numpy\nimport sensor_msgs.msg\nimport rosgraph\nimport tf\n",
+    }
+    check = next(check for check in checks() if check.id == "undeclared-import")
+    message = " ".join(result.message for result in said(check, Example("", True, files), tmp_path))
+    assert '<exec_depend condition="$ROS_VERSION == 1">tf</exec_depend>' in message
+    assert '<exec_depend condition="$ROS_VERSION == 1">rosgraph</exec_depend>' in message
+    assert "<exec_depend>sensor_msgs</exec_depend>" in message and "<exec_depend>python3-numpy</exec_depend>" in message
+
+
+@pytest.mark.parametrize(
+    ("name", "needs", "keys"),
+    [
+        ("opencv", "", ["python3-opencv", "libopencv-dev"]),
+        ("opencv", "<exec_depend>python3-numpy</exec_depend>", ["python3-opencv", "libopencv-dev"]),
+        ("opencv", "<exec_depend>python-numpy</exec_depend>", ["python-opencv", "libopencv-dev"]),
+    ],
+)
+def test_keys_for_a_name_that_is_none(name: str, needs: str, keys: list[str], tmp_path: Path) -> None:
+    tags = f"<buildtool_depend>catkin</buildtool_depend><depend>rospy</depend><depend>{name}</depend>{needs}"
+    files = {
+        "package.xml": MANIFEST.format(' format="2"', tags),
+        "CMakeLists.txt": CMAKE.format(
+            "find_package(catkin REQUIRED)\nfind_package(OpenCV REQUIRED)\ncatkin_package()\n"
+            "catkin_install_python(PROGRAMS view.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})"
+        ),
+        "view.py": "#!/usr/bin/env python3\nimport cv2\n",
+    }
+    check = next(check for check in checks() if check.id == "misspelt-dependency")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    advice = result.message.partition("; write ")[2]
+    assert all(f"{key}, which the code uses" in advice for key in keys), advice
+    assert sum("python" in word for word in advice.split()) == 1, advice

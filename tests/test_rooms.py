@@ -17,6 +17,7 @@ DOORS: dict[str, set[str]] = {
     "model": set(),
     "errors": set(),
     "timing": set(),
+    "bounded_python": set(),
     "bounded_yaml": set(),
     "results": {"model"},
     "interruption": set(),
@@ -27,13 +28,13 @@ DOORS: dict[str, set[str]] = {
     "syntax": set(),
     "changes": {"interfaces", "model", "syntax"},
     # what was one room: each opens the ones before it alone (docs/architecture.md)
-    "substitutions": {"model"},
+    "substitutions": {"bounded_python", "bounded_yaml", "model"},
     "index": {"model", "substitutions", "syntax"},
     # the call graph stands on the index of the programs; it knows no system and no check
     "code": {"index", "model", "syntax"},
     "knowledge": set(),
     "checking": {"bounded_yaml", "changes", "code", "interfaces", "knowledge", "model", "results", "syntax", "timing"},
-    "config": {"errors", "model", "results"},
+    "config": {"bounded_yaml", "errors", "model", "results"},
     "values": {"model", "syntax"},
     "graph": {"model", "substitutions", "values"},
     "declared": {"graph", "model"},
@@ -41,7 +42,7 @@ DOORS: dict[str, set[str]] = {
     "forks": {"interruption"},
     "follow": {"graph", "index", "model", "syntax", "values"},
     "keeping": {"follow", "graph", "index", "model", "syntax", "values"},
-    "launch": {"bounded_yaml", "graph", "model", "substitutions", "timing"},
+    "launch": {"bounded_python", "bounded_yaml", "graph", "model", "substitutions", "timing"},
     "linters": {"bounded_yaml", "interruption", "model", "results", "scratch", "timing"},
     # the digest of our own modules in keys
     "own_sources": set(),
@@ -51,7 +52,7 @@ DOORS: dict[str, set[str]] = {
     "haros_plugins": {"bounded_yaml", "errors", "linters", "plugins", "query", "results", "scratch", "writing"},
     "registry": {"checking", "config", "errors", "haros_plugins", "linters", "plugins", "results", "timing"},
     "report": {"model", "results", "scratch"},
-    "robot": {"bounded_yaml", "launch", "model", "workspace"},
+    "robot": {"bounded_python", "bounded_yaml", "launch", "model", "workspace"},
     "systems": {
         "follow",
         "graph",

@@ -74,3 +74,71 @@ def test_data_files_keep_their_mode(tmp_path: Path) -> None:
     ((path, level, message),) = findings(tmp_path, files, ("other.py",))
     assert (path, level) == ("talker.py", "warning")
     assert "setup.py installs it with its file mode" in message
+
+
+CFG_MANIFEST = (
+    '<package format="2"><name>demo</name><version>1.0.0</version><description>d</description>'
+    '<maintainer email="a@example.org">m</maintainer><license>MIT</license><buildtool_depend>catkin</buildtool_depend>'
+    "<depend>dynamic_reconfigure</depend></package>\n"
+)
+CFG_CMAKE = (
+    "cmake_minimum_required(VERSION 3.0.2)\nproject(demo)\nfind_package(catkin REQUIRED COMPONENTS dynamic_reconfigure)\n"
+    "generate_dynamic_reconfigure_options(cfg/Rate.cfg)\ncatkin_package()\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("more", "expected"),
+    [
+        ({}, "warning"),
+        ({"README.md": "A node.\n"}, "warning"),
+        ({"README.md": "For ROS Noetic and Melodic.\n"}, "warning"),
+        ({"README.md": "For ROS Noetic.\n", "Dockerfile": "FROM ros:melodic\n"}, "warning"),
+        ({"README.md": "See https://wiki.ros.org/noetic\n"}, "warning"),
+        ({"CHANGELOG.md": "For ROS Noetic.\n"}, "warning"),
+        ({"README.md": "For ROS Noetic.\n"}, "note"),
+        ({"docker/robot.Dockerfile": "FROM ros:noetic-ros-base\n"}, "note"),
+        ({"install.sh": "rosdep install --from-paths src --rosdistro=noetic\n"}, "note"),
+        (
+            {
+                "install.sh": "apt-get install -y ros-noetic-tf\ngit clone -b melodic-devel https://example.org/melodic/a.git\n"
+            },
+            "note",
+        ),
+    ],
+)
+def test_files_of_dynamic_reconfigure(more: dict[str, str], expected: str, tmp_path: Path) -> None:
+    cfg = "#!/usr/bin/env python\nfrom dynamic_reconfigure.parameter_generator_catkin import *\n"
+    files = {
+        "package.xml": CFG_MANIFEST,
+        "CMakeLists.txt": CFG_CMAKE,
+        "cfg/Rate.cfg": cfg,
+        "run.sh": "#!/bin/sh\n",
+        **more,
+    }
+    ((path, level, _),) = findings(tmp_path, files, ("run.sh",))
+    assert (path, level) == ("cfg/Rate.cfg", expected)
+
+
+WRITER = "#!/usr/bin/env python3\nimport sys\n\nprint(sys.argv)\n"
+WRITER_CMAKE = (
+    "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\n"
+    "set(WRITER ${CMAKE_CURRENT_SOURCE_DIR}/write.py)\nadd_custom_command(OUTPUT a.hpp COMMAND ${Python3_EXECUTABLE} ${WRITER})\n"
+    "install(FILES write.py DESTINATION lib/${PROJECT_NAME})\ninstall(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package()\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("more", "count"),
+    [
+        ({}, 0),
+        ({"README.md": "It is written by write.py.\n"}, 0),
+        ({"README.md": "ros2 run demo write.py\n"}, 1),
+        ({"launch/a.launch.xml": '<launch><node pkg="demo" exec="write.py"/></launch>\n'}, 1),
+    ],
+)
+def test_what_an_interpreter_is_given_may_be_started_by_others(
+    more: dict[str, str], count: int, tmp_path: Path
+) -> None:
+    files = filled({"write.py": WRITER, **more}) | {"CMakeLists.txt": WRITER_CMAKE}
+    assert len(said(CHECK, Example("", True, files), tmp_path)) == count

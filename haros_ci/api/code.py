@@ -4,7 +4,15 @@
 from __future__ import annotations
 
 from haros_ci.checking.attributes import Unset, unset_attributes
-from haros_ci.checking.old_python import LOADS, Misfit, misfits, parsed, undefined_names
+from haros_ci.checking.old_python import (
+    LOADS,
+    Misfit,
+    commented_blocks,
+    misfits,
+    parsed,
+    switched_off,
+    undefined_names,
+)
 from haros_ci.checking.republishing import publishes_again
 from haros_ci.checking.unstarted import weighed
 from haros_ci.code.body import (
@@ -111,6 +119,7 @@ __all__ = [
     "is_node",
     "last_part",
     "methods",
+    "commented_blocks",
     "misfits",
     "names_in",
     "node_name",
@@ -124,6 +133,7 @@ __all__ = [
     "ros_type",
     "type_name",
     "type_of",
+    "switched_off",
     "undefined_names",
     "undone_ways",
     "unset_attributes",

@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.counterparts import COUNTERPARTS
+from haros_ci.checking.devel_spaces import DevelSpaces
 from haros_ci.checking.editing import (
     add_dependency,
     add_element,
@@ -27,6 +28,7 @@ from haros_ci.checking.installing import (
     landings,
     left_out_on_purpose,
 )
+from haros_ci.checking.interpreted import is_given_to_another
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
 from haros_ci.checking.manifests import (
@@ -48,7 +50,15 @@ from haros_ci.checking.manifests import (
 from haros_ci.checking.needs import Need, needs_of
 from haros_ci.checking.outside_targets import may_have_more
 from haros_ci.checking.package_names import meant_here, meant_released
-from haros_ci.checking.plugin_uses import PLUGIN_NAME, PluginUse, plugins_in_parameters, plugins_in_yaml
+from haros_ci.checking.pages import is_for_noetic
+from haros_ci.checking.plugin_uses import (
+    PLUGIN_NAME,
+    PluginUse,
+    Unlisted,
+    plugins_in_parameters,
+    plugins_in_yaml,
+    unlisted_plugins,
+)
 from haros_ci.checking.plugins import (
     MACROS,
     Registration,
@@ -98,7 +108,7 @@ from haros_ci.checking.uninstalled import (
 )
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
-from haros_ci.checking.worlds import serves_both
+from haros_ci.checking.worlds import dependency_tag, serves_both
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
     Build,
@@ -125,6 +135,7 @@ __all__ = [
     "CMake",
     "CMakeCommand",
     "Dependency",
+    "DevelSpaces",
     "Element",
     "EntryPoint",
     "Install",
@@ -147,9 +158,11 @@ __all__ = [
     "Sources",
     "Target",
     "Uninstalled",
+    "Unlisted",
     "Using",
     "COUNTERPARTS",
     "add_dependency",
+    "dependency_tag",
     "dependency_tags",
     "add_element",
     "add_export",
@@ -180,6 +193,8 @@ __all__ = [
     "installs_nothing",
     "is_aside",
     "is_asked_for",
+    "is_for_noetic",
+    "is_given_to_another",
     "is_ignored",
     "is_left_out",
     "is_of_tests",
@@ -226,4 +241,5 @@ __all__ = [
     "used_by_launch_files",
     "variant",
     "word",
+    "unlisted_plugins",
 ]

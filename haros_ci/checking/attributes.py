@@ -157,7 +157,9 @@ def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
                 one.has.add(function.name.rpartition(".")[2])
         for routine in code.routines(source.path):
             one = found.get((source.path, routine.owner))
-            if one is not None and not _is_called_on_class(code, routine):
+            if one is not None and _is_called_on_class(code, routine):
+                one.has.update(_set_in(routine.function.body or ()))  # of the class, if it is a class method
+            elif one is not None:
                 one.routines.append(routine)
                 _add(one, routine)
     return found

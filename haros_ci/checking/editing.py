@@ -7,6 +7,7 @@ import re
 
 from haros_ci.checking.outline import Outline, Span
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.worlds import condition_on
 from haros_ci.model.element import Element
 from haros_ci.results.fix import Edit, Fix
 
@@ -37,15 +38,15 @@ def drop_lines(path: str, first: int, last: int) -> Edit:
     return Edit(path, (first, 1), (last + 1, 1), "")
 
 
-def add_element(package: ProjectPackage, tag: str, text: str, description: str) -> Fix | None:
+def add_element(package: ProjectPackage, tag: str, text: str, description: str, condition: str = "") -> Fix | None:
     """``<tag>text</tag>`` in the manifest: among its like, in the order of the alphabet if they are, else where REP 149 has it.
 
-    It gets a line of its own unless its neighbour shares one. None if the manifest cannot be edited.
+    It gets a line of its own unless its neighbour shares one, and the *condition*, if there is one. None if the manifest cannot be edited.
     """
     outline, root = _outline(package), package.manifest
     if outline is None or root is None:
         return None
-    edit = _beside(outline, root, tag, (f"<{tag}>{escaped(text)}</{tag}>",), text)
+    edit = _beside(outline, root, tag, (_tag(tag, escaped(text), condition),), text)
     return Fix(description, (edit,)) if edit is not None else None
 
 
@@ -77,16 +78,29 @@ def add_dependency(package: ProjectPackage, kind: str, name: str) -> Fix | None:
     kinds: tuple[str, ...] = (kind,)
     if package.raw.format < 2:
         kinds = _FORMAT_1.get(kind, (kind,))
+    condition = _condition(package, name)
     there = {each.kind for each in package.raw.dependencies if each.name == name and each.condition is None}
-    parts = [add_element(package, each, name, description) for each in kinds if each not in there]
+    parts = [add_element(package, each, name, description, condition) for each in kinds if each not in there]
     edits = tuple(edit for part in parts if part is not None for edit in part.edits)
     return Fix(description, edits) if edits and None not in parts else None
 
 
 def dependency_tags(package: ProjectPackage, kind: str, name: str) -> str:
-    """The tags that :func:`add_dependency` writes, as a message shows them: in format 1 ``depend`` is two."""
+    """The tags that :func:`add_dependency` writes, as a message shows them: in format 1 ``depend`` is two.
+
+    What only one ROS has gets a condition where the manifest has such (REP 149).
+    """
     kinds = _FORMAT_1.get(kind, (kind,)) if package.raw.format < 2 else (kind,)
-    return " and ".join(f"<{each}>{name}</{each}>" for each in kinds)
+    return " and ".join(_tag(each, name, _condition(package, name)) for each in kinds)
+
+
+def _condition(package: ProjectPackage, name: str) -> str:
+    return condition_on(name, package.raw, package.project.manifests)
+
+
+def _tag(tag: str, content: str, condition: str) -> str:
+    attribute = f' condition="{condition}"' if condition else ""
+    return f"<{tag}{attribute}>{content}</{tag}>"
 
 
 def rename_element(package: ProjectPackage, element: Element, tag: str, description: str) -> Fix | None:

@@ -24,10 +24,16 @@ _MAIN = re.compile(r"^if[ \t(]+__name__[ \t]*==[ \t]*['\"]__main__['\"]", re.M)
 _PYTHON = frozenset(
     "__builtin__ __main__ asynchat asyncore BaseHTTPServer binhex cPickle cStringIO cgi CGIHTTPServer commands ConfigParser Cookie cookielib "
     "copy_reg distutils exceptions httplib imp itertools md5 pkg_resources Queue SimpleHTTPServer SocketServer sets setuptools sha smtpd "
-    "StringIO telnetlib thread tomllib typing_extensions urllib2 urlparse UserDict xmlrpclib _winreg".split()
+    "StringIO telnetlib thread tomllib typing_extensions urllib2 urlparse UserDict xmlrpclib _winreg "
+    "anydbm bsddb compiler dbhash dircache DocXMLRPCServer dumbdbm dummy_thread fpformat gdbm htmlentitydefs htmllib HTMLParser ihooks "
+    "mhlib mimetools MimeWriter mimify multifile mutex new popen2 posixfile repr rexec rfc822 robotparser sgmllib SimpleXMLRPCServer sre "
+    "statvfs sunaudio toaiff user UserList UserString whichdb "
+    # of Python 2 by their spelling: what brings tkinter today does not bring them
+    "Canvas Dialog FileDialog FixTk ScrolledText SimpleDialog Tix Tkconstants Tkdnd Tkinter tkColorChooser tkCommonDialog tkFileDialog "
+    "tkFont tkMessageBox tkSimpleDialog ttk".split()
 )
 #: Modules of Python's library that systems have as packages of their own (Debian's python3-tk), and their keys of rosdep.
-_APART = dict.fromkeys("tkinter Tkinter tkFileDialog tkMessageBox ttk".split(), frozenset(("python3-tk", "python-tk")))
+_APART = {"tkinter": frozenset(("python3-tk", "python-tk"))}
 #: What runs launch files brings these (ros2launch, roslaunch), some as dependencies of launch_ros (its package.xml).
 _LAUNCHING = frozenset(
     "launch launch_ros launch_xml launch_yaml ament_index_python roslaunch rospkg ros2launch osrf_pycommon yaml lifecycle_msgs "

@@ -141,8 +141,20 @@ def _included(package: ProjectPackage, sources: Sources, tests: bool) -> Iterato
         if header not in asked:
             asked[header] = _providers(header, package, sources)
         names = asked[header]
+        if _may_be_of_a_part(header, names, package):
+            continue
         if header.rpartition("/")[2] not in made and not names & lent and exists(names, package):
             yield Need(names, include.location, f"#include <{header}>", True)
+
+
+def _may_be_of_a_part(header: str, names: frozenset[str], package: ProjectPackage) -> bool:
+    """Whether a declared package ``<top>_lib`` may bring ``<top>/a.h``: nothing but the directory's name speaks for the package *top*."""
+    top, project = header.partition("/")[0], package.project
+    if names != {top} or top in package.declared or project.package(top) is not None:
+        return False
+    if project.knowledge.lists_header(header) or project.knowledge.has_interfaces(top):
+        return False
+    return any(each.startswith((f"{top}_", f"{top}-")) for each in package.declared)
 
 
 def _providers(header: str, package: ProjectPackage, sources: Sources) -> frozenset[str]:

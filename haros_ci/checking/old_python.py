@@ -9,7 +9,7 @@ import re
 import string
 import symtable
 import warnings
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 MAX_SOURCE = 500_000
@@ -33,6 +33,9 @@ _OPEN = re.compile(
     r"\bimport[ \t]*\(?[ \t]*\*|\bexec\b|\bexecfile\b|\bglobals[ \t]*\(|\blocals[ \t]*\(|\bNameError\b|\b__builtin__\b|\bvars[ \t]*\("
 )
 _PLACE = re.compile(r"%(?:\((\w*)\))?[#0\- +]*(\*|\d+)?(?:\.(\*|\d+))?[hlL]?([diouxXeEfFgGcrsa%])")
+#: An import or an assignment in a comment: all that is imported, and what is assigned.
+_COMMENTED = re.compile(r"#[#\s]*(?:(?:from[ \t]+[\w.]+[ \t]+)?import\b[^#;]*|[A-Za-z_]\w*[ \t]*=(?!=))")
+_WORD = re.compile(r"[A-Za-z_]\w*")
 _LOGS = frozenset("logdebug loginfo logwarn logerr logfatal debug info warn warning error critical fatal".split())
 
 
@@ -71,7 +74,7 @@ def _modern(text: str) -> str:
 
 
 def undefined_names(module: ast.Module, source: str) -> Iterator[tuple[str, int]]:
-    """Names that some scope reads and nothing in the file defines, with the first line that does."""
+    """Names that some scope reads and nothing in the file defines, with the first line that does: one that is reached, if there is one."""
     if _OPEN.search(source):
         return
     try:
@@ -94,11 +97,39 @@ def undefined_names(module: ast.Module, source: str) -> Iterator[tuple[str, int]
         for each in table.get_symbols()
         if each.is_referenced() and not _is_made(each) and (table is top or each.is_global())
     } - defined
-    first: dict[str, int] = {}
+    dead = switched_off(module) if missing else frozenset()
+    first: dict[str, tuple[bool, int]] = {}
     for node in ast.walk(module):
         if isinstance(node, ast.Name) and node.id in missing and isinstance(node.ctx, ast.Load):
-            first[node.id] = min(node.lineno, first.get(node.id, node.lineno))
-    yield from sorted(first.items(), key=lambda pair: (pair[1], pair[0]))
+            place = (node.lineno in dead, node.lineno)
+            first[node.id] = min(place, first.get(node.id, place))
+    yield from sorted(((name, line) for name, (_, line) in first.items()), key=lambda pair: (pair[1], pair[0]))
+
+
+def switched_off(module: ast.Module) -> frozenset[int]:
+    """The lines below ``if False:``, ``if 0:`` and the like, which nothing reaches."""
+    found: set[int] = set()
+    for node in ast.walk(module):
+        if isinstance(node, (ast.If, ast.While)) and isinstance(node.test, ast.Constant) and not node.test.value:
+            found.update(range(node.body[0].lineno, (node.body[-1].end_lineno or node.body[-1].lineno) + 1))
+    return frozenset(found)
+
+
+def commented_blocks(source: str, names: Collection[str]) -> Mapping[str, int]:
+    """By name the first line of the block of comments that has an import or an assignment of it."""
+    found: dict[str, int] = {}
+    start = 0
+    for number, line in enumerate(source.split("\n"), 1):
+        text = line.lstrip()
+        if not text.startswith("#"):
+            start = start if not text and start else 0
+            continue
+        start = start or number
+        made = _COMMENTED.match(text)
+        for name in _WORD.findall(made[0]) if made is not None else ():
+            if name in names:
+                found.setdefault(name, start)
+    return found
 
 
 def _is_made(symbol: symtable.Symbol) -> bool:

@@ -15,8 +15,11 @@ _LONG = 7
 
 
 def meant_here(name: str, names: Collection[str]) -> str | None:
-    """The package of a workspace with these *names* that is meant: misspelt, or with the prefix that many packages there have."""
-    if len(name) < 5:
+    """The package of a workspace with these *names* that is meant: misspelt, or with the prefix that many packages there have.
+
+    A name that a distribution has, or may have, is a package of its own, however much it is like one here.
+    """
+    if len(name) < 5 or (knowledge().is_there and knowledge().is_package(name) is not False):
         return None
     for other in names:
         prefix = other.removesuffix(name)

@@ -4,11 +4,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
+from haros_ci.bounded_yaml import Limits, YamlFault, nodes
 from haros_ci.checking.system import System
 from haros_ci.model.location import Location
+
+if TYPE_CHECKING:
+    import yaml
 
 #: The look-up name of a plug-in: ``package/Class`` or ``space::Class``.
 PLUGIN_NAME = r"[A-Za-z_]\w*(?:(?:::|/)[A-Za-z_]\w*)+"
@@ -23,6 +28,11 @@ _SURE = re.compile(
 )
 #: Keys whose values are look-up names at times.
 _PERHAPS = re.compile(r"type|class|class_name|\w*_class")
+
+#: Keys whose values are the names of sections, each with a plug-in, and names as they may be.
+_IDS = re.compile(r"(?:\w*_)?plugins?|\w+_plugin_(?:ids?|names?|types?)")
+_ID = re.compile(r"[A-Za-z_][\w.-]*")
+_LIMITS = Limits(characters=500_000, depth=50, values=50_000, aliases=100)
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,3 +84,53 @@ def plugins_in_yaml(path: str, text: str) -> Iterator[PluginUse]:
                 key = match[1].rpartition(".")[2]
                 if _SURE.fullmatch(key) or _PERHAPS.fullmatch(key):
                     yield PluginUse(match[3], place, match[1], bool(_SURE.fullmatch(key)))
+
+
+@dataclass(frozen=True, slots=True)
+class Unlisted:
+    """A *section* for a plug-in that the lists beside it do not name; *key* is the first of these, on *line*."""
+
+    section: str
+    key: str
+    line: int
+
+
+def unlisted_plugins(text: str) -> Mapping[int, Unlisted]:
+    """By the lines of their plug-ins the sections that no list of names beside them has, where there is one: nothing loads them."""
+    found: dict[int, Unlisted] = {}
+    try:
+        waiting = list(nodes(text, _LIMITS)) if "plugin" in text else []
+    except YamlFault:
+        return {}
+    seen: set[int] = set()
+    while waiting:
+        node = waiting.pop()
+        if id(node) in seen or isinstance(node.value, str):
+            continue
+        seen.add(id(node))
+        if node.id == "sequence":
+            waiting += node.value
+            continue
+        pairs = [(key.value, key, value) for key, value in node.value if isinstance(key.value, str)]
+        waiting += [value for _, _, value in pairs]
+        names, lists = _named(pairs)
+        for section, _, value in pairs if lists else ():
+            plugins = [each for key, each in value.value if key.value == "plugin"] if value.id == "mapping" else []
+            if plugins and section not in names:
+                found[plugins[0].start_mark.line + 1] = Unlisted(section, lists[0][0], lists[0][1])
+    return found
+
+
+def _named(pairs: list[tuple[str, yaml.Node, yaml.Node]]) -> tuple[set[str], list[tuple[str, int]]]:
+    """The names that the lists among *pairs* have, and these lists with their lines; none if one has what is no name."""
+    names: set[str] = set()
+    lists: list[tuple[str, int]] = []
+    for text, key, value in pairs:
+        if _IDS.fullmatch(text) and value.id != "mapping":
+            items = value.value if value.id == "sequence" else [value]
+            if not all(isinstance(each.value, str) and _ID.fullmatch(each.value) for each in items):
+                return set(), []
+            names |= {each.value for each in items}
+            if value.id == "sequence" and items:
+                lists.append((text, key.start_mark.line + 1))
+    return names, lists

@@ -32,6 +32,8 @@ _PACKAGE = re.compile(r"\$\((?:find|find-pkg-share)\s+(?:([\w-]*\*[\w*-]*)|[\w-]
 _LITERAL = re.compile(r"[\w-]{2}")
 #: A path has so many chosen parts at most.
 _MAX_SIGNS = 4
+#: A launch file with so many includes passes the same with all of them.
+_SEVERAL = 3
 #: Where commands stand that people and scripts start launch files with, and an argument that one gives.
 _SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
 _READ = (".md", ".rst", ".sh", ".bash")
@@ -112,6 +114,25 @@ class Whole:
             key: sorted(each, key=lambda at: (at.path, at.line or 0, at.column or 0)) for key, each in found.items()
         }
         return {key: tuple(each) for key, each in places.items()}
+
+    @cached_property
+    def passed_with_all(self) -> Mapping[tuple[str, str], tuple[tuple[str, Location], ...]]:
+        """Arguments that a launch file of ROS 2 passes with every include (of three or more), by its path and the name: the files that do not know them, and where."""
+        includes: dict[str, dict[Location, set[str]]] = {}
+        for system in self.systems:
+            for use in system.facts(IncludeUse):
+                names = includes.setdefault(use.location.path, {}).setdefault(use.location, set())
+                names.update(passed.name for passed in use.passed if use.ros == 2)
+        found: dict[tuple[str, str], list[tuple[str, Location]]] = {}
+        for (path, name), places in self.passed_for_nothing.items():
+            every = includes.get(places[0].path, {}).values()
+            if len(every) >= _SEVERAL and all(name in names for names in every):
+                found.setdefault((places[0].path, name), []).append((path, places[0]))
+        order = {
+            key: sorted(each, key=lambda one: (one[1].line or 0, one[1].column or 0, one[0]))
+            for key, each in found.items()
+        }
+        return {key: tuple(each) for key, each in order.items() if len(each) > 1}
 
     @cached_property
     def chosen_files(self) -> tuple[tuple[re.Pattern[str], frozenset[str]], ...]:

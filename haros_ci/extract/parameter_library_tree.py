@@ -6,7 +6,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field
 
-from haros_ci.extract.parameter_library_yaml import Scalar, Value, YamlFault, parse_yaml
+from haros_ci.bounded_yaml import Scalar, YamlFault
+from haros_ci.extract.parameter_library_yaml import Value, parse_yaml
 
 MAX_PROBLEMS = 100
 #: What a key begins with whose struct there is once for each element of the array that the rest of it names.

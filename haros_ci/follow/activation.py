@@ -38,6 +38,8 @@ REHEARSED = 10_000
 IDLE = 800
 #: Steps of rehearsals after which a function is rehearsed no longer than one that makes nothing is followed.
 MANY = 20_000
+#: Why a node may have more than what was made, and why a value is not known.
+TOO_DEEP = "the code is nested too deeply to be followed"
 
 
 def choose(run: Run, frame: Frame, function: Callable, args: tuple[call_arguments.Argument, ...]) -> Callable:
@@ -256,7 +258,9 @@ def follow_body(run: Run, inner: Frame, function: Function) -> Value:
     try:
         ended = statements.execute(run, inner, function.body or ())
     except RecursionError:
-        return run.opaque("the code is nested too deeply to be followed", inner, function.line)
+        if not run.quiet:
+            run.gaps.setdefault(TOO_DEEP, Location(path, function.line))
+        return run.opaque(TOO_DEEP, inner, function.line)
     finally:
         run.loops = loops
         run.active.pop()

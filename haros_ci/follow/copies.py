@@ -9,7 +9,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow import assignments, call_arguments, construct, expressions, methods
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.ros import qos_profiles
+from haros_ci.follow.ros import qos_profiles, ros2_nodes
 from haros_ci.follow.run import Run
 from haros_ci.index.index import Source
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, pointee
@@ -62,6 +62,8 @@ def _copy(run: Run, value: Value, kind: Type, depth: int, left: list[int]) -> Va
             pairs = {key: _twin(run, cell, cell.type or inner, depth, left) for key, cell in pairs.items()}
         return Mapped(Cell(pairs))
     if value.definition is None:
+        if value.name == ros2_nodes.NODE_OPTIONS:
+            return ros2_nodes.copied(value)
         if value.name != PAIR and value.name not in qos_profiles.CLASSES:
             return value
         return replace(value, fields={n: _twin(run, cell, cell.type, depth, left) for n, cell in value.fields.items()})

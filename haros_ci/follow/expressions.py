@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable as Function_
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar, cast
 
 from haros_ci import syntax
 from haros_ci.follow import (
@@ -44,6 +44,9 @@ from haros_ci.values.abstract import (
     concatenate,
     printed,
 )
+
+_Kind = TypeVar("_Kind", bound=Expression)
+_Evaluate = Function_[[Run, Frame, Expression], Value]
 
 
 def evaluate(run: Run, frame: Frame, expression: Expression) -> Value:
@@ -198,31 +201,37 @@ def _unpacked(run: Run, frame: Frame, expression: syntax.Star | syntax.DoubleSta
     return run.opaque(f"it is computed: {'star' if isinstance(expression, syntax.Star) else 'starstar'}", frame)
 
 
-#: Each takes what its key is a class of.
-EVALUATORS: dict[type[Expression], Function_[[Run, Frame, Any], Value]] = {
-    syntax.String: lambda run, frame, e: Known(e.value),
-    syntax.Number: lambda run, frame, e: Known(e.value),
-    syntax.Boolean: lambda run, frame, e: Known(e.value),
-    syntax.Null: lambda run, frame, e: NONE,
-    syntax.Name: lambda run, frame, e: lookup.name(run, frame, e),
-    syntax.This: _this,
-    syntax.Member: lambda run, frame, e: members.field(run, frame, e),
-    syntax.Subscript: lambda run, frame, e: assignments.indexed(run, frame, e),
-    syntax.Call: lambda run, frame, e: calls.call(run, frame, e),
-    syntax.New: lambda run, frame, e: calls.new(run, frame, e),
-    syntax.Operation: lambda run, frame, e: operators.operation(run, frame, e),
-    syntax.Assignment: lambda run, frame, e: assignments.assignment(run, frame, e),
-    syntax.Conditional: _conditional,
-    syntax.Lambda: _lambda,
-    syntax.ListLiteral: _list,
-    syntax.DictLiteral: _dict,
-    syntax.Format: _format,
-    syntax.Address: _address,
-    syntax.Dereference: _dereference,
-    syntax.Cast: _cast,
-    syntax.TypeName: lambda run, frame, e: Library(run.type_in(e.type, frame).name),
-    syntax.Keyword: lambda run, frame, e: evaluate(run, frame, e.value),
-    syntax.Star: _unpacked,
-    syntax.DoubleStar: _unpacked,
-    syntax.Unknown: _unknown,
-}
+def _on(kind: type[_Kind], value: Function_[[Run, Frame, _Kind], Value]) -> tuple[type[Expression], _Evaluate]:
+    """*value* for expressions of *kind*, and for no others."""
+    return cast("type[Expression]", kind), cast("_Evaluate", value)
+
+
+EVALUATORS: dict[type[Expression], _Evaluate] = dict(
+    (
+        _on(syntax.String, lambda run, frame, e: Known(e.value)),
+        _on(syntax.Number, lambda run, frame, e: Known(e.value)),
+        _on(syntax.Boolean, lambda run, frame, e: Known(e.value)),
+        _on(syntax.Null, lambda run, frame, e: NONE),
+        _on(syntax.Name, lambda run, frame, e: lookup.name(run, frame, e)),
+        _on(syntax.This, _this),
+        _on(syntax.Member, lambda run, frame, e: members.field(run, frame, e)),
+        _on(syntax.Subscript, lambda run, frame, e: assignments.indexed(run, frame, e)),
+        _on(syntax.Call, lambda run, frame, e: calls.call(run, frame, e)),
+        _on(syntax.New, lambda run, frame, e: calls.new(run, frame, e)),
+        _on(syntax.Operation, lambda run, frame, e: operators.operation(run, frame, e)),
+        _on(syntax.Assignment, lambda run, frame, e: assignments.assignment(run, frame, e)),
+        _on(syntax.Conditional, _conditional),
+        _on(syntax.Lambda, _lambda),
+        _on(syntax.ListLiteral, _list),
+        _on(syntax.DictLiteral, _dict),
+        _on(syntax.Format, _format),
+        _on(syntax.Address, _address),
+        _on(syntax.Dereference, _dereference),
+        _on(syntax.Cast, _cast),
+        _on(syntax.TypeName, lambda run, frame, e: Library(run.type_in(e.type, frame).name)),
+        _on(syntax.Keyword, lambda run, frame, e: evaluate(run, frame, e.value)),
+        _on(syntax.Star, _unpacked),
+        _on(syntax.DoubleStar, _unpacked),
+        _on(syntax.Unknown, _unknown),
+    )
+)

@@ -4,16 +4,16 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, construct, follow
+from haros_ci.follow import call_arguments, construct, copies, follow
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.ros import api_rows
+from haros_ci.follow.ros import api_rows, ros2_nodes
 from haros_ci.follow.run import Run
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
-from haros_ci.values.abstract import NONE, Library, Object, Value
+from haros_ci.values.abstract import NONE, Library, Object, Opaque, Value
 
 
 def inherited_call(
@@ -77,6 +77,8 @@ def library_call(
     if modelled is not None:
         return modelled
     kinds = tuple(run.type_in(t, frame) if isinstance(t, syntax.Type) else t for t in targs)
+    if name == ros2_nodes.NODE_OPTIONS and len(args) == 1 and isinstance(args[0].value, (Object, Opaque)):
+        return copies.copied(run, args[0].value, syntax.Type(name))
     found = api_rows.call(run, frame, name, function.this, args, targs, location, kinds)
     if found is not None:
         return found

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TypeVar, cast
 
 from haros_ci import syntax
 from haros_ci.follow import construct, expressions, lookup, loops, members
@@ -19,6 +19,8 @@ from haros_ci.values.state import Writes, joined
 
 #: What holds in the script that is started, and in no other module: no condition at all.
 MAIN_GUARD = ('__name__=="__main__"', '"__main__"==__name__')
+_Kind = TypeVar("_Kind", bound=Statement)
+_Execute = Callable[[Run, Frame, Statement], str]
 
 
 def execute(run: Run, frame: Frame, block: Block) -> str:
@@ -318,25 +320,31 @@ def _import(run: Run, frame: Frame, statement: syntax.Import) -> str:
     return NEXT
 
 
-#: Each takes what its key is a class of.
-STATEMENTS: dict[type[Statement], Callable[[Run, Frame, Any], str]] = {
-    syntax.Do: _do,
-    syntax.Variable: _variable,
-    syntax.Static: _static,
-    syntax.Global: _global,
-    syntax.Nonlocal: _nonlocal,
-    syntax.If: _if,
-    syntax.Loop: lambda run, frame, s: loops.loop(run, frame, s),
-    syntax.Each: lambda run, frame, s: loops.each(run, frame, s),
-    syntax.Switch: _switch,
-    syntax.Try: _try,
-    syntax.Preprocessor: _preprocessor,
-    syntax.Nested: lambda run, frame, s: execute(run, frame, s.body),
-    syntax.Return: _return,
-    syntax.Break: _break,
-    syntax.Continue: _continue,
-    syntax.Throw: _throw,
-    syntax.NestedFunction: _define,
-    syntax.NestedClass: _class,
-    syntax.Import: _import,
-}
+def _on(kind: type[_Kind], execute: Callable[[Run, Frame, _Kind], str]) -> tuple[type[Statement], _Execute]:
+    """*execute* for statements of *kind*, and for no others."""
+    return cast("type[Statement]", kind), cast("_Execute", execute)
+
+
+STATEMENTS: dict[type[Statement], _Execute] = dict(
+    (
+        _on(syntax.Do, _do),
+        _on(syntax.Variable, _variable),
+        _on(syntax.Static, _static),
+        _on(syntax.Global, _global),
+        _on(syntax.Nonlocal, _nonlocal),
+        _on(syntax.If, _if),
+        _on(syntax.Loop, lambda run, frame, s: loops.loop(run, frame, s)),
+        _on(syntax.Each, lambda run, frame, s: loops.each(run, frame, s)),
+        _on(syntax.Switch, _switch),
+        _on(syntax.Try, _try),
+        _on(syntax.Preprocessor, _preprocessor),
+        _on(syntax.Nested, lambda run, frame, s: execute(run, frame, s.body)),
+        _on(syntax.Return, _return),
+        _on(syntax.Break, _break),
+        _on(syntax.Continue, _continue),
+        _on(syntax.Throw, _throw),
+        _on(syntax.NestedFunction, _define),
+        _on(syntax.NestedClass, _class),
+        _on(syntax.Import, _import),
+    )
+)

@@ -115,16 +115,26 @@ class Knowledge:
 
     def provider_of_header(self, path: str) -> frozenset[str] | None:
         """Who installs the header ``tf2_ros/buffer.h``: by what is listed, else by the folder that is named after its package."""
+        row = self._header_row(path)
+        if row is not None:
+            return frozenset(row.split()) or None
+        top, slash, _ = path.partition("/")
+        return frozenset((top,)) if slash and self._is_plain(top) else None
+
+    def lists_header(self, path: str) -> bool:
+        """Whether it is listed who installs the header, or one of its folders, so that the folder's name need not tell."""
+        return self._header_row(path) is not None
+
+    def _header_row(self, path: str) -> str | None:
         rows = self.facts.section("headers")
         folder = path
         while folder:
             row = rows.get(folder)
             if row is not None:
-                return frozenset(row.split()) or None
+                return row
             folder = "/".join(folder.rstrip("/").split("/")[:-1])
             folder = f"{folder}/" if folder else ""
-        top, slash, _ = path.partition("/")
-        return frozenset((top,)) if slash and self._is_plain(top) else None
+        return None
 
     def provider_of_module(self, name: str) -> frozenset[str] | None:
         """Who installs the top-level Python module *name*."""
@@ -151,6 +161,10 @@ class Knowledge:
             return True
         base = next((short[: -len(part)] for part in _PARTS if kind == "msg" and short.endswith(part)), "")
         return bool(base) and f"action/{base}" in row
+
+    def has_interfaces(self, name: str) -> bool:
+        """Whether the package is known to define messages, services or actions."""
+        return bool(self.facts.words("interfaces", name))
 
     def plugins(self, name: str) -> frozenset[tuple[str, str]] | None:
         """``(package, base class)`` of those that export a plug-in with this look-up name or C++ type."""

@@ -38,6 +38,14 @@ _INSTALLS = re.compile(r"^[ \t]*\w*install\w*[ \t]*\(", re.MULTILINE | re.IGNORE
 _OF_FILES = frozenset(("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR", "MISSING_INCLUDE_PATH", "MISSING_PLUGIN"))
 _GENERATED = re.compile(r"\bgenerate_messages\s*\(\s*DEPENDENCIES\s([^()]{0,5000})\)", re.IGNORECASE)
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
+#: ``add_subdirectory(../shared shared)``: CMake asks for a build directory, the second argument, where the first is outside.
+_OUTSIDE = re.compile(
+    r"[ \t]*add_subdirectory\s*\(\s*\"?([^\s()\"]+)\"?\s+(?!EXCLUDE_FROM_ALL\b|SYSTEM\b)[^\s()]", re.IGNORECASE
+)
+#: What setup.py installs.
+_MODULES = re.compile(
+    r"\b(?:packages|package_dir|package_data|py_modules|scripts|find_packages|find_namespace_packages|data_files|ext_modules|entry_points)\b"
+)
 #: Characters of a statement that are looked at.
 _LONGEST = 2000
 
@@ -57,6 +65,11 @@ def is_refuted(
         )
     if rule.startswith("UNINSTALLED_") and not _installs(directory, workspace):
         return True
+    if rule == "EXTERNAL_SUBDIR":
+        return _is_shared(at, workspace)
+    if rule == "MISSING_PYTHON_SETUP":
+        setup = workspace.text(join(directory, "setup.py"))
+        return "setup" in setup and _MODULES.search(re.sub(r"#[^\n]*", "", setup)) is None
     named = _FILE.search(message)
     if named is None:
         return False
@@ -73,6 +86,19 @@ def is_refuted(
     if rule == "EXTERNAL_FILE" and not named[1].startswith("/"):
         return any(file.path in (here, beside) for file in workspace.files)
     return False
+
+
+def _is_shared(at: Location, workspace: Workspace) -> bool:
+    """Whether add_subdirectory() names a directory beside the package, which the repository has, and where to build it: that is meant."""
+    lines = workspace.text(at.path).split("\n")
+    if at.line is None or at.line > len(lines):
+        return False
+    named = _OUTSIDE.match("\n".join(lines[at.line - 1 : at.line + 2])[:_LONGEST])
+    if named is None:
+        return False
+    here = at.path.rpartition("/")[0]
+    path = re.sub(r"^\$\{(?:CMAKE_CURRENT_(?:SOURCE|LIST)_DIR|PROJECT_SOURCE_DIR|CMAKE_SOURCE_DIR)\}/", "", named[1])
+    return normpath(join(here, path, "CMakeLists.txt")) in workspace.names
 
 
 def _installs(directory: str, workspace: Workspace) -> bool:

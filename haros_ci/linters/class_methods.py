@@ -9,7 +9,7 @@ import warnings
 from functools import lru_cache
 
 #: How the first parameter of a method of a class, or of a metaclass, is called.
-_CLASS = ("cls", "klass", "mcs", "mcls", "metacls")
+CLASS = ("cls", "klass", "mcs", "mcls", "metacls")
 #: Decorators of that kind by their last names: pydantic's, SQLAlchemy's, and usual ones for properties of a class.
 _MAKING = frozenset(
     "validator root_validator field_validator model_validator validates declared_attr expression comparator classproperty".split()
@@ -37,15 +37,17 @@ def _lines(text: str) -> frozenset[int]:
         if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) or not node.decorator_list:
             continue
         first = next(iter((*node.args.posonlyargs, *node.args.args)), None)
-        is_called_so = first is not None and first.arg in _CLASS
+        is_called_so = first is not None and first.arg in CLASS
         if is_called_so or any(_last(each) in _MAKING for each in node.decorator_list):
             found.update(range(min(each.lineno for each in node.decorator_list), node.lineno + 1))
     return frozenset(found)
 
 
-def method_at(text: str, line: int) -> tuple[str, str] | None:
-    """The class and the name of the undecorated method at *line* of *text* whose first parameter is not called as an object or class is."""
-    return next(((owner, name) for first, _, owner, name, _ in _unbound(text) if first == line), None)
+def method_at(text: str, line: int) -> tuple[str, str, bool] | None:
+    """The class and the name of the undecorated method at *line* of *text* whose first parameter is not ``self``, and whether that is called
+    as a class is."""
+    found = ((owner, name, given in CLASS) for first, _, owner, name, given in _methods(text) if first == line)
+    return next(found, None)
 
 
 def takes_value(text: str, line: int) -> bool:
@@ -53,11 +55,14 @@ def takes_value(text: str, line: int) -> bool:
     lines = text.split("\n")
     here = lines[line - 1] if 0 < line <= len(lines) else ""
     words = set(re.findall(r"\w+", here[:_LONGEST]))
-    return any(first < line <= last and parameter in words for first, last, _, _, parameter in _unbound(text))
+    return any(
+        first < line <= last and parameter in words and parameter not in CLASS
+        for first, last, _, _, parameter in _methods(text)
+    )
 
 
 @lru_cache(maxsize=16)
-def _unbound(text: str) -> tuple[tuple[int, int, str, str, str], ...]:
+def _methods(text: str) -> tuple[tuple[int, int, str, str, str], ...]:
     """The first and last line, class, name and first parameter of each."""
     try:
         with warnings.catch_warnings():
@@ -70,7 +75,7 @@ def _unbound(text: str) -> tuple[tuple[int, int, str, str, str], ...]:
         for node in owner.body:
             if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and not node.decorator_list:
                 first = next(iter((*node.args.posonlyargs, *node.args.args)), None)
-                if first is not None and first.arg not in ("self", *_CLASS) and not first.arg.startswith("_"):
+                if first is not None and first.arg != "self" and not first.arg.startswith("_"):
                     name, end = node.name, node.end_lineno or node.lineno
                     if not name.startswith("__"):
                         found.append((node.lineno, end, owner.name, name, first.arg))

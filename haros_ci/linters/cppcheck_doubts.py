@@ -9,6 +9,7 @@ from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
 from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_spelled_out
+from haros_ci.linters.cppcheck_uses import is_copied, is_read_checked
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -107,6 +108,10 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:
         return _BY_NAME.search(here) is not None and _BY_ONE.search(here) is None
     if rule in OF_VALUES and has_large_constant(message, _line(text, line)):
         return True
+    if rule == "wrongfeofUsage":
+        return is_read_checked(line, text)
+    if rule == "danglingTemporaryLifetime":
+        return is_copied(line, text)
     if rule == "multiCondition":
         return is_spelled_out(message, line, text)
     if rule in _OF_CONDITIONS:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 
 from haros_ci.linters.class_methods import is_class_method, takes_value
+from haros_ci.linters.decorated import is_decorated
 from haros_ci.linters.pylint_idioms import (
     is_choice_of_calls,
     is_left_to_subclasses,
@@ -18,18 +19,12 @@ from haros_ci.linters.pylint_idioms import (
     is_stub,
     is_to_fail,
 )
+from haros_ci.linters.pylint_statements import is_of_another, is_surplus, is_test_for_nan, is_text
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.results.scope import scopes
 
-#: Decorators that leave a function's parameters as they are, by their last name.
-_HARMLESS = frozenset(
-    "staticmethod classmethod property abstractmethod override final overload cache cached_property lru_cache wraps contextmanager"
-    " asynccontextmanager total_ordering deprecated".split()
-)
 _CALLEE = re.compile(r"(\w+)[ \t]*\(")
-_DECORATED = re.compile(r"^([ \t]*)@[ \t]*([\w.]+)")
-_DEFINITION = re.compile(r"^[ \t]*(?:async[ \t]+)?def[ \t]+(\w+)")
 #: The idiom of ROS 2's tutorials: ``self.subscription  # prevent unused variable warning``.
 _KEPT = re.compile(r"#.*\b(?:unused|warnings?|lint\w*|pylint|flake8|noqa|keep|reference)\b", re.IGNORECASE)
 #: What is evaluated to see whether it raises.
@@ -80,7 +75,13 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:
         is_call = rule == "expression-not-assigned" and (_is_loop(text, line, column) or is_choice_of_calls(text, line))
         return is_call or is_stub(text, line) or _is_on_purpose(text, line)
     if rule == "unreachable":
-        return _is_unwritten(text, line)
+        return _is_unwritten(text, line) or is_text(text, line)
+    if rule == "too-many-format-args":
+        return is_surplus(text, line, column)
+    if rule == "bad-super-call":
+        return is_of_another(text, line)
+    if rule == "comparison-with-itself":
+        return is_test_for_nan(text, line)
     if rule == "trailing-comma-tuple":
         return _has_items(text, line)
     if rule == "dangerous-default-value":
@@ -204,20 +205,7 @@ def _is_decorated(text: str, line: int, column: int) -> bool:
     """Whether the function that is called there has a decorator here that may give it arguments (click, hydra, mock)."""
     lines = text.split("\n")
     called = _CALLEE.search(lines[line - 1], column) if 0 < line <= len(lines) else None
-    if called is None:
-        return False
-    waiting: list[str] = []
-    for each in lines:
-        decorator, definition = _DECORATED.match(each), _DEFINITION.match(each)
-        if decorator:
-            waiting.append(decorator[2].rpartition(".")[2])
-        elif definition:
-            if definition[1] == called[1] and not _HARMLESS.issuperset(waiting):
-                return True
-            waiting = []
-        elif each.lstrip().startswith("class "):
-            waiting = []
-    return False
+    return called is not None and is_decorated(text, called[1])
 
 
 def _is_on_purpose(text: str, line: int) -> bool:

@@ -62,7 +62,7 @@ def is_choice_of_calls(text: str, line: int) -> bool:
     return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.IfExp) and _only_calls(statement.value)
 
 
-def _nodes(text: str) -> Iterator[ast.AST]:
+def nodes(text: str) -> Iterator[ast.AST]:
     """All that a Python file is made of; nothing of one that is not understood."""
     try:
         with warnings.catch_warnings():
@@ -77,7 +77,7 @@ def is_to_fail(text: str, line: int) -> bool:
     """Whether a test calls there what is to raise a TypeError: in the block, or in a lambda, of ``pytest.raises`` or ``assertRaises``."""
     if "aises" not in text:
         return False
-    for node in _nodes(text):
+    for node in nodes(text):
         if isinstance(node, ast.With | ast.AsyncWith):
             calls = [item.context_expr for item in node.items]
             if any(map(_awaits_type_error, calls)) and node.body[0].lineno <= line <= (node.end_lineno or 0):
@@ -145,7 +145,7 @@ def is_stub(text: str, line: int) -> bool:
     here = lines[line - 1].partition("#")[0].strip() if 0 < line <= len(lines) else ""
     if not here.endswith(("None", "...")):
         return False
-    for function in _nodes(text):
+    for function in nodes(text):
         if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
             body = function.body[1:] if ast.get_docstring(function, clean=False) is not None else function.body
             if len(body) == 1 and isinstance(body[0], ast.Expr) and body[0].lineno == line:

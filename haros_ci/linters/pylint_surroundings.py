@@ -6,8 +6,9 @@ from __future__ import annotations
 
 import re
 
-from haros_ci.linters.class_methods import method_at
-from haros_ci.linters.python2 import is_of_python2
+from haros_ci.linters.class_methods import CLASS, method_at
+from haros_ci.linters.decorated import is_call_of_decorated
+from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Result
 
@@ -49,7 +50,9 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
     is_of_yaml = result.rule == "no-value-for-parameter" and _LOADER.search(result.message) is not None
     if (is_of_yaml or result.rule in _OF_PYTHON3) and _is_python2(result.location.path, workspace):
         return True
-    if result.rule in _OF_SIGNATURES and _is_of_library(result, line, workspace):
+    if result.rule in _OF_SIGNATURES and (
+        _is_of_library(result, line, workspace) or is_call_of_decorated(result, workspace)
+    ):
         return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
 
@@ -57,6 +60,8 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
 def _is_python2(path: str, workspace: Workspace) -> bool:
     """Whether the file at *path* is of a package of ROS 1 for Python 2."""
     name = workspace.package_finder()(path)
+    if name is None:
+        return _is_loose_python2(path, workspace)
     package = next((each for each in workspace.packages if each.name == name), None)
     if package is None or package.ros == 2:
         return False
@@ -64,6 +69,19 @@ def _is_python2(path: str, workspace: Workspace) -> bool:
     texts = (workspace.text(each) for each in files[:_MOST_FILES])
     manifest = workspace.text(f"{package.path}/package.xml" if package.path != "." else "package.xml")
     return is_of_python2(workspace.text(path), texts, manifest)
+
+
+def _is_loose_python2(path: str, workspace: Workspace) -> bool:
+    """Whether the file at *path*, which is in no package, is for Python 2, or others in and below its directory are, if only in part."""
+    text = workspace.text(path)
+    if names_python3(text) or any(each.ros == 2 for each in workspace.packages):
+        return False
+    below = path[: path.rfind("/") + 1]
+    files = [each.path for each in workspace.files if each.language == "python" and each.package is None]
+    texts = [workspace.text(each) for each in files if below and each.startswith(below)][:_MOST_FILES]
+    return is_of_python2(text, texts, "") or (
+        not any(map(names_python3, texts)) and any(map(imports_future, (text, *texts)))
+    )
 
 
 def _is_of_library(result: Result, line: int, workspace: Workspace) -> bool:
@@ -91,15 +109,28 @@ def _is_of_library(result: Result, line: int, workspace: Workspace) -> bool:
 
 
 def _is_helper(line: int, text: str, workspace: Workspace) -> bool:
-    """Whether every use of the method at *line* goes through a class, ``Arm.by_name(x)``: it works, and lacks a decorator only."""
+    """Whether every use of the method at *line* goes through a class, ``Arm.by_name(x)``: it works, and lacks a decorator only.
+
+    One whose first parameter is called as a class is (``cls``) is given a class by each: ``Arm.read(cls, x)``. Nor
+    does one lack anything that is a decorator of other methods of its class.
+    """
     method = method_at(text, line)
     if method is None:
         return False
-    owner, name = method
+    owner, name, is_of_class = method
     use = re.compile(rf"(\w+|[)\]}}'\"])[ \t]*\.[ \t]*{re.escape(name)}\b")
-    texts = (workspace.text(file.path) for file in workspace.files if file.language in ("python", "launch"))
-    receivers = {found[1] for each in texts if name in each for found in use.finditer(each)}
-    return owner in receivers and all(each == owner or each[0].isupper() for each in receivers)
+    every = (workspace.text(file.path) for file in workspace.files if file.language in ("python", "launch"))
+    texts = tuple(each for each in every if name in each)
+    given = re.compile(
+        rf"\.[ \t]*{re.escape(name)}\b(?!\s*\(\s*(?:{'|'.join(CLASS)}|type\([^()\n]{{0,80}}\)|[A-Z]\w*)\s*[,)])"
+    )
+    if is_of_class and any(given.search(each) for each in texts):
+        return False
+    receivers = {found[1] for each in texts for found in use.finditer(each)}
+    if not receivers:  # the body of the class itself uses it
+        return not is_of_class and re.search(rf"(?m)^[ \t]+@[ \t]*{re.escape(name)}\b", text) is not None
+    classes = CLASS if is_of_class else ()
+    return owner in receivers and all(each == owner or each[0].isupper() or each in classes for each in receivers)
 
 
 def _is_shadowed(result: Result, line: int, workspace: Workspace) -> bool:

@@ -37,6 +37,11 @@ _KEY = re.compile(r"<(?:\w+_)?depend>\s*python-[\w-]+\s*<")
 _REMARK = re.compile(r"<!--.{0,10000}?-->", re.DOTALL)
 #: Texts over several lines, in which a line may begin with any word.
 _TEXTS = re.compile(r"\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
+#: What Python 3 does anyhow, and Python 2 by request.
+_FUTURE = re.compile(
+    r"^from[ \t]+__future__[ \t]+import[ \t(]+[^\n#]{0,200}?\b(?:absolute_import|division|print_function|unicode_literals)\b",
+    re.MULTILINE,
+)
 #: Characters of a line that are looked at.
 _LONGEST = 400
 #: Type aliases, generic functions and classes (PEP 695).
@@ -78,6 +83,11 @@ def is_of_python2(text: str, others: Iterable[str], manifest: str) -> bool:
         return True
     every = tuple(others)
     return not any(map(names_python3, every)) and any(_STATEMENTS.search(_TEXTS.sub("", each)) for each in every)
+
+
+def imports_future(text: str) -> bool:
+    """Whether *text* asks for what Python 3 does by itself: it is for Python 2, too."""
+    return _FUTURE.search(text) is not None
 
 
 def is_newer(line: str, message: str) -> bool:

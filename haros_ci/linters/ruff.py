@@ -36,7 +36,7 @@ def locate(options: LintOptions) -> Program | None:
 
 
 def fingerprint(workspace: Workspace, options: LintOptions) -> str:
-    return json.dumps(["5", sorted(ruff_config.LEFT_OUT)])
+    return json.dumps(["6", sorted(ruff_config.LEFT_OUT)])
 
 
 def dependencies(workspace: Workspace, file: SourceFile) -> Iterable[str]:
@@ -119,4 +119,6 @@ def _is_refuted(rule: str, line: int, column: int, text: str) -> bool:
     """As of pylint's messages on the same defects; a default is reported where it stands, not at its function."""
     if rule == "B006":
         return is_only_read(text, line, column)
+    if rule == "F523":
+        return pylint_doubts.is_refuted("too-many-format-args", line, column, text)
     return rule == "B018" and pylint_doubts.is_refuted("pointless-statement", line, column, text)

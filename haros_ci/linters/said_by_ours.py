@@ -48,6 +48,8 @@ UNNAMED: dict[str, tuple[str, ...]] = {
 _INCLUDE_PATH = "UNINSTALLED_INCLUDE_PATH"
 #: Those that say of a target, the last that they name, that it is not installed: once of each place that needs it.
 _OF_TARGET = ("UNINSTALLED_EXPORT_LIB", "UNINSTALLED_TARGET", "UNINSTALLED_DEPEND")
+#: Those that say of a script, by its path in the package, why it does not start; ours gives the path from the root.
+_OF_SCRIPT = ("SCRIPT_NOT_EXECUTABLE", "MISSING_SHEBANG")
 _QUOTED = re.compile(r"'([^']+)'")
 _WORD = re.compile(r"[\w.+/-]*\w")
 
@@ -129,5 +131,8 @@ def _is_same(theirs: Result, ours: Result) -> bool:
     quoted = _QUOTED.findall(theirs.message)
     if theirs.rule in _OF_TARGET:  # what depends on the target is installed
         return quoted[-1:] != [] and quoted[-1] in words
+    if theirs.rule in _OF_SCRIPT:
+        paths = {*words, ours.location.path, *(each.location.path for each in ours.related)}
+        return any(f"/{path}".endswith(f"/{name}") for name in quoted for path in paths)
     names = {part for name in quoted for part in (name, name.partition("/")[0])}
     return not names.isdisjoint(words)

@@ -59,4 +59,34 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "undeclared-launch-dependency in its package is a note",
         "tests/test_launch_dependencies.py::test_a_package_that_the_setup_assistant_wrote",
     ),
+    (
+        ("CMake files, scripts and code that give a script to an interpreter",),
+        "script-not-runnable of that script",
+        "tests/test_script_not_runnable.py::test_what_an_interpreter_is_given_may_be_started_by_others",
+    ),
+    (
+        ("comments in a function that say that the goal is aborted otherwise",),
+        "action-without-result of that function is a note",
+        "tests/test_action_levels.py::test_goals_that_a_comment_leaves_to_be_aborted",
+    ),
+    (
+        ("a Python function of the called name with a decorator",),
+        "missing-kwoa, no-value-for-parameter, redundant-keyword-arg, too-many-function-args and unexpected-keyword-arg (pylint) of calls by that name",
+        "tests/linters/test_pylint_surroundings.py::test_a_function_that_a_decorator_changes",
+    ),
+    (
+        ("calls that give a method without `self` its class",),
+        "no-self-argument (pylint) of that method, where every call does",
+        "tests/linters/test_pylint_surroundings.py::test_a_helper_that_is_given_the_class",
+    ),
+    (
+        ("Python files outside of packages that import from `__future__` what Python 3 has",),
+        "deprecated-module and the like (pylint) in and above their directory, outside of packages",
+        "tests/linters/test_pylint_surroundings.py::test_code_outside_of_packages",
+    ),
+    (
+        ("the CMakeLists.txt of a directory beside a package",),
+        "EXTERNAL_SUBDIR (catkin_lint) of that directory, where CMake is told where to build it",
+        "tests/linters/test_catkin_doubts.py::test_a_directory_that_packages_share",
+    ),
 )

@@ -215,6 +215,16 @@ OTHERS: tuple[Row, ...] = (
     ),
     Row(
         "all linters",
+        (
+            "a first comment with a copyright line and a licence that nothing else in the project names",
+            "`package.xml`, `setup.py` and first comments that would name them",
+        ),
+        "all that linters report on that file in the profiles `ros` and `bugs-only`",
+        Origin.BASE,
+        "tests/hostile/test_hostile_hiding_comments.py::test_a_change_that_calls_a_file_another_owners",
+    ),
+    Row(
+        "all linters",
         ("a C++ source that no target compiles, a superseded Python module (`…_old.py`) that nothing names",),
         "all that linters report on that file in the profiles `ros` and `bugs-only`",
         Origin.BASE,
@@ -264,6 +274,20 @@ OTHERS: tuple[Row, ...] = (
         "missing launch, parameter and share files that git ignores are notes",
         Origin.BASE,
         f"{_HERE}::test_gitignore_of_the_change_lowers_no_finding",
+    ),
+    Row(
+        OWN,
+        ("pages and scripts that build or source a devel space", "debian/rules"),
+        "directory-not-installed and target-not-installed in packages of ROS 1 that no distribution has are notes",
+        Origin.BASE,
+        "tests/checking/test_devel_spaces.py::test_a_change_alone_shows_nothing",
+    ),
+    Row(
+        OWN,
+        ("pages and scripts that are for ROS Noetic and no older distribution",),
+        "script-not-runnable of a .cfg file of dynamic_reconfigure is a note",
+        Origin.BASE,
+        "tests/test_script_not_runnable.py::test_files_of_dynamic_reconfigure",
     ),
     *(Row(OWN, files, what, Origin.HEAD, test) for files, what, test in CHANGE),
     Row(

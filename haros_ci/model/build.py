@@ -191,12 +191,18 @@ class CMakeCommand:
         return None if path.startswith("..") or "${" in path else path
 
     def after(self, keyword: str, *keywords: str) -> tuple[str, ...]:
-        """The arguments that follow *keyword* up to the next of *keywords*; () without it."""
-        if keyword not in self.arguments:
-            return ()
-        rest = self.arguments[self.arguments.index(keyword) + 1 :]
-        end = next((at for at, word in enumerate(rest) if word in keywords), len(rest))
-        return rest[:end]
+        """The arguments that follow *keyword*, each time that it is given, up to the next of *keywords*; () without it.
+
+        A list in quotes counts as its elements: cmake_parse_arguments and find_package() split it.
+        """
+        found: list[str] = []
+        is_after = False
+        for word in self.arguments:
+            if word == keyword or word in keywords:
+                is_after = word == keyword
+            elif is_after:
+                found += (part for part in word.split(";") if part) if ";" in word and "$<" not in word else (word,)
+        return tuple(found)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

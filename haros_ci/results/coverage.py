@@ -13,10 +13,13 @@ from haros_ci.results.result import Coverage
 _NAMED = 3
 
 
-def coverage(workspace: Workspace, ways: Collection[str] = (), unused: Sequence[str] = ()) -> Coverage:
+def coverage(
+    workspace: Workspace, ways: Collection[str] = (), unused: Sequence[str] = (), copied: Sequence[str] = ()
+) -> Coverage:
     """What was looked at, and in whole sentences what was not.
 
-    *ways* are those in which linters were confined, *unused* the files whose findings were left out as nothing uses them.
+    *ways* are those in which linters were confined, *unused* the files whose findings were left out as nothing uses them,
+    and *copied* those that are copies by their owners and licences.
     """
     unseen = []
     if not workspace.packages:
@@ -34,6 +37,8 @@ def coverage(workspace: Workspace, ways: Collection[str] = (), unused: Sequence[
         unseen.append(_single(single))
     if unused:
         unseen.append(_unused(unused))
+    if copied:
+        unseen.append(_copied(copied))
     return Coverage(
         packages=len(workspace.packages),
         files=len(workspace.files),
@@ -64,6 +69,14 @@ def _unused(paths: Sequence[str]) -> str:
     if len(paths) == 1:
         return f"What linters say of 1 file was left out, because nothing compiles, starts or imports it: {named}."
     return f"What linters say of {len(paths)} files was left out, because nothing compiles, starts or imports them: {named}."
+
+
+def _copied(paths: Sequence[str]) -> str:
+    named = _named(paths)
+    why = "another owner and another licence than the rest of the project"
+    if len(paths) == 1:
+        return f"What linters say of 1 file was left out, because its first comment names {why}: {named}."
+    return f"What linters say of {len(paths)} files was left out, because their first comments name {why}: {named}."
 
 
 def _named(paths: Sequence[str]) -> str:

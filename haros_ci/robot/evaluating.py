@@ -9,9 +9,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, Union
 
+from haros_ci.bounded_python.limits import weight
 from haros_ci.model.robot import Fault, Way
 from haros_ci.robot.expressions import Invalid, Undefined, evaluate, is_open, parsed
-from haros_ci.robot.functions import Function, Module, NotKnown, TooMuch, tokenize, weight
+from haros_ci.robot.functions import LIMITS, Function, Module, NotFollowed, TooMuch, tokenize
 from haros_ci.robot.nodes import Node
 from haros_ci.robot.scopes import Scope, World
 from haros_ci.robot.sources import FIND, HERE, Sources
@@ -72,7 +73,7 @@ class Evaluating:
             return text
         value = self.value(text, scope, node)
         if isinstance(value, (list, tuple, dict)):
-            self.spend(weight(value) // 8)
+            self.spend(weight(value, LIMITS) // 8)
         if is_open(value) or isinstance(value, (Scope, Function, Module)):
             return UNKNOWN
         found = str(value)
@@ -134,7 +135,7 @@ class Evaluating:
             return f"{FIND}{given[0]}"
         if kind == "arg" and len(given) == 1:
             return self.argument_value(given[0])
-        if kind == "optenv" and given:
+        if kind == "optenv" and len(given) > 1:  # without a default it is what a user's environment has
             return " ".join(given[1:])
         if kind == "dirname":
             return (HERE + posixpath.dirname(self.file)).rstrip("/")
@@ -190,7 +191,7 @@ class Evaluating:
     def _load_yaml(self, name: str) -> Any:
         located = self.sources.locate(name, self.file)
         if located.path is None:
-            raise NotKnown
+            raise NotFollowed
         if located.path not in self._loaded:
             text = self.sources.text(located.path)
             self.spend(len(text) // 4)

@@ -9,14 +9,12 @@ from typing import Any
 
 import yaml
 
-from haros_ci.bounded_yaml import Limits, YamlFault, nodes
+from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Limits, YamlFault, nodes, scalar_value
 from haros_ci.robot.unknown import UNKNOWN
 
 MAX_NODES = 50_000
 MAX_DEPTH = 60
 LIMITS = Limits(characters=500_000, depth=MAX_DEPTH, values=MAX_NODES)
-#: The longest number; ``1:20:20:…`` is one in base 60.
-MAX_NUMBER = 100
 #: The tags that xacro adds for units, with what they are multiplied by.
 UNITS = {
     "!radians": 1.0,
@@ -26,7 +24,6 @@ UNITS = {
     "!foot": 0.3048,
     "!inches": 0.0254,
 }
-_SAFE = yaml.SafeLoader("")
 
 
 class YamlDict(dict[Any, Any]):
@@ -67,7 +64,7 @@ class _Reader:
         found = YamlDict()
         merged = YamlDict()
         for key, child in node.value:
-            if key.tag == "tag:yaml.org,2002:merge":
+            if key.tag == MERGE:
                 for each in child.value if isinstance(child, yaml.SequenceNode) else (child,):
                     values = self.value(each, depth + 1)
                     if isinstance(values, YamlDict):
@@ -85,9 +82,9 @@ class _Reader:
             if isinstance(value, (int, float)):
                 return float(value) * UNITS[node.tag]
             return UNKNOWN
-        if node.tag not in _KNOWN or (len(node.value) > MAX_NUMBER and not node.tag.endswith(":str")):
+        if node.tag == TAG + "str":
+            return str(node.value)
+        kind = node.tag.removeprefix(TAG)
+        if kind not in ("int", "float", "bool", "null") or len(node.value) > MAX_NUMBER:
             return UNKNOWN
-        return _SAFE.construct_object(node, deep=True)
-
-
-_KNOWN = {f"tag:yaml.org,2002:{name}" for name in ("str", "int", "float", "bool", "null")}
+        return scalar_value(kind, node.value)

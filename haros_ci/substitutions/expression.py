@@ -5,20 +5,20 @@ from __future__ import annotations
 
 import ast
 import math
-import operator
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
+from haros_ci.bounded_python.evaluation import Evaluation
+from haros_ci.bounded_python.functions import FUNCTIONS, Function
+from haros_ci.bounded_python.language import ARITHMETIC, COMPARISONS, POWER, SYNTAX, Language
+from haros_ci.bounded_python.limits import Limits, NotFollowed, TooMuch, check_text_method, parsed
 from haros_ci.substitutions.names import Text, literal, quoted
 from haros_ci.substitutions.presence import OTHER
 from haros_ci.substitutions.types import convert
 
-MAX_SOURCE = 2_000
-MAX_DEPTH = 40
 MAX_SIZE = 10_000
-_MAX_BITS = 4_000
+LIMITS = Limits(characters=2_000, depth=40, size=MAX_SIZE, bits=4_000)
 
 _CONSTANTS: dict[str, object] = {
     "true": True,
@@ -43,22 +43,11 @@ _OTHER_MATH = frozenset(
     ("comb", "dist", "erf", "erfc", "factorial", "frexp", "fsum", "gamma", "gcd", "isclose", "isfinite", "isqrt")
 ) | {"ldexp", "lgamma", "modf", "perm", "prod", "remainder"}
 _BUILTINS: dict[str, Callable[..., Any]] = {
-    "str": str,
-    "int": int,
-    "float": float,
-    "bool": bool,
-    "list": list,
-    "dict": dict,
-    "tuple": tuple,
-    "len": len,
-    "abs": abs,
-    "min": min,
-    "max": max,
-    "round": round,
-    "sum": sum,
-    "sorted": sorted,
-    "any": any,
-    "all": all,
+    name: FUNCTIONS[name]
+    for name in (
+        *("str", "int", "float", "bool", "list", "dict", "tuple", "len", "abs", "min", "max", "round", "sum"),
+        *("sorted", "any", "all"),
+    )
 }
 _TEXT_METHODS = frozenset(
     ("lower", "upper", "strip", "lstrip", "rstrip", "startswith", "endswith", "split", "rsplit", "replace", "title")
@@ -68,27 +57,6 @@ _METHODS: dict[type, frozenset[str]] = {
     list: frozenset(("index", "count")),
     tuple: frozenset(("index", "count")),
     dict: frozenset(("get", "keys", "values")),
-}
-_BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.FloorDiv: operator.floordiv,
-    ast.Mod: operator.mod,
-    ast.Pow: operator.pow,
-}
-_COMPARE: dict[type[ast.cmpop], Callable[[Any, Any], bool]] = {
-    ast.Eq: operator.eq,
-    ast.NotEq: operator.ne,
-    ast.Lt: operator.lt,
-    ast.LtE: operator.le,
-    ast.Gt: operator.gt,
-    ast.GtE: operator.ge,
-    ast.Is: operator.is_,
-    ast.IsNot: operator.is_not,
-    ast.In: lambda item, items: item in items,
-    ast.NotIn: lambda item, items: item not in items,
 }
 
 
@@ -133,70 +101,52 @@ def compute(source: str, scopes: Scopes) -> object:
     """The value of the expression *source*; errors as evaluate has them."""
     if "__" in source:
         raise Wrong("double underscores are not allowed")
-    if len(source) > MAX_SOURCE:
-        raise Undecided(f"$(eval ...) is longer than {MAX_SOURCE} characters")
     try:
-        tree = ast.parse(source.strip(" \t"), mode="eval")
+        tree = parsed(source.strip(" \t"), LIMITS) if len(source) <= LIMITS.characters else None
     except SyntaxError as err:
         raise Wrong("not a Python expression; mind quotes and parentheses") from err
     except (ValueError, RecursionError, MemoryError) as err:
         raise Wrong("not a Python expression that can be read") from err
+    if tree is None:
+        raise Undecided(f"$(eval ...) is longer than {LIMITS.characters} characters")
     try:
-        return _value(tree.body, scopes, 0)
+        return Evaluation(_Roslaunch(scopes)).value(tree)
+    except NotFollowed as err:
+        said = err.said or f"uses {type(err.node).__name__}, which is not interpreted"
+        raise Undecided(f"$(eval ...) {said}") from err
+    except TooMuch as err:
+        is_deep = err.what == "depth"
+        said = "is nested too deeply to follow" if is_deep else "makes a value too large to follow"
+        raise Undecided(f"$(eval ...) {said}") from err
     except (ArithmeticError, TypeError, ValueError, LookupError, AttributeError) as err:
         raise Wrong(f"Python stops with {type(err).__name__}; check the types, args are converted as 'auto'") from err
 
 
-def _value(node: ast.expr, scopes: Scopes, depth: int) -> Any:
-    if depth > MAX_DEPTH:
-        raise Undecided("$(eval ...) is nested too deeply to follow")
+class _Roslaunch(Language):
+    """Python as roslaunch evaluates it: names are args, nothing unknown is computed with, and paths are not looked into."""
 
-    def of(inner: ast.expr) -> Any:
-        return _value(inner, scopes, depth + 1)
+    limits = LIMITS
+    syntax = SYNTAX | {ast.Dict, ast.FormattedValue, ast.JoinedStr}
+    operators: ClassVar = {**ARITHMETIC, **POWER}
+    has_formats = True
 
-    match node:
-        case ast.Constant(value=str() | int() | float() | bool() | None as constant):
-            return constant
-        case ast.Name(id=name):
-            return _name(name, scopes)
-        case ast.List(elts=items):
-            return [of(item) for item in items]
-        case ast.Tuple(elts=items):
-            return tuple(of(item) for item in items)
-        case ast.Dict(keys=keys, values=values) if None not in keys:
-            return {_plain(of(key)): of(value) for key, value in zip(keys, values, strict=True) if key is not None}
-        case ast.UnaryOp(op=ast.Not(), operand=operand):
-            return not of(operand)
-        case ast.UnaryOp(op=ast.USub(), operand=operand):
-            return -of(operand)
-        case ast.UnaryOp(op=ast.UAdd(), operand=operand):
-            return +of(operand)
-        case ast.BoolOp(op=op, values=values):
-            for operand in values:
-                value = of(operand)
-                if bool(value) == isinstance(op, ast.Or):
-                    break
-            return value
-        case ast.IfExp(test=test, body=body, orelse=orelse):
-            return of(body) if of(test) else of(orelse)
-        case ast.BinOp(left=left, op=op, right=right):
-            return _binary(op, of(left), of(right))
-        case ast.Compare(left=left, ops=ops, comparators=comparators):
-            return _compare(of(left), ops, comparators, of, scopes.compared)
-        case ast.Subscript(value=container, slice=ast.Slice(lower=lower, upper=upper, step=step)):
-            bounds = [None if bound is None else of(bound) for bound in (lower, upper, step)]
-            return _plain(of(container))[slice(*bounds)]
-        case ast.Subscript(value=container, slice=index):
-            return _plain(of(container))[_plain(of(index))]
-        case ast.Call(func=ast.Name(id=name), args=operands, keywords=[]):
-            return _call(name, [of(operand) for operand in operands], scopes)
-        case ast.Call(func=ast.Attribute(value=subject, attr=method), args=operands, keywords=[]):
-            return _method(of(subject), method, [of(operand) for operand in operands])
-        case ast.JoinedStr(values=pieces):
-            return _sized("".join(str(of(piece)) for piece in pieces))
-        case ast.FormattedValue(value=inner, conversion=-1, format_spec=None):
-            return str(of(inner))
-    raise Undecided(f"$(eval ...) uses {type(node).__name__}, which is not interpreted")
+    def __init__(self, scopes: Scopes) -> None:
+        self.scopes = scopes
+
+    def name(self, name: str) -> object:
+        return _name(name, self.scopes)
+
+    def function(self, name: str) -> Function:
+        return Function(name, lambda *given: _call(name, [*given], self.scopes))
+
+    def attribute(self, owner: Any, name: str) -> Function:
+        return Function(f".{name}", lambda *given: _method(owner, name, [*given]))
+
+    def looked_into(self, value: Any) -> Any:
+        return _plain(value)
+
+    def compare(self, op: ast.cmpop, left: Any, right: Any) -> bool:
+        return _compare(op, left, right, self.scopes.compared)
 
 
 def _name(name: str, scopes: Scopes) -> object:
@@ -230,7 +180,7 @@ def _call(name: str, operands: list[Any], scopes: Scopes) -> object:
         operands = [_plain(operand) for operand in operands]
     if function is int and operands and isinstance(operands[0], str) and len(operands[0]) > 100:
         raise Undecided("$(eval ...) reads a number too long to follow")
-    return _sized(function(*operands))
+    return function(*operands)
 
 
 def _substitution(name: str, operands: list[Any], scopes: Scopes) -> object:
@@ -262,48 +212,19 @@ def _method(subject: Any, method: str, operands: list[Any]) -> object:
     operands = [_plain(operand) for operand in operands]
     if method not in _METHODS.get(type(subject), ()):
         raise Undecided(f"$(eval ...) calls .{method}(), which is not interpreted")
-    if method == "replace" and len(operands) >= 2 and all(isinstance(operand, str) for operand in operands[:2]):
-        _fits(len(subject) + (subject.count(operands[0]) + 1) * len(operands[1]))
-    if method == "join" and operands and isinstance(operands[0], (list, tuple)):
-        _fits(sum(len(item) + len(subject) for item in operands[0] if isinstance(item, str)))
+    check_text_method(method, subject, operands, LIMITS)
     result = getattr(subject, method)(*operands)
-    return list(result) if method in ("keys", "values") else _sized(result)
+    return list(result) if method in ("keys", "values") else result
 
 
-def _binary(op: ast.operator, left: Any, right: Any) -> object:
-    function = _BINARY.get(type(op))
-    if function is None:
-        raise Undecided(f"$(eval ...) uses {type(op).__name__}, which is not interpreted")
-    if not isinstance(op, ast.Add):
-        left, right = _plain(left), _plain(right)
-    if isinstance(op, ast.Mult):
-        for sequence, times in ((left, right), (right, left)):
-            if isinstance(sequence, (str, list, tuple)) and isinstance(times, int):
-                _fits(len(sequence) * max(times, 0))
-    if isinstance(op, ast.Pow) and isinstance(left, int) and isinstance(right, int):
-        _fits(left.bit_length() * abs(right), _MAX_BITS)
-    if isinstance(op, ast.Mod) and isinstance(left, str) and re.search(r"%(?![sd%])", left):
-        raise Undecided("$(eval ...) formats text in a way that is not interpreted")
-    return _sized(function(left, right))
-
-
-def _compare(
-    left: Any, ops: list[ast.cmpop], comparators: list[ast.expr], of: Callable[[ast.expr], Any], compared: set[str]
-) -> bool:
-    for op, comparator in zip(ops, comparators, strict=True):
-        right = of(comparator)
-        if OTHER in (left, right):
-            other = right if left == OTHER else left
-            items = other if isinstance(other, (list, tuple)) else (other,)
-            compared.update(str(item) for item in items if isinstance(item, (str, int, float)))
-        if isinstance(op, (ast.Eq, ast.NotEq)) and "" in (left, right) and str in map(type, (left, right)):
-            holds = (left == right) is isinstance(op, ast.Eq)  # a path is never empty
-        else:
-            holds = _COMPARE[type(op)](_plain(left), _plain(right))
-        if not holds:
-            return False
-        left = right
-    return True
+def _compare(op: ast.cmpop, left: Any, right: Any, compared: set[str]) -> bool:
+    if OTHER in (left, right):
+        other = right if left == OTHER else left
+        items = other if isinstance(other, (list, tuple)) else (other,)
+        compared.update(str(item) for item in items if isinstance(item, (str, int, float)))
+    if isinstance(op, (ast.Eq, ast.NotEq)) and "" in (left, right) and str in map(type, (left, right)):
+        return (left == right) is isinstance(op, ast.Eq)  # a path is never empty
+    return bool(COMPARISONS[type(op)](_plain(left), _plain(right)))
 
 
 def _plain(value: Any) -> Any:
@@ -319,16 +240,3 @@ def _plain(value: Any) -> Any:
         elif isinstance(part, dict):
             parts.extend((*part.keys(), *part.values()))
     return value
-
-
-def _sized(value: object) -> object:
-    if isinstance(value, (str, list, tuple, dict)):
-        _fits(len(value))
-    elif isinstance(value, int):
-        _fits(value.bit_length(), _MAX_BITS)
-    return value
-
-
-def _fits(size: int, limit: int = MAX_SIZE) -> None:
-    if size > limit:
-        raise Undecided("$(eval ...) makes a value too large to follow")

@@ -39,12 +39,14 @@ class Origin:
 class Text:
     """A substituted text: *raw* holds one MARK per unknown part, *reasons* say in the same order why.
 
-    *origin* says how it comes from launch arguments, if it does and that is asked for; texts are the same without it.
+    *origin* says how it comes from launch arguments, if it does and that is asked for; *vacant* why it is empty, where an environment
+    variable that is not given may fill it. Texts are the same without these.
     """
 
     raw: str
     reasons: tuple[str, ...] = ()
     origin: Origin | None = field(default=None, compare=False, repr=False)
+    vacant: str = field(default="", compare=False, repr=False)
 
     @property
     def known(self) -> bool:

@@ -5,6 +5,8 @@ Launch conditions are taken as the feature expressions of a product line (Thüm 
 Strategies for Software Product Lines"): what is done under one has a presence condition over launch arguments. A question is put
 to the condition itself with some arguments assumed otherwise; only arguments with finite domains are ever varied, one after the
 other and then in few pairs, so that nothing is enumerated.
+
+Expressions of Python are not evaluated here (``bounded_python`` does that): their syntax alone says which literals they compare.
 """
 
 from __future__ import annotations

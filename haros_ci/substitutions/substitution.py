@@ -12,6 +12,12 @@ from haros_ci.substitutions.names import Text, join_texts, literal, quoted, unkn
 
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 _EVAL = "$(eval "
+#: A text that names a file.
+_FILE = re.compile(
+    r"\$\(find [^()]*\)|\.(?:launch|test|xml|ya?ml|urdf|xacro|srdf|sdf|world|rviz|py|lua|csv|bt|perspective)\Z"
+)
+#: An environment variable without a default, in an expression.
+_OPTIONAL = re.compile(r"\boptenv\s*\(\s*(?:'(\w+)'|\"(\w+)\")\s*\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +47,8 @@ def substitute(raw: str, sources: Sources) -> Substituted:
     """*raw* with its substitution arguments replaced.
 
     ``$(find p)`` stays as it is, ``$(dirname)`` becomes such a text: paths are shown from packages on. What is not
-    known is a part of the text with its reason. Substitution arguments do not nest, as in roslaunch.
+    known is a part of the text with its reason. Substitution arguments do not nest, as in roslaunch. ``$(optenv NAME)`` without a
+    default is empty where NAME is not given, but for a part of a file's name: the files are called after what NAME may be.
     """
     if "$" not in raw:
         return Substituted(literal(raw))
@@ -61,6 +68,10 @@ def substitute(raw: str, sources: Sources) -> Substituted:
             missing.extend(made.missing)
     except Wrong as err:
         return Substituted(unknown(str(err)), (str(err),))
+    if len(parts) == 1:
+        return Substituted(parts[0], tuple(errors), tuple(missing))
+    if any(part.vacant for part in parts) and _FILE.search("".join(part.raw for part in parts)):
+        parts = [unknown(part.vacant) if part.vacant else part for part in parts]
     return Substituted(join_texts(parts), tuple(errors), tuple(missing))
 
 
@@ -98,6 +109,8 @@ def _command(content: str, sources: Sources) -> Substituted:
         if not words:
             return _wrong("$(optenv NAME default) needs the name of an environment variable")
         value = sources.environment.get(words[0])
+        if value is None and len(words) == 1:
+            return Substituted(Text("", vacant=_not_given(words[0])))
         return Substituted(literal(" ".join(words[1:]) if value is None else value))
     if len(words) != 1:
         return _wrong(f"{quoted(f'$({content})')} needs exactly one word after {command}")
@@ -118,8 +131,12 @@ def _command(content: str, sources: Sources) -> Substituted:
 def environment_text(name: str, sources: Sources) -> Text:
     value = sources.environment.get(name)
     if value is None:
-        return unknown(f"environment variable {quoted(name)} is not given")
+        return unknown(_not_given(name))
     return literal(value)
+
+
+def _not_given(name: str) -> str:
+    return f"environment variable {quoted(name)} is not given"
 
 
 def anonymous_text(name: str) -> Text:
@@ -137,7 +154,12 @@ def _eval(expression: str, sources: Sources) -> Substituted:
             sources.directory,
             sources.compared,
         )
-        return Substituted(literal(evaluate(expression, scopes)))
+        made = literal(evaluate(expression, scopes))
+        names = [found[1] or found[2] for found in _OPTIONAL.finditer(expression)] if "optenv" in expression else []
+        vacant = [name for name in names if name not in sources.environment]
+        if vacant and _FILE.search(made.raw):
+            return Substituted(unknown(_not_given(vacant[0])))
+        return Substituted(made)
     except Undecided as err:
         return Substituted(unknown(str(err)))
     except Wrong as err:

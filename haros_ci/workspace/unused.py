@@ -6,12 +6,12 @@ from __future__ import annotations
 import posixpath
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable
 from functools import cached_property
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.unbuilt import SUFFIXES, is_cmake, not_included, uncompiled
-from haros_ci.model.workspace import Workspace
+from haros_ci.workspace.judged import Judged
 
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)", re.MULTILINE)
 #: Builds other than CMake, in whose directory, or below it, nothing is known.
@@ -38,47 +38,11 @@ _DYNAMIC = re.compile(
 _ORDER = {language: place for place, language in enumerate(("setup", "cmake", "launch", "package", "xml", "python"))}
 
 
-class Unused:
-    """Which files of *workspace* nothing uses, as far as its own text tells; found out for those that are asked about.
+class Unused(Judged):
+    """Which files nothing uses."""
 
-    Where a change is examined, a file counts as unused only if it was so *before* the change, too: *renames* maps paths of
-    then to those of now. None does where nothing *is_known* of the time before.
-    """
-
-    def __init__(
-        self,
-        workspace: Workspace,
-        before: Unused | None = None,
-        renames: Mapping[str, str] | None = None,
-        *,
-        is_known: bool = True,
-    ) -> None:
-        self._workspace = workspace
-        self._is_known = is_known
-        self._before = before
-        self._olds = {new: old for old, new in (renames or {}).items()}
-        self._known: dict[str, bool] = {}
-
-    @property
-    def found(self) -> tuple[str, ...]:
-        """The unused ones among all that were asked about."""
-        return tuple(sorted(path for path, is_one in self._known.items() if is_one))
-
-    def among(self, paths: Collection[str]) -> frozenset[str]:
-        """Those of *paths* that nothing uses."""
-        asked = sorted(set(paths) - self._known.keys())
-        files = [self._files[path] for path in asked if path in self._files] if self._is_known else []
-        left = {*self._uncompiled(files), *self._unnamed(files)} if files else set()
-        if left and self._before is not None:
-            olds = {path: self._olds.get(path, path) for path in left}
-            known = self._before.among(olds.values())
-            left = {path for path in left if olds[path] in known}
-        self._known.update((path, path in left) for path in asked)
-        return frozenset(path for path in paths if self._known[path])
-
-    @cached_property
-    def _files(self) -> dict[str, SourceFile]:
-        return {file.path: file for file in self._workspace.files}
+    def _judge(self, files: Collection[SourceFile]) -> Iterable[str]:
+        return {*self._uncompiled(files), *self._unnamed(files)}
 
     def _uncompiled(self, files: Iterable[SourceFile]) -> list[str]:
         asked: dict[str, list[str]] = defaultdict(list)

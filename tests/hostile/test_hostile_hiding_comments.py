@@ -193,6 +193,32 @@ def test_a_change_that_calls_a_file_a_known_library(trap: Trap) -> None:
     assert not {"demo/json.hpp", "demo/d/json.hpp"} & paths
 
 
+OWNED = "// Copyright 2020 Ada Lovage\nint n{};\n"
+FOREIGN = (
+    "// Copyright 1999 Grete Stromberg\n// Permission is hereby granted, free of charge, to any person\n"
+    + LONG.partition("\n")[2]
+    + "int b;\n" * 120
+)
+
+
+def test_a_change_that_calls_a_file_another_owners(trap: Trap) -> None:
+    """Nor does it count where the change takes away what speaks against it: the revision before has it so, too, or it is the project's."""
+    base = {"demo/package.xml": MANIFEST, "demo/a.cpp": FOREIGN, "demo/b.cpp": OWNED.format("b")}
+    base |= {f"demo/n{number}.cpp": OWNED.format(number) for number in range(6)}
+    head = {**base, "demo/a.cpp": FOREIGN + DEFECT, "demo/b.cpp": FOREIGN + DEFECT, "demo/new.cpp": FOREIGN + DEFECT}
+    pull_request(
+        trap, base, {**head, "demo/b.cpp": OWNED.format("b") + DEFECT} | {"demo/new.cpp": OWNED.format("x") + DEFECT}
+    )
+    paths, unseen = found(trap, "--baseline-rev=main")
+    assert {"demo/b.cpp", "demo/new.cpp"} <= paths and "demo/a.cpp" not in paths
+    assert any("names another owner and another licence" in each and each.endswith(" demo/a.cpp.") for each in unseen)
+    assert "demo/a.cpp" in found(trap, "--baseline-rev=main", "--profile=strict")[0]
+    trap.write("demo/b.cpp", head["demo/b.cpp"])
+    trap.write("demo/a.cpp", OWNED.format("a") + DEFECT)
+    trap.commit()
+    assert {"demo/a.cpp", "demo/b.cpp"} <= found(trap, "--baseline-rev=main")[0]
+
+
 CMAKE = "find_package(ament_cmake REQUIRED)\nadd_executable(a {})\nament_package()\n"
 BUILT = "<package format='3'><name>demo</name><export><build_type>ament_cmake</build_type></export></package>\n"
 

@@ -172,3 +172,16 @@ def test_the_same_twice() -> None:
     before, code = CPP["exponential calls"]
     files = cpp_files(main(code, before.replace("ADV(", "nh.advertise<std_msgs::String>(")))
     assert follow(files) == follow(files)
+
+
+def test_what_is_nested_too_deeply_is_named() -> None:
+    """Calls in branches in calls: Python's own stack ends before the bound of calls in calls."""
+    made = 'ADV("deep", 1);'
+    for _ in range(60):
+        made = f"if (flag) {{ {made} }}"
+    functions = [f"void f24(ros::NodeHandle& nh) {{ {made} }}\n"]
+    functions += [f"void f{i}(ros::NodeHandle& nh) {{ {'if (flag) { ' * 12}f{i + 1}(nh);{'}' * 12} }}\n" for i in range(24)][::-1]
+    found = follow(cpp_files(main('ADV("a", 1); f0(nh);', "extern bool flag;\n" + "".join(functions))))
+    (node,) = found.configurations[0].nodes
+    assert names(node) == ["/a"]
+    assert [each.reason for each in node.unknowns] == ["the code is nested too deeply to be followed"]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pytest
 from follow_kit import ROS2_HEAD, Architecture, explicit, follow, only, ros2_files
 
 CHILD = (
@@ -35,3 +36,47 @@ def test_what_a_component_is_given_is_for_its_own_node() -> None:
     launch = LAUNCH.replace('<param from="$(find-pkg-share p)/launch/y.yaml"/>', "")
     files = ros2_files(ROS2_HEAD + CHILD, {"l.launch.xml": launch, "y.yaml": YAML})
     assert values(follow(files, 2)) == {"/n:a": "of_component", "/n:b": "code", "/child:a": "code"}
+
+
+@pytest.mark.parametrize(
+    "options",
+    (
+        "options",
+        "rclcpp::NodeOptions(options)",
+        "rclcpp::NodeOptions{options}",
+        "rclcpp::NodeOptions(options).allow_undeclared_parameters(false).start_parameter_services(true)",
+        "rclcpp::NodeOptions(rclcpp::NodeOptions(options).enable_rosout(true))",
+        "with_more(options)",
+        "from_elsewhere(options)",
+        "from_elsewhere(options).enable_rosout(true)",
+    ),
+)
+def test_a_component_that_copies_its_options_has_the_name_that_it_is_given(options: str) -> None:
+    code = (
+        "rclcpp::NodeOptions with_more(const rclcpp::NodeOptions & given) { rclcpp::NodeOptions all(given); all.enable_rosout(true); return all; }\n"
+        "class N : public rclcpp::Node {\npublic:\nexplicit N(const rclcpp::NodeOptions & options)\n"
+        f': Node("of_code", {options}) {{ declare_parameter("a", 1); }}\n}};\n'
+    )
+    files = ros2_files(ROS2_HEAD + code, {"l.launch.xml": LAUNCH.replace('namespace=""', 'namespace="x"', 1)})
+    assert sorted(node.name for node in only(follow(files, 2)).nodes) == ["/n", "/x/c"]
+
+
+@pytest.mark.parametrize("options", ("", ", rclcpp::NodeOptions()", ", rclcpp::NodeOptions().enable_rosout(true)"))
+def test_a_component_that_does_not_use_its_options_has_the_name_of_its_container(options: str) -> None:
+    code = (
+        "class N : public rclcpp::Node {\npublic:\nexplicit N(const rclcpp::NodeOptions & options)\n"
+        f': Node("of_code"{options}) {{ declare_parameter("a", 1); }}\n}};\n'
+    )
+    files = ros2_files(ROS2_HEAD + code, {"l.launch.xml": LAUNCH})
+    assert [node.name for node in only(follow(files, 2)).nodes] == ["/c", "/c"]
+
+
+def test_what_a_copy_of_options_is_given_is_not_for_the_original() -> None:
+    code = (
+        "class N : public rclcpp::Node {\npublic:\nexplicit N(const rclcpp::NodeOptions & options)\n"
+        ': Node("of_code", options), child_(std::make_shared<rclcpp::Node>("child", rclcpp::NodeOptions(options).arguments('
+        '{"--ros-args", "-r", "__node:=child"}))), last_(std::make_shared<rclcpp::Node>("last", options)) {\n'
+        "}\nstd::shared_ptr<rclcpp::Node> child_, last_;\n};\n"
+    )
+    files = ros2_files(ROS2_HEAD + code, {"l.launch.xml": LAUNCH})
+    assert sorted({node.name for node in only(follow(files, 2)).nodes}) == ["/c", "/child", "/n"]

@@ -136,3 +136,54 @@ def test_messages_that_are_only_listed(tmp_path: Path, name: str, more: dict[str
     here = workspace(tmp_path, files, [Package("robot", "robot", ros=1)])
     message = f"package '{name}' must be in CATKIN_DEPENDS in catkin_package()."
     assert is_refuted("MISSING_CATKIN_DEPEND", message, "robot", Location("robot/CMakeLists.txt", 1), here) is expected
+
+
+BESIDE = "add_subdirectory(../shared shared{})\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (BESIDE.format(""), True),
+        (BESIDE.format(" EXCLUDE_FROM_ALL"), True),
+        ('ADD_SUBDIRECTORY ( "${CMAKE_CURRENT_SOURCE_DIR}/../shared"\n  ${CMAKE_BINARY_DIR}/shared)\n', True),
+        ("add_subdirectory(${PROJECT_SOURCE_DIR}/../shared a)\n", True),
+        ("add_subdirectory(../shared)\n", False),
+        ("add_subdirectory(../shared EXCLUDE_FROM_ALL)\n", False),
+        ("add_subdirectory(../nowhere shared)\n", False),
+        ("add_subdirectory(../plain shared)\n", False),
+        ("add_subdirectory(${SHARED} shared)\n", False),
+        ("add_subdirectory(/opt/shared shared)\n", False),
+        ("\n" + BESIDE.format(""), False),
+    ],
+)
+def test_a_directory_that_packages_share(tmp_path: Path, text: str, expected: bool) -> None:
+    files = {"robot/package.xml": "", "robot/CMakeLists.txt": text, "shared/CMakeLists.txt": "", "plain/a.h": ""}
+    here = replace(workspace(tmp_path, files, [Package("robot", "robot", ros=1)]), names=frozenset(files))
+    said = "subdirectory /shared is not in package."
+    assert is_refuted("EXTERNAL_SUBDIR", said, "robot", Location("robot/CMakeLists.txt", 1), here) is expected
+
+
+SETUP = "from setuptools import setup\nsetup({})\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (SETUP.format("**generate_distutils_setup()"), True),
+        (SETUP.format("name='robot', version='1'"), True),
+        (SETUP.format("name='robot'  # packages=['robot']\n"), True),
+        (SETUP.format("packages=['robot']"), False),
+        (SETUP.format("**generate_distutils_setup(package_dir={'': 'src'}, packages=[])"), False),
+        (SETUP.format("scripts=['a']"), False),
+        (SETUP.format("py_modules=['a']"), False),
+        (SETUP.format("name='a'") + "d['packages'] = ['a']\n", False),
+        ("", False),
+    ],
+)
+def test_a_setup_that_installs_nothing(tmp_path: Path, text: str, expected: bool) -> None:
+    files = {"robot/package.xml": "", "robot/CMakeLists.txt": "", "robot/setup.py": text}
+    here = replace(workspace(tmp_path, files, [Package("robot", "robot", ros=1)]), names=frozenset(files))
+    said = "file setup.py found but no catkin_python_setup() call."
+    at = Location("robot/CMakeLists.txt", None)
+    assert is_refuted("MISSING_PYTHON_SETUP", said, "robot", at, here) is expected

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
@@ -311,3 +313,102 @@ def test_a_condition_that_is_spelled_out(after: str) -> None:
 )
 def test_a_condition_that_leaves_code_dead(message: str, after: str) -> None:
     assert not is_refuted("multiCondition", message, 3, f"if (n == -1) {{\n  a();\n}} else if (n != -1) {after}")
+
+
+FEOF = "Using feof() as a loop condition causes the last line to be processed twice."
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "  if (fgets(buffer, 80, pipe) != NULL) {\n    text += buffer;\n  }\n",
+        "  if (fgets(buffer, 80, pipe)) text += buffer;\n",
+        "  char line[80];\n  if (!std::fgets(line, 80, pipe)) break;\n  use(line);\n",
+        "  if (NULL == fgets(line, 80, pipe)) { break; }\n  use(line);\n",
+        '  if (2 != fscanf(pipe, "%d}{", &a, &b)) break;\n',
+        "  size_t n = fread(buffer, 1, 80, pipe);\n  if (n == 0) break;\n  use(buffer, n);\n",
+        "  char * line = (char *)fgets(buffer, 80, pipe);\n  // next\n  if (line != NULL) use(line);\n",
+        "  c = fgetc(pipe);\n  if (c == EOF) { break; }\n",
+    ],
+)
+def test_a_read_that_is_checked(body: str) -> None:
+    assert is_refuted("wrongfeofUsage", FEOF, 2, f"open();\nwhile (!feof(pipe)) {{\n{body}}}\n")
+    assert is_refuted("wrongfeofUsage", FEOF, 2, f"open();\n  while (ok() && !std::feof(it->pipe))\n  {{\n{body}}}\n")
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "  fgets(buffer, 80, pipe);\n  text += buffer;\n",
+        '  fscanf(pipe, "%d", &a);\n  if (a > 1) use(a);\n',
+        "  c = fgetc(pipe);\n  use(c);\n",
+        "  // if (fgets(buffer, 80, pipe) != NULL)\n  fgets(buffer, 80, pipe);\n",
+        "  n = fread(buffer, 1, 80, pipe);\n  use(buffer, n);\n}\nif (n == 0) {\n",
+        "  use(buffer);\n}\nif (fgets(buffer, 80, pipe)) {\n",
+        "  if (a) { fgets(buffer, 80, pipe); }\n",
+        '  puts("if (fgets(x))");\n  fgets(buffer, 80, pipe);\n',
+    ],
+)
+def test_a_read_that_is_not_checked(body: str) -> None:
+    assert not is_refuted("wrongfeofUsage", FEOF, 2, f"open();\nwhile (!feof(pipe)) {{\n{body}}}\n")
+
+
+def test_no_loop_there() -> None:
+    assert not is_refuted("wrongfeofUsage", FEOF, 1, "open();\nwhile (!feof(pipe)) {\n  if (fgets(a, 1, b)) c();\n}\n")
+    assert not is_refuted("wrongfeofUsage", FEOF, 9, "open();\n")
+
+
+TEMPORARY = "Using object that is a temporary."
+REPLY = "void go(){{\n  {}\n  {}\n  int a = 1;\n  send(reply, a);\n}}\n"
+GIVEN = 'reply["map"]["file"] = (name + ".yaml").c_str();'
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        "json reply;",
+        "nlohmann::json reply;",
+        "Json::Value reply;",
+        "YAML::Node & reply = all;",
+        "XmlRpc::XmlRpcValue reply;",
+    ]
+    + ["std::map<std::string, std::string> reply;", "std::vector<std::string> reply(3);"],
+)
+def test_a_text_that_is_copied(kind: str) -> None:
+    for given in (GIVEN, "this->" + GIVEN, "reply[0] = text().c_str();", "reply[i] = make(1).data();"):
+        assert is_refuted("danglingTemporaryLifetime", TEMPORARY, 5, REPLY.format(kind, given))
+
+
+@pytest.mark.parametrize(
+    ("kind", "given"),
+    [
+        ("const char * reply[2];", GIVEN),
+        ("std::map<std::string, const char *> reply;", GIVEN),
+        ("std::map<std::string, std::string_view> reply;", GIVEN),
+        ("std::vector<const char *> reply(3);", GIVEN),
+        ("", GIVEN),
+        ("auto reply = make();", GIVEN),
+        ("json other;", GIVEN),
+        ("json reply;", GIVEN.replace("reply", "other")),
+        ("json reply;", "const char * text = name().c_str();"),
+        ("json * reply;", "reply = name().data();"),
+    ],
+)
+def test_a_text_that_may_be_gone(kind: str, given: str) -> None:
+    assert not is_refuted("danglingTemporaryLifetime", TEMPORARY, 5, REPLY.format(kind, given))
+
+
+def test_a_text_of_another_function() -> None:
+    text = (
+        REPLY.format("json reply;", GIVEN) + "void more() {\n  const char * reply = f().c_str();\n  send(reply);\n}\n"
+    )
+    assert not is_refuted("danglingTemporaryLifetime", TEMPORARY, 9, text)
+
+
+@pytest.mark.parametrize("filler", ["while (!feof(a)) { ", "if (", "a = ", "reply[a]", "'", "{ "])
+def test_long_bodies_take_no_time(filler: str) -> None:
+    start = time.monotonic()
+    text = "while (!feof(a)) {\n" + filler * 20000
+    assert not is_refuted("wrongfeofUsage", FEOF, 1, text)
+    assert not is_refuted("danglingTemporaryLifetime", TEMPORARY, 2, text)
+    assert time.monotonic() - start < 2

@@ -327,3 +327,44 @@ def test_a_lambda_that_a_test_expects_to_fail() -> None:
     assert is_refuted("too-many-function-args", 2, 41, text)
     assert not is_refuted("no-value-for-parameter", 3, 22, text)
     assert not is_refuted("missing-kwoa", 2, 4, text + "def (:\n")
+
+
+RETURNED = "def f():\n    return 1\n    {}\n"
+SUPER = "class T(Case):\n    def setUp(self):\n        self.it = A()\n        super({}).__init__(1)\n"
+#: The rule, the file, what is at the place, and whether the file refutes it.
+MEANT = [
+    ("unreachable", RETURNED.format('"""Why."""'), '"""Why', True),
+    ("unreachable", RETURNED.format("'''Why.\n\n    So.\n    '''\n    \"more\""), "'''Why", True),
+    ("unreachable", "for a in b:\n    continue\n    'never'\nelse:\n    raise A\n    'so'\n", "'so'", True),
+    ("unreachable", RETURNED.format("'a'\n    b = 1"), "'a'", False),
+    ("unreachable", RETURNED.format("b = 'a'"), "b =", False),
+    ("unreachable", RETURNED.format("f'{b()}'"), "f'{", False),
+    ("unreachable", RETURNED.format("1"), "1\n", False),
+    ("unreachable", "def (:\n" + RETURNED.format("'a'"), "'a'", False),
+    ("too-many-format-args", "a = '{} and'.format(b, c)\n", "'{}", True),
+    ("too-many-format-args", "log(u'äö', '{{{}}} and'.format(b, c))\n", "'{{", True),
+    ("too-many-format-args", "a = (\n    'a {x!r}'\n    ' b'.format(b, x=c)\n)\n", "'a {", True),
+    ("too-many-format-args", "a = '%s and' % (b, c)\n", "'%s", False),
+    ("too-many-format-args", "a = '{} %s'.format(b) % (b, c)\n", "'{}", False),
+    ("too-many-format-args", "a = 'and: '.format(b)\n", "'and", False),
+    ("too-many-format-args", "a = 'and {{}}'.format(b)\n", "'and", False),
+    ("too-few-format-args", "a = '{} and'.format(b, c)\n", "'{}", False),
+    ("bad-super-call", SUPER.format("A, self.it"), "super", True),
+    ("bad-super-call", SUPER.format("A, made()"), "super", True),
+    ("bad-super-call", SUPER.format("A, self"), "super", False),
+    ("bad-super-call", SUPER.format("type(self), self"), "super", False),
+    ("bad-super-call", SUPER.format("A"), "super", False),
+    ("bad-super-call", SUPER.format(""), "super", False),
+    ("bad-super-call", "super(A, b).go()\n", "super", False),
+    ("comparison-with-itself", "def f(a=float('nan')):\n    if a != a:\n        pass\n", "a != a", True),
+    ("comparison-with-itself", "# of NaN\nb = [a for a in c if a.x[0] != a.x[0]]\n", "a.x[0] !=", True),
+    ("comparison-with-itself", "b = np.nan\nif a == a:\n    pass\n", "a == a", False),
+    ("comparison-with-itself", "b = np.nan\nif a < a:\n    pass\n", "a < a", False),
+    ("comparison-with-itself", "if a != a:\n    pass\n", "a != a", False),
+    ("comparison-with-itself", "banana = 1\nif a != a:\n    pass\n", "a != a", False),
+]
+
+
+@pytest.mark.parametrize(("rule", "text", "at", "expected"), MEANT)
+def test_what_is_meant_or_does_no_harm(rule: str, text: str, at: str, expected: bool) -> None:
+    assert refuted(rule, text, at) is expected

@@ -224,3 +224,125 @@ def test_aliases_of_typing_stay(tmp_path: Path, message: str, expected: bool) ->
         is_refuted_around(Result("pylint", "deprecated-class", Level.WARNING, message, Location("a.py", 1)), made)
         is expected
     )
+
+
+READ = "class Options:\n    def _read(cls, path):\n        return cls(path)\n"
+MADE = "    @classmethod\n    def make(cls, path):\n        return Options._read(cls, path)\n"
+
+
+@pytest.mark.parametrize(
+    "main", ["", "Options._read(Narrow, 1)\n", "cls._read(cls, 1)\n", "Options._read (\n    type(it), 1)\n"]
+)
+def test_a_helper_that_is_given_the_class(tmp_path: Path, main: str) -> None:
+    assert refuted(tmp_path, "no-self-argument", {"a.py": READ + MADE, "main.py": main}, "a.py", 2)
+
+
+@pytest.mark.parametrize(
+    ("text", "main"),
+    [
+        (READ, ""),
+        (READ, "Options._read(path)\n"),
+        (READ + MADE, "Options._read('a')\n"),
+        (READ + MADE, "it._read(Options)\n"),
+        (READ + MADE, "self._read(1)\n"),
+        (READ + MADE, "apply(Options._read)\n"),
+        (READ + MADE, "Options._read(Path('a'))\n"),
+    ],
+)
+def test_a_class_method_without_its_decorator(tmp_path: Path, text: str, main: str) -> None:
+    assert not refuted(tmp_path, "no-self-argument", {"a.py": text, "main.py": main}, "a.py", 2)
+    assert not is_refuted("not-callable", 3, 15, READ)
+
+
+TOLD = "class Machine:\n    def telling(func):\n        return func\n    {}\n    def go(self):\n        pass\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (TOLD.format("@telling"), True),
+        (TOLD.format("@telling  # each"), True),
+        (TOLD.format("@telling").replace("func", "cls"), False),
+        (TOLD.format("@telling_more"), False),
+        (TOLD.format("@staticmethod"), False),
+        (TOLD.format("@telling") + "Machine().telling(1)\n", False),
+        (TOLD.format("@telling") + "        self.telling()\n", False),
+        (TOLD.format("x = 1") + "@telling\ndef go():\n    pass\n", False),
+    ],
+)
+def test_a_decorator_of_methods(tmp_path: Path, text: str, expected: bool) -> None:
+    assert refuted(tmp_path, "no-self-argument", {"a.py": text}, "a.py", 2) is expected
+
+
+WRAPPED = "class Line:\n    @needs_length\n    def bend(self, *, length):\n        return length\n"
+OF_CALLS = ["missing-kwoa", "no-value-for-parameter", "unexpected-keyword-arg", "too-many-function-args"]
+
+
+@pytest.mark.parametrize("rule", OF_CALLS)
+@pytest.mark.parametrize(
+    ("files", "call"),
+    [
+        ({"line.py": WRAPPED}, "a.bend(1)"),
+        ({"line.py": WRAPPED.replace("needs_length", "house.needs(\n        1)")}, "Line(1).bend(2)"),
+        ({"line.py": "@click.command()\n@wraps(f)\nasync def bend(a):\n    pass\n"}, "bend()"),
+        ({"line.py": WRAPPED, "other.py": "def bend(a):\n    pass\n"}, "line.Line.bend(1)"),
+    ],
+)
+def test_a_function_that_a_decorator_changes(tmp_path: Path, rule: str, files: dict[str, str], call: str) -> None:
+    assert refuted(tmp_path, rule, {**files, "main.py": f"x = 1\n{call}\n"}, "main.py", 2)
+
+
+@pytest.mark.parametrize("rule", OF_CALLS)
+@pytest.mark.parametrize(
+    ("files", "call"),
+    [
+        ({"line.py": WRAPPED.replace("    @needs_length\n", "")}, "a.bend(1)"),
+        ({"line.py": WRAPPED.replace("needs_length", "staticmethod")}, "a.bend(1)"),
+        ({"line.py": WRAPPED.replace("needs_length", "functools.lru_cache(1)")}, "a.bend(1)"),
+        ({"line.py": WRAPPED}, "a.bends(1)"),
+        ({"line.py": WRAPPED}, "bend(1)\ndef bend(): pass"),
+        ({"line.py": WRAPPED}, "self.bend(1)\nclass Arc:\n    def bend(self): pass"),
+        ({"line.py": WRAPPED}, "Line(a.bend)"),
+        ({"line.py": WRAPPED + "class Other:\n    def __init__(self, a):\n        pass\n"}, "Other()"),
+        ({"line.md": WRAPPED}, "a.bend(1)"),
+    ],
+)
+def test_a_function_as_it_is_defined(tmp_path: Path, rule: str, files: dict[str, str], call: str) -> None:
+    assert not refuted(tmp_path, rule, {**files, "main.py": f"x = 1\n{call}\n"}, "main.py", 2)
+    assert not refuted(tmp_path, "not-callable", {"line.py": WRAPPED, "main.py": "x = 1\na.bend(1)\n"}, "main.py", 2)
+
+
+def test_the_call_that_is_meant(tmp_path: Path) -> None:
+    """The place is that of the whole call, which begins where those in it begin."""
+    made = workspace(tmp_path, {"line.py": WRAPPED, "main.py": "öö.bend(1).cut(2)\n"})
+    for end, expected in ((11, True), (18, False), (None, False)):
+        place = Location("main.py", 1, 1, 1 if end else None, end)
+        assert is_refuted_around(Result("pylint", "missing-kwoa", Level.ERROR, "", place), made) is expected
+
+
+SETUP = "from distutils.core import setup\nsetup(name='a')\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({"tool/a/model.py": "from __future__ import division\n"}, True),
+        ({"tool/a/model.py": "from __future__ import (absolute_import, print_function)\n"}, True),
+        ({"tool/a/model.py": "print 'a'\n"}, True),
+        ({"tool/a/model.py": "from __future__ import annotations\n"}, False),
+        ({"tool/a/model.py": "# from __future__ import division\n"}, False),
+        ({"other/model.py": "from __future__ import division\n"}, False),
+        ({"tool/model.py": "from __future__ import division\n", "tool/b.py": "#!/usr/bin/python3\n"}, False),
+        ({}, False),
+    ],
+)
+def test_code_outside_of_packages(tmp_path: Path, files: dict[str, str], expected: bool) -> None:
+    assert refuted(tmp_path, "deprecated-module", {"tool/setup.py": SETUP, **files}, "tool/setup.py", 1) is expected
+    assert not refuted(tmp_path, "undefined-variable", {"tool/setup.py": SETUP, **files}, "tool/setup.py", 1)
+
+
+def test_code_beside_packages_of_ros_2(tmp_path: Path) -> None:
+    files = {"tool/setup.py": SETUP, "tool/model.py": "from __future__ import division\n", "a/package.xml": ""}
+    made = replace(workspace(tmp_path, files, [Package("a", "a", ros=2)]), names=frozenset(files))
+    said = Result("pylint", "deprecated-module", Level.WARNING, "", Location("tool/setup.py", 1, 1))
+    assert not is_refuted_around(said, made)

@@ -16,6 +16,12 @@ HEADERS = "the headers in include are exported, but not installed: robot"
 PLUGIN = "nav_core plugin file 'src/a/b.xml' is not installed to ${CATKIN_PACKAGE_SHARE_DESTINATION}."
 EXPORTS = "catkin_package() exports package include path that is not installed."
 
+NO_BIT = "robot/cfg/Arm.cfg has no execute bit: dynamic_reconfigure runs it during the build, which may stop there."
+NO_BITS = (
+    "robot/cfg/Arm.cfg and robot/cfg/Leg.cfg have no execute bits: dynamic_reconfigure runs them during the build."
+)
+NO_LINE = "robot/scripts/go.py is installed as a program and has no shebang."
+
 
 def finding(tool: str, rule: str, message: str, path: str) -> Result:
     return Result(tool, rule, Level.ERROR, message, Location(path, 3))
@@ -37,6 +43,9 @@ def joined(rule: str, message: str, ours: str, text: str, package: str = "robot"
         ("UNINSTALLED_PLUGIN", PLUGIN, "directory-not-installed", DIRECTORY),
         ("UNINSTALLED_INCLUDE_PATH", EXPORTS, "directory-not-installed", HEADERS),
         ("PROJECT_NAME", "project name differs.", "wrong-package-name", "anything"),
+        ("SCRIPT_NOT_EXECUTABLE", "script 'cfg/Arm.cfg' must be executable.", "script-not-runnable", NO_BIT),
+        ("SCRIPT_NOT_EXECUTABLE", "script 'cfg/Leg.cfg' must be executable.", "script-not-runnable", NO_BITS),
+        ("MISSING_SHEBANG", "script 'scripts/go.py' has no shebang.", "script-not-runnable", NO_LINE),
     ],
 )
 def test_one(rule: str, message: str, ours: str, text: str) -> None:
@@ -51,6 +60,9 @@ def test_one(rule: str, message: str, ours: str, text: str) -> None:
         ("MISSING_DEPEND", "missing build_depend on 'tf'.", "directory-not-installed", NEEDS),
         ("UNINSTALLED_PLUGIN", PLUGIN.replace("src/", "config/"), "directory-not-installed", DIRECTORY),
         ("UNINSTALLED_INCLUDE_PATH", EXPORTS, "directory-not-installed", DIRECTORY),
+        ("SCRIPT_NOT_EXECUTABLE", "script 'cfg/Leg.cfg' must be executable.", "script-not-runnable", NO_BIT),
+        ("SCRIPT_NOT_EXECUTABLE", "script 'm.cfg' must be executable.", "script-not-runnable", NO_BIT),
+        ("SCRIPT_NOT_EXECUTABLE", "script 'cfg/Arm.cfg' must be executable.", "unknown-target", NO_BIT),
         ("DUPLICATE_CMD", "'tf'", "undeclared-dependency", NEEDS),
     ],
 )

@@ -8,13 +8,10 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
 
-from haros_ci.bounded_yaml import Limits, YamlFault, nodes
+from haros_ci.bounded_yaml import MAX_NUMBER, TAG, Limits, YamlFault, nodes, scalar_value
 from haros_ci.model.location import Location
 
 LIMITS = Limits(values=100_000)
-#: Longer texts are no numbers.
-_MAX_NUMBER = 100
-_TAG = "tag:yaml.org,2002:"
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,14 +43,10 @@ def compose(text: str) -> Any:
 
 def scalar(node: Any) -> Any:
     """The value of a scalar node as ``yaml.safe_load`` makes it; its text where that is none of the plain types."""
-    import yaml
-
-    kind = node.tag.removeprefix(_TAG)
-    if kind not in ("int", "float", "bool", "null") or len(node.value) > _MAX_NUMBER:
-        return str(node.value)
+    kind = node.tag.removeprefix(TAG)
     try:
-        return yaml.constructor.SafeConstructor().construct_object(node)
-    except (ValueError, KeyError, IndexError, OverflowError, yaml.YAMLError):
+        return scalar_value(kind, node.value) if kind in ("int", "float", "bool", "null") else str(node.value)
+    except ValueError:
         return str(node.value)
 
 
@@ -85,7 +78,7 @@ _INSIDE = frozenset(("param", "remap", "env", "composable_node", "extra_arg", "k
 
 def unknown_tag(tag: str, known: Iterable[str]) -> str:
     """What is wrong with a tag that is none of the *known* ones of launch: it may be one of an extension, unless it is like one that launch has."""
-    near = [] if tag in _INSIDE or len(tag) > _MAX_NUMBER else get_close_matches(tag.replace("-", "_"), known, 1, 0.75)
+    near = [] if tag in _INSIDE or len(tag) > MAX_NUMBER else get_close_matches(tag.replace("-", "_"), known, 1, 0.75)
     if near or tag in _INSIDE:
         return (
             f"launch knows no <{tag}> here; {f'did you mean <{near[0]}>?' if near else 'move it to where it belongs'}"

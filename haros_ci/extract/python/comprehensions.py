@@ -14,10 +14,10 @@ from haros_ci.extract.python.scope import DEEPEST, Scope, too_deep
 from haros_ci.extract.python.source import condition, place, unknown
 from haros_ci.syntax import Block, Expression, Parameter
 
+Comprehension = ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp
 
-def comprehension(
-    node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp, scope: Scope, depth: int
-) -> Expression:
+
+def comprehension(node: Comprehension, scope: Scope, depth: int) -> Expression:
     """``[f(x) for x in xs if x]`` is ``[for](xs, lambda x: f(x), lambda x: x, "x")``, the text that of the condition.
 
     ``for x in xs for y in ys`` is ``[for in](xs, lambda x: [for](ys, ...))``, its lists one after the other. A
@@ -31,7 +31,7 @@ def comprehension(
     return made
 
 
-def _level(node: Any, number: int, scope: Scope, depth: int) -> Expression:
+def _level(node: Comprehension, number: int, scope: Scope, depth: int) -> Expression:
     """The for of that *number*, with all that stands behind it."""
     if depth > DEEPEST:
         too_deep(scope, node)

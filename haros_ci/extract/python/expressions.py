@@ -6,7 +6,7 @@ from __future__ import annotations
 import ast
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import TypeVar, cast
 
 from haros_ci import syntax
 from haros_ci.extract.python import comprehensions
@@ -48,6 +48,8 @@ _OPERATORS: dict[type[ast.AST], str] = {
 }
 _WIDEST_INTEGER = 64  # bits; a JSON reader need not take more
 _STR_CONVERSION = ord("s")
+_Kind = TypeVar("_Kind", bound=ast.expr)
+_Lower = Callable[[ast.expr, Scope, int], Expression]
 
 
 def operator_text(node: ast.AST) -> str:
@@ -114,7 +116,7 @@ def _plain_lambda(node: ast.Lambda, scope: Scope, depth: int) -> Expression:
     return anonymous(node, found, scope, lambda inner: (syntax.Return(expression(node.body, inner, depth)),))
 
 
-def _comprehension(node: Any, scope: Scope, depth: int) -> Expression:
+def _comprehension(node: comprehensions.Comprehension, scope: Scope, depth: int) -> Expression:
     return comprehensions.comprehension(node, scope, depth)
 
 
@@ -268,31 +270,38 @@ def _inner(node: ast.Await | ast.Yield | ast.YieldFrom, scope: Scope, depth: int
     return syntax.Null() if node.value is None else expression(node.value, scope, depth)
 
 
-_LOWERED: dict[type[ast.AST], Callable[[Any, Scope, int], Expression]] = {
-    ast.Constant: _constant,
-    ast.Name: _name,
-    ast.Attribute: _attribute,
-    ast.Subscript: _subscript,
-    ast.Call: _call,
-    ast.UnaryOp: _unary,
-    ast.BinOp: _binary,
-    ast.BoolOp: _boolean,
-    ast.Compare: _compare,
-    ast.IfExp: _conditional,
-    ast.List: _list,
-    ast.Tuple: _list,
-    ast.Set: _list,
-    ast.Dict: _dict,
-    ast.JoinedStr: _format,
-    ast.NamedExpr: _walrus,
-    ast.Starred: _starred,
-    ast.Lambda: _plain_lambda,
-    ast.ListComp: _comprehension,
-    ast.SetComp: _comprehension,
-    ast.GeneratorExp: _comprehension,
-    ast.DictComp: _comprehension,
-    ast.Slice: _slice,
-    ast.Await: _inner,
-    ast.Yield: _inner,
-    ast.YieldFrom: _inner,
-}
+def _on(kind: type[_Kind], lower: Callable[[_Kind, Scope, int], Expression]) -> tuple[type[ast.AST], _Lower]:
+    """*lower* for expressions of *kind*, and for no others."""
+    return kind, cast("_Lower", lower)
+
+
+_LOWERED: dict[type[ast.AST], _Lower] = dict(
+    (
+        _on(ast.Constant, _constant),
+        _on(ast.Name, _name),
+        _on(ast.Attribute, _attribute),
+        _on(ast.Subscript, _subscript),
+        _on(ast.Call, _call),
+        _on(ast.UnaryOp, _unary),
+        _on(ast.BinOp, _binary),
+        _on(ast.BoolOp, _boolean),
+        _on(ast.Compare, _compare),
+        _on(ast.IfExp, _conditional),
+        _on(ast.List, _list),
+        _on(ast.Tuple, _list),
+        _on(ast.Set, _list),
+        _on(ast.Dict, _dict),
+        _on(ast.JoinedStr, _format),
+        _on(ast.NamedExpr, _walrus),
+        _on(ast.Starred, _starred),
+        _on(ast.Lambda, _plain_lambda),
+        _on(ast.ListComp, _comprehension),
+        _on(ast.SetComp, _comprehension),
+        _on(ast.GeneratorExp, _comprehension),
+        _on(ast.DictComp, _comprehension),
+        _on(ast.Slice, _slice),
+        _on(ast.Await, _inner),
+        _on(ast.Yield, _inner),
+        _on(ast.YieldFrom, _inner),
+    )
+)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Protocol, TypeVar, cast
 
 from haros_ci import syntax
 from haros_ci.extract.python.annotations import NO_TYPE
@@ -19,6 +19,8 @@ from haros_ci.syntax import Alias, Block, Expression, Statement
 
 _ELSE = re.compile(r"[ \t\f]*(else)\b")
 _LEAVES = (syntax.Break, syntax.Continue, syntax.Return, syntax.Throw)
+_Kind = TypeVar("_Kind", bound=ast.stmt)
+_Lower = Callable[[ast.stmt, Scope, int], Block]
 
 
 def block(nodes: list[ast.stmt], scope: Scope, depth: int) -> Block:
@@ -179,7 +181,16 @@ def _with(node: ast.With | ast.AsyncWith, scope: Scope, depth: int) -> Block:
     return (*entered, *block(node.body, scope, depth))
 
 
-def _try(node: Any, scope: Scope, depth: int) -> Block:
+class _Tried(Protocol):
+    """``try`` with ``except`` and with ``except*``, which Python 3.10 does not have."""
+
+    body: list[ast.stmt]
+    handlers: list[ast.ExceptHandler]
+    orelse: list[ast.stmt]
+    finalbody: list[ast.stmt]
+
+
+def _try(node: _Tried, scope: Scope, depth: int) -> Block:
     """What else says belongs to the tried block, what finally says comes after all of it."""
     inner = conditionally(scope)
     tried = block(node.body, inner, depth) + block(node.orelse, inner, depth)
@@ -196,7 +207,7 @@ def _handler(node: ast.ExceptHandler, scope: Scope, depth: int) -> syntax.Handle
     return syntax.Handler(*place(scope.file.source, node), text, node.name or "", type_, block(node.body, scope, depth))
 
 
-def _match(node: Any, scope: Scope, depth: int) -> Block:
+def _match(node: ast.Match, scope: Scope, depth: int) -> Block:
     """Alternatives are cases that fall through; a pattern that is no value, or has a guard, is unknown text."""
     source = scope.file.source
     inner = conditionally(scope)
@@ -215,7 +226,7 @@ def _match(node: Any, scope: Scope, depth: int) -> Block:
     return (syntax.Switch(*place(source, node), text, expression(node.subject, scope, depth), tuple(cases)),)
 
 
-def _captured(pattern: Any, scope: Scope) -> Block:
+def _captured(pattern: ast.pattern, scope: Scope) -> Block:
     """Names that a pattern binds have unknown values."""
     names = [getattr(part, "name", None) or getattr(part, "rest", None) for part in ast.walk(pattern)]
     found = sorted({name for name in names if name})
@@ -224,7 +235,7 @@ def _captured(pattern: Any, scope: Scope) -> Block:
     return tuple([syntax.Do(syntax.Assignment("=", syntax.Name(name), value)) for name in found])
 
 
-def _pattern(pattern: Any, scope: Scope, depth: int) -> Expression | None:
+def _pattern(pattern: ast.pattern, scope: Scope, depth: int) -> Expression | None:
     if isinstance(pattern, ast.MatchValue):
         return expression(pattern.value, scope, depth)
     if isinstance(pattern, ast.MatchSingleton):
@@ -269,34 +280,42 @@ def _type_alias(node: Any, scope: Scope, depth: int) -> Block:
     return ()
 
 
-_LOWERED: dict[type[ast.AST], Callable[[Any, Scope, int], Block]] = {
-    ast.Expr: _plain,
-    ast.Assign: _assign,
-    ast.AnnAssign: _annotated,
-    ast.AugAssign: _augmented,
-    ast.Delete: _delete,
-    ast.Assert: _assert,
-    ast.If: _if,
-    ast.While: _while,
-    ast.For: _for,
-    ast.AsyncFor: _for,
-    ast.With: _with,
-    ast.AsyncWith: _with,
-    ast.Try: _try,
-    ast.Match: _match,
-    ast.Return: _return,
-    ast.Raise: _raise,
-    ast.Break: lambda node, scope, depth: (syntax.Break(),),
-    ast.Continue: lambda node, scope, depth: (syntax.Continue(),),
-    ast.Pass: _nothing,
-    ast.Global: _globals,
-    ast.Nonlocal: _nonlocals,
-    ast.FunctionDef: _function,
-    ast.AsyncFunctionDef: _function,
-    ast.ClassDef: _class,
-    ast.Import: _import,
-    ast.ImportFrom: _import,
-}
-for _name, _lower in (("TryStar", _try), ("TypeAlias", _type_alias)):
-    if hasattr(ast, _name):  # from Python 3.11 and 3.12
-        _LOWERED[getattr(ast, _name)] = _lower
+def _on(kind: type[_Kind], lower: Callable[[_Kind, Scope, int], Block]) -> tuple[type[ast.AST], _Lower]:
+    """*lower* for statements of *kind*, and for no others."""
+    return kind, cast("_Lower", lower)
+
+
+_LOWERED: dict[type[ast.AST], _Lower] = dict(
+    (
+        _on(ast.Expr, _plain),
+        _on(ast.Assign, _assign),
+        _on(ast.AnnAssign, _annotated),
+        _on(ast.AugAssign, _augmented),
+        _on(ast.Delete, _delete),
+        _on(ast.Assert, _assert),
+        _on(ast.If, _if),
+        _on(ast.While, _while),
+        _on(ast.For, _for),
+        _on(ast.AsyncFor, _for),
+        _on(ast.With, _with),
+        _on(ast.AsyncWith, _with),
+        _on(ast.Try, _try),
+        _on(ast.Match, _match),
+        _on(ast.Return, _return),
+        _on(ast.Raise, _raise),
+        _on(ast.Break, lambda node, scope, depth: (syntax.Break(),)),
+        _on(ast.Continue, lambda node, scope, depth: (syntax.Continue(),)),
+        _on(ast.Pass, _nothing),
+        _on(ast.Global, _globals),
+        _on(ast.Nonlocal, _nonlocals),
+        _on(ast.FunctionDef, _function),
+        _on(ast.AsyncFunctionDef, _function),
+        _on(ast.ClassDef, _class),
+        _on(ast.Import, _import),
+        _on(ast.ImportFrom, _import),
+    )
+)
+if hasattr(ast, "TryStar"):  # from Python 3.11
+    _LOWERED.update((_on(ast.TryStar, _try),))
+if hasattr(ast, "TypeAlias"):  # from Python 3.12
+    _LOWERED.update((_on(ast.TypeAlias, _type_alias),))

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 #: The class of a node in the client libraries, by language's separator.
 NODE = {"::": "rclcpp::Node", ".": "rclpy.node.Node"}
+NODE_OPTIONS = "rclcpp::NodeOptions"
 #: Methods that no other class has: what they are called on is a node.
 UNMISTAKABLE = frozenset(
     "create_publisher create_subscription create_service create_client create_generic_publisher "
@@ -99,7 +100,7 @@ def construct(applied: Applied, entry: Entry, target: Object) -> None:
     space = value_of(applied, entry.values["namespace"]) if "namespace" in entry.values else None
     options = value_of(applied, entry.values["options"]) if "options" in entry.values else None
     if isinstance(options, Object) or len(applied.args) == 1:
-        target.fields[GIVEN] = Cell(options if isinstance(options, Object) else Object("rclcpp::NodeOptions"))
+        target.fields[GIVEN] = Cell(options if isinstance(options, Object) else Object(NODE_OPTIONS))
     is_managed = value_of(applied, entry.values["lifecycle"]) == Known(True) if "lifecycle" in entry.values else False
     target.node = made(run, target, name, space, options, applied.location, is_managed)
 
@@ -117,13 +118,17 @@ def made(
     process = run.context.process
     assert process is not None
     text, why, where = pattern(name) if name is not None else ("?", "the code does not tell its name", location)
-    above, space_why, space_where = pattern(space) if space is not None and space != NONE else ("", None, None)
     options = options.cell.value if isinstance(options, Pointer) else options
     if options == HIDDEN:  # its options rename it to its own name, whatever the process is given
-        options = Object("rclcpp::NodeOptions", fields={each: Cell(Known(False)) for each in HIDES})
+        options = Object(NODE_OPTIONS, fields={each: Cell(Known(False)) for each in HIDES})
         local, is_open, why = Arguments((Rule("", "__node", text),)), False, why or UNIQUE
     else:
+        if process.component is not None and not run.nodes and _may_be_given(space, options):
+            space = None if options is None else space
+            options = options_for(run)
+            options.fields.update((each, Cell(Opaque("it may be set"))) for each in _UNDECLARED)
         local, is_open = _arguments(options)
+    above, space_why, space_where = pattern(space) if space is not None and space != NONE else ("", None, None)
     is_contained = process.component is not None and (isinstance(options, Opaque) or _flag(options, CONTAINED) is True)
     is_global = _flag(options, "use_global_arguments") is not False
     rules = (*local.rules, *(process.rules if is_global else ()))
@@ -166,6 +171,11 @@ def made(
     return node
 
 
+def _may_be_given(space: Value | None, options: Any) -> bool:
+    """Whether options that are not known (or what may be a namespace instead) are most likely those that the component is given."""
+    return isinstance(options, Opaque) or (options is None and isinstance(space, Opaque))
+
+
 def options_for(run: Run) -> Object:
     """The NodeOptions that a component is constructed with: what the container, or launch, gives it."""
     process = run.context.process
@@ -179,14 +189,17 @@ def options_for(run: Run) -> Object:
         "use_global_arguments": Cell(Known(process is None or process.component is None)),
         CONTAINED: Cell(Known(True)),
     }
-    return Object("rclcpp::NodeOptions", fields=fields)
+    return Object(NODE_OPTIONS, fields=fields)
 
 
 def options_of(run: Run, node: Value | None) -> Value | None:
     """A copy of the options that a node was constructed with (``rclcpp::Node::get_node_options``); None if not known."""
     held = _field(node.cell.value if isinstance(node, Pointer) else node, GIVEN)
-    if not isinstance(held, Object):
-        return None
+    return copied(held) if isinstance(held, Object) else None
+
+
+def copied(held: Object) -> Object:
+    """A copy of a node's options, whose words can be changed without those of *held*."""
     fields = {name: Cell(cell.value, cell.type) for name, cell in held.fields.items()}
     words = _field(held, "arguments")
     if isinstance(words, Sequence):

@@ -68,13 +68,15 @@ class Finder:
         known = self._found.get(key)
         if known is None:
             known = self._found[key] = self._look_up(use)
+        start = self.files.directories.get(known.package or "", "")
+        above = {use.location.path, *(place.path for place in use.included)}  # to include one of them is to go round
         return replace(
             use,
             package=known.package,
             inner=known.inner,
             path=known.path,
             is_found=known.is_found,
-            similar=known.similar,
+            similar=tuple(each for each in known.similar if posixpath.normpath(f"{start}/{each}") not in above),
         )
 
     def _look_up(self, use: FileUse) -> FileUse:

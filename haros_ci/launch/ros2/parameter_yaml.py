@@ -12,14 +12,12 @@ import re
 from dataclasses import dataclass
 from typing import Any, Union
 
-from haros_ci.bounded_yaml import Limits, YamlFault, nodes
+from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Limits, YamlFault, nodes, scalar_value
 from haros_ci.substitutions.names import MARK, Text
 
 MAX_DEPTH = 50
 MAX_VALUES = 50_000
 LIMITS = Limits(depth=MAX_DEPTH)
-_MAX_NUMBER = 100
-_TAG = "tag:yaml.org,2002:"
 
 _TRUE = frozenset(("Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"))
 _FALSE = frozenset(("N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"))
@@ -83,7 +81,7 @@ class _Trees:
             made = self.tree(value, depth + 1)
             if key.id != "scalar":
                 continue
-            if key.tag == _TAG + "merge":
+            if key.tag == MERGE:
                 for part in made.items if isinstance(made, Items) else [made]:
                     if isinstance(part, Map):
                         merged = {**part.entries, **merged}
@@ -98,7 +96,7 @@ class _Trees:
         if MARK in node.value:
             first = self.text.raw.count(MARK, 0, node.start_mark.index)
             reasons = self.text.reasons[first : first + node.value.count(MARK)] or ("part of it is not known",)
-        return Scalar(node.value, line, node.style in (None, ""), node.tag.removeprefix(_TAG), reasons)
+        return Scalar(node.value, line, node.style in (None, ""), node.tag.removeprefix(TAG), reasons)
 
 
 def rcl_value(scalar: Scalar) -> tuple[str | None, Any, str]:
@@ -114,7 +112,7 @@ def rcl_value(scalar: Scalar) -> tuple[str | None, Any, str]:
         return "str", text, ""
     if text in _TRUE or text in _FALSE:
         return "bool", text in _TRUE, ""
-    if len(text) <= _MAX_NUMBER:
+    if len(text) <= MAX_NUMBER:
         if _INTEGER.match(text):
             number = _integer(text)
             if number in _INT64:
@@ -131,16 +129,13 @@ def python_value(scalar: Scalar) -> tuple[str | None, Any, str]:
     """Type, value and, where the value is not known, the reason, as PyYAML's ``safe_load`` reads *scalar*."""
     if scalar.reasons:
         return (None if scalar.is_plain else "str"), None, _joined(scalar.reasons)
-    if scalar.tag not in ("int", "float", "bool", "null") or len(scalar.text) > _MAX_NUMBER:
+    if scalar.tag not in ("int", "float", "bool", "null") or len(scalar.text) > MAX_NUMBER:
         return "str", scalar.text, ""
     if scalar.tag == "null":
         return None, None, "it has no value (null)"
-    import yaml
-
-    node = yaml.ScalarNode(_TAG + scalar.tag, scalar.text)
     try:
-        value = yaml.constructor.SafeConstructor().construct_object(node)
-    except (ValueError, KeyError, IndexError, OverflowError, yaml.YAMLError):
+        value = scalar_value(scalar.tag, scalar.text)
+    except ValueError:
         return None, None, f"'{scalar.text}' is no {scalar.tag}"
     if isinstance(value, float) and not math.isfinite(value):
         return "double", None, f"'{scalar.text}' is no number that can be shown"
@@ -175,7 +170,7 @@ def dumped(value: Any, line: int) -> Scalar:
     tag = yaml.resolver.Resolver().resolve(  # type: ignore[no-untyped-call]
         yaml.ScalarNode, text, (True, False)
     )
-    plain = tag == _TAG + "str" and re.fullmatch(r"[A-Za-z0-9_.+-]+", text) is not None and not text.startswith("-.")
+    plain = tag == TAG + "str" and re.fullmatch(r"[A-Za-z0-9_.+-]+", text) is not None and not text.startswith("-.")
     return Scalar(text, line, is_plain=plain)
 
 

@@ -45,7 +45,7 @@ GROUPS: tuple[Group, ...] = (
             ("missing_file", "Se", "File that does not exist."),
             ("missing_plugin", "Re", "Exported plug-in description that does not exist."),
             ("plugin_export_prefix", "Re", "Exported plug-in description without ${prefix}."),
-            ("script_not_executable", "Re", "Installed script without the execute bit."),
+            ("script_not_executable", "Se", "Installed script without the execute bit."),
             ("missing_shebang", "Rw", "Installed script without a shebang."),
             ("uninstalled_depend", "Sw", "Installed target that depends on a target that is not installed."),
             ("uninstalled_export_lib", "Sw", "Exported library that is not installed."),

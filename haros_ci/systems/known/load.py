@@ -67,7 +67,7 @@ def load_user(data: Mapping[Any, Any], where: str) -> tuple[Mapping[str, Mapping
 
 
 def parse(text: str) -> object:
-    """YAML of our own data files, with libyaml where PyYAML has it."""
+    """YAML of our own data files, with libyaml where PyYAML has it; they need none of the limits of ``bounded_yaml``."""
     import yaml
 
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)

@@ -14,6 +14,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.extract.launch.ros2_entity import compose, loaded
 from haros_ci.extract.launch.xml import from_json, read_launch, to_json
 from haros_ci.index.behavior_tree_files import trees_of
+from haros_ci.launch.ros2.expression import expression_value
 from haros_ci.launch.ros2.parameter_files import values_in
 from haros_ci.launch.ros2.parameter_yaml import python_value, rcl_value, read_trees
 from haros_ci.report.model_json import render as model_json
@@ -21,7 +22,8 @@ from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.descriptions import Descriptions
 from haros_ci.security.policy import expanded, read_policy
 from haros_ci.substitutions import presence as launch_presence
-from haros_ci.substitutions.names import literal
+from haros_ci.substitutions.expression import Scopes, Undecided, Wrong, evaluate
+from haros_ci.substitutions.names import literal, unknown
 from haros_ci.substitutions.yaml import YamlError, read_yaml
 from haros_ci.workspace.build import builds
 from haros_ci.workspace.cache import MemoryCache
@@ -99,7 +101,11 @@ def parameter_yaml(data: bytes) -> object:
 
 def expressions(data: bytes) -> object:
     text = data.decode("utf-8", "replace")
-    return xacro_command(text), launch_presence.compared_with(text)
+    try:
+        of_roslaunch: object = evaluate(text, Scopes({}, unknown, {}, ""))
+    except (Undecided, Wrong) as err:
+        of_roslaunch = str(err)
+    return xacro_command(text), launch_presence.compared_with(text), of_roslaunch, expression_value(literal(text))
 
 
 def robots(data: bytes) -> object:
@@ -174,7 +180,7 @@ TARGETS = {
             b"!!python/none ",
         ),
     ),
-    "commands": Entry(expressions, "command lines and expressions of launch files", ("robot.commands",)),
+    "commands": Entry(expressions, "command lines and expressions of launch files", ("robot.commands", "bounded_python")),
     "robots": Entry(robots, "xacro, URDF and SRDF", ("robot",), _XACRO),
     "behavior-trees": Entry(behavior_trees, "behaviour trees", ("index.behavior_tree_files",)),
     "policies": Entry(policies, "policies of SROS 2", ("security.policy",)),

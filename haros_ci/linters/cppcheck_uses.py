@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Loops over files and assignments of C++ of which cppcheck does not see that they are right: the read is checked, the value is copied."""
+
+from __future__ import annotations
+
+import re
+
+from haros_ci.results.scope import scopes
+
+_HIDDEN = re.compile(
+    r"//[^\n]*|/\*.{0,4000}?\*/|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
+)
+_LOOP = re.compile(r"\bwhile\s*\([^;{}]{0,200}?\bfeof\s*\(\s*([\w.>-]{1,80}?)\s*\)[^;{}]{0,80}\)\s*\{")
+_READ = r"(?:std\s*::\s*)?(?:w?fgets|fgetws|v?fw?scanf|fread|fgetw?c|getw?c|getline|getdelim)\s*\("
+#: A read inside the condition of an ``if``, in a comparison, or behind ``!``.
+_TESTED = re.compile(rf"\bif\s*\((?:[^;{{}}]{{0,200}}?[(!=&|\s])?{_READ}")
+#: ``n = fread(…);``, and ``char * line = fgets(…);``.
+_KEPT = re.compile(rf"\b([A-Za-z_]\w*)\s*=\s*(?:\([\w\s*]{{1,40}}\)\s*)?{_READ}")
+#: Characters of a loop, and lines above a use, that are looked at.
+_LONGEST = 8000
+_NEAR = 60
+#: ``reply["map"]["file"] = (name + ".yaml").c_str();``
+_ELEMENT = re.compile(
+    r"^[ \t]*(?:this[ \t]*->[ \t]*)?([A-Za-z_]\w*)[ \t]*(?:\[[^\]\n]{1,100}\][ \t]*){1,6}=(?!=)[^;\n]{1,300}\.[ \t]*(?:c_str|data)\(\)[ \t]*;"
+)
+#: Classes that hold values of any kind, and copy the text that they are given.
+_HOLDERS = (
+    r"(?:nlohmann\s*::\s*(?:ordered_)?json|(?:ordered_)?json|Json\s*::\s*Value|YAML\s*::\s*Node|(?:XmlRpc\s*::\s*)?XmlRpcValue"
+    r"|(?:std\s*::\s*)?(?:unordered_)?map\s*<[^<>;{{}}]{{0,80}}?,\s*(?:std\s*::\s*)?string\s*>|(?:std\s*::\s*)?vector\s*<\s*(?:std\s*::\s*)?string\s*>)"
+    r"\s*&?\s*\b{name}\b"
+)
+
+
+def is_read_checked(line: int, text: str) -> bool:
+    """Whether the body of the loop ``while (!feof(file))`` at *line* looks at what its read returns before it goes on."""
+    rest = "\n".join(text.split("\n")[max(line - 1, 0) :])[:_LONGEST]
+    rest = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), rest)
+    loop = _LOOP.search(rest)
+    if loop is None or "\n" in rest[: loop.start()]:
+        return False
+    depth, end = 1, len(rest)
+    for brace in re.finditer(r"[{}]", rest[loop.end() :]):
+        depth += 1 if brace[0] == "{" else -1
+        if depth == 0:
+            end = loop.end() + brace.start()
+            break
+    body = rest[loop.end() : end]
+    if _TESTED.search(body):
+        return True
+    return any(
+        re.search(rf"\b(?:if|while)\s*\([^;{{}}]{{0,200}}?\b{kept[1]}\b", body[kept.end() :])
+        for kept in _KEPT.finditer(body)
+    )
+
+
+def is_copied(line: int, text: str) -> bool:
+    """Whether what is used at *line* has been given the text of a temporary above, as an element of a class that copies it (JSON, YAML, strings)."""
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    inside = scopes(text, "cpp")
+    here = set(re.findall(r"[A-Za-z_]\w*", lines[line - 1][:_LONGEST]))
+    for number in range(max(line - _NEAR, 1), line):
+        made = _ELEMENT.match(lines[number - 1][:_LONGEST])
+        if made and made[1] in here and inside.at(number) == inside.at(line):
+            return re.search(_HOLDERS.format(name=made[1]), text) is not None
+    return False

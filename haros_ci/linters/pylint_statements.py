@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Statements and expressions of Python that pylint takes for mistakes, and that do what is meant or no harm."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from typing import TypeGuard
+
+from haros_ci.linters.pylint_idioms import nodes
+
+_NAN = re.compile(r"\bnan\b", re.IGNORECASE)
+#: A field of ``str.format``; two braces are one of the text.
+_FIELD = re.compile(r"(?<!\{)(?:\{\{)*\{(?!\{)")
+
+
+def is_text(text: str, line: int) -> bool:
+    """Whether strings alone follow at *line* up to the end of the block: they stand there as comments."""
+    for node in nodes(text):
+        for body in _blocks(node):
+            rest = [each for each in body if each.lineno >= line]
+            if rest and rest[0].lineno == line and rest[0] is not body[0]:
+                return all(_is_string(each) for each in rest)
+    return False
+
+
+def is_surplus(text: str, line: int, column: int) -> bool:
+    """Whether ``str.format`` has more arguments there than fields, of which there are some: it ignores the rest, where ``%`` raises."""
+    found = False
+    for node in nodes(text):
+        at = (getattr(node, "lineno", 0), getattr(node, "col_offset", -1))
+        if at != (line, _byte(text, line, column)):
+            continue
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mod):
+            return False
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "format":
+            value = node.func.value
+            found = (
+                isinstance(value, ast.Constant) and isinstance(value.value, str) and bool(_FIELD.search(value.value))
+            )
+    return found
+
+
+def is_of_another(text: str, line: int) -> bool:
+    """Whether ``super(A, it)`` at *line* speaks of another object than the one whose method it stands in, whose class is not the one around it."""
+    for function in nodes(text):
+        if not isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
+            continue
+        if not function.lineno <= line <= (function.end_lineno or 0):
+            continue
+        first = next(iter((*function.args.posonlyargs, *function.args.args)), None)
+        for node in ast.walk(function):
+            if _is_super(node) and node.lineno == line and len(node.args) == 2:
+                given = node.args[1]
+                return not isinstance(given, ast.Name) or first is None or given.id != first.arg
+    return False
+
+
+def is_test_for_nan(text: str, line: int) -> bool:
+    """Whether a value is compared with itself there by ``!=``, which is true of NaN alone, in a file that knows NaN."""
+    if _NAN.search(text) is None:
+        return False
+    return any(
+        isinstance(node, ast.Compare)
+        and node.lineno <= line <= (node.end_lineno or 0)
+        and len(node.ops) == 1
+        and isinstance(node.ops[0], ast.NotEq)
+        and ast.dump(node.left) == ast.dump(node.comparators[0])
+        for node in nodes(text)
+    )
+
+
+def _is_super(node: ast.AST) -> TypeGuard[ast.Call]:
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "super"
+
+
+def called_at(text: str, start: tuple[int, int], end: tuple[int, int] | None) -> str:
+    """The last name of what is called from *start* to *end*, lines from 1 and columns from 0; the outermost call without an *end*; "" if none is."""
+    begin = (start[0], _byte(text, *start))
+    stop = end and (end[0], _byte(text, *end))
+    for node in nodes(text):  # from the outermost to the innermost
+        if not isinstance(node, ast.Call) or (node.lineno, node.col_offset) != begin:
+            continue
+        if stop is None or (node.end_lineno, node.end_col_offset) == stop:
+            name = node.func
+            return name.attr if isinstance(name, ast.Attribute) else name.id if isinstance(name, ast.Name) else ""
+    return ""
+
+
+def _byte(text: str, line: int, column: int) -> int:
+    """The column in bytes, which the nodes of Python count in."""
+    lines = text.split("\n")
+    return len(lines[line - 1][:column].encode("utf-8", "replace")) if 0 < line <= len(lines) else column
+
+
+def _blocks(node: ast.AST) -> Iterator[list[ast.stmt]]:
+    for name in ("body", "orelse", "finalbody"):
+        block = getattr(node, name, None)
+        if isinstance(block, list) and block:
+            yield block
+
+
+def _is_string(statement: ast.stmt) -> bool:
+    return (
+        isinstance(statement, ast.Expr)
+        and isinstance(statement.value, ast.Constant)
+        and isinstance(statement.value.value, str)
+    )

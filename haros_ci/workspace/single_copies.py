@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Single files that a project has copied from another one: their heads name an owner and a licence that nothing else in the project names."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Collection, Iterable
+from functools import cached_property
+
+from haros_ci.model.package import SourceFile
+from haros_ci.workspace.generated import leading_comment
+from haros_ci.workspace.judged import Judged
+
+#: Fewer lines have no libraries.
+SHORTEST = 100
+#: Files of a package beside a copy that tell who writes the package.
+OTHERS = 5
+#: Files that one library is copied as.
+MOST = 3
+#: Characters of a first comment that are looked at.
+_HEAD = 8_192
+_OWNER = re.compile(
+    r"(?:\bcopyright|\bSPDX-FileCopyrightText)\b[ \t:]*(?=[^\n]{0,60}?(?:\d{4}|\(c\)|©))(?:\(c\)|©)?[ \t]*(?:\d{4}[\d \t,–-]{0,60}(?:present\b)?)?[ \t,]*(?:\(c\)|©)?"
+    r"[ \t]*(?:by\b)?[ \t]*([^\n\d<(;,]{3,80})",
+    re.IGNORECASE,
+)
+_LICENCES = {
+    "mit": re.compile(
+        r"permission is hereby granted, free of charge|\bmit\b.{0,20}\blicen[cs]e|identifier: mit\b", re.IGNORECASE
+    ),
+    "bsd": re.compile(r"redistribution and use in source and binary forms|\bbsd\b", re.IGNORECASE),
+    "gpl": re.compile(r"\bgnu (?:lesser |library |affero )?general public licen[cs]e|\b[al]?gpl", re.IGNORECASE),
+    "apache": re.compile(r"\bapache\b.{0,20}\blicen[cs]e|\bapache[- ]?2|\bapache\b", re.IGNORECASE),
+    "mpl": re.compile(r"\bmozilla public licen[cs]e|\bmpl\b", re.IGNORECASE),
+    "boost": re.compile(r"\bboost software licen[cs]e|\bbsl\b", re.IGNORECASE),
+    "zlib": re.compile(r"this software is provided 'as-is'|\bzlib\b", re.IGNORECASE),
+    "isc": re.compile(r"permission to use, copy, modify,? and(?:/or)? distribute|\bisc\b", re.IGNORECASE),
+}
+#: Who has changed what somebody else wrote goes on to write it.
+_CHANGED = re.compile(
+    r"\b(?:contributions? (?:by|copyright)|adapted|modified (?:by|for|from|version)|modifications? (?:by|copyright)|ported (?:by|from|to)|port of)\b",
+    re.IGNORECASE,
+)
+_WORD = re.compile(r"[^\W\d_]{4,}")
+#: Words of an owner that say nothing of who it is.
+_COMMON = frozenset(
+    """
+    rights reserved author authors contributors corporation company incorporated limited gmbh university institute technology
+    laboratory laboratories research robotics robot robots open source foundation group team project software developers
+    department engineering science school copyright holder holders notice
+    """.split()
+)
+_OF_ROS = re.compile(
+    r"\b(?:rospy|rclpy|rclcpp\w*|roslib|roscpp|rosbag\w*|nodelet|pluginlib|cv_bridge|dynamic_reconfigure|ament_\w+|catkin\w*|\w+_(?:msgs|srvs|interfaces))\b"
+    r"|[<\"]ros/"
+)
+_PARTS = re.compile(
+    r"^[ \t]*(?:#[ \t]*include[ \t]*[<\"]([^>\"\n]{1,200})|from[ \t]+\.*([\w.]*)[ \t]+import\b[ \t]*(\w*)|import[ \t]+([\w., \t]{1,200}))",
+    re.MULTILINE,
+)
+_MANIFESTS = ("package.xml", "setup.py", "setup.cfg", "pyproject.toml")
+
+
+class SingleCopies(Judged):
+    """Which files are copies of another project's library of one file, or of a few that lie beside each other.
+
+    The first comment of such a file has a copyright line and a licence. No manifest, and no other first comment of the workspace, has a
+    word of the owner's name; no other file of the package, nor its manifest, has that licence; and there are several others.
+    The file uses nothing of ROS and nothing of the workspace, and does not say that it has been changed.
+    """
+
+    def _judge(self, files: Collection[SourceFile]) -> Iterable[str]:
+        return [file.path for file in files if self._is_copy(file)]
+
+    def _is_copy(self, file: SourceFile) -> bool:
+        head = self._head(file)
+        owner, licences = _owner(head), _first_licence(head)
+        if not owner or not licences or file.lines < SHORTEST or not self._workspace.packages:
+            return False
+        text = self._workspace.text(file.path)
+        if _CHANGED.search(head):
+            return False
+        if _OF_ROS.search(text) or not owner.isdisjoint(self._people):
+            return False
+        own = [each for each in self._code if not owner.isdisjoint(self._heads[each.path])]
+        directory = posixpath.dirname(file.path)
+        if len(own) > MOST or any(posixpath.dirname(each.path) != directory for each in own):
+            return False
+        group = {each.path for each in own}
+        if any(not _owner(self._head(each)) & owner or _first_licence(self._head(each)) != licences for each in own):
+            return False
+        others = [each for each in self._code if each.package == file.package and each.path not in group]
+        if len(others) < OTHERS or any(_licences(self._head(each)) & licences for each in others):
+            return False
+        return not self._of_package(file.package) & licences and not self._uses_others(text, others)
+
+    def _head(self, file: SourceFile) -> str:
+        if file.language not in ("cpp", "python"):
+            return ""
+        return leading_comment(file.language, self._workspace.text(file.path)[:_HEAD].encode("utf-8", "replace"))
+
+    @cached_property
+    def _code(self) -> list[SourceFile]:
+        """The code that is the project's own, as far as is known."""
+        return [each for each in self._workspace.files if each.language in ("cpp", "python") and not each.third_party]
+
+    @cached_property
+    def _heads(self) -> dict[str, frozenset[str]]:
+        return {each.path: _words(self._head(each)) for each in self._code}
+
+    @cached_property
+    def _people(self) -> frozenset[str]:
+        """The words of all manifests: who maintains and has written what, and where they work."""
+        names = (path for path in self._workspace.names if posixpath.basename(path) in _MANIFESTS)
+        return frozenset(word for path in names for word in _words(self._workspace.text(path)))
+
+    def _of_package(self, name: str | None) -> frozenset[str]:
+        """The licences that the package's manifest has, those of all where the file is in none."""
+        found: set[str] = set()
+        for package in self._workspace.packages:
+            if name in (None, package.name):
+                manifest = self._workspace.text(posixpath.normpath(posixpath.join(package.path, "package.xml")))
+                for licence in re.findall(r"<license\b[^>]{0,200}>([^<]{1,200})<", manifest):
+                    found |= _licences(licence)
+        return frozenset(found)
+
+    def _uses_others(self, text: str, others: Iterable[SourceFile]) -> bool:
+        """Whether *text* includes or imports one of *others*, or something of a package of the workspace."""
+        known = {package.name for package in self._workspace.packages}
+        for each in others:
+            known.add(posixpath.basename(each.path))
+            known.add(posixpath.splitext(posixpath.basename(each.path))[0])
+        known -= {"__init__", "__main__", "setup"}
+        for included, module, name, modules in _PARTS.findall(text):
+            used = {included.partition("/")[0], posixpath.basename(included)}
+            used |= {*module.split("."), name, *re.findall(r"\w+", modules)}
+            if not known.isdisjoint(used - {""}):
+                return True
+        return False
+
+
+def _owner(head: str) -> frozenset[str]:
+    """The words that tell the owners of *head*'s copyright lines from others; none where a line has no such word."""
+    lines = [_words(found[1]) - _COMMON for found in _OWNER.finditer(head)]
+    return frozenset().union(*lines) if all(lines) else frozenset()
+
+
+def _licences(head: str) -> frozenset[str]:
+    plain = re.sub(r"[\s#*/]+", " ", head)
+    return frozenset(name for name, says in _LICENCES.items() if says.search(plain))
+
+
+def _first_licence(head: str) -> frozenset[str]:
+    """The licence that *head* names first: others may be in its history."""
+    plain = re.sub(r"[\s#*/]+", " ", head)
+    places = {name: found.start() for name, says in _LICENCES.items() if (found := says.search(plain))}
+    return frozenset(sorted(places, key=lambda name: places[name])[:1])
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(word.lower() for word in _WORD.findall(text))
