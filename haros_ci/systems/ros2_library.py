@@ -28,7 +28,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems import ros2_system
 from haros_ci.systems.following import Types
-from haros_ci.systems.ros2_system import Started
+from haros_ci.systems.ros2_processes import Started
 from haros_ci.systems.system import PROGRAM, Job
 from haros_ci.values.abstract import Callable, Object
 

@@ -79,8 +79,8 @@ def put_under(
     if not names and not any(isinstance(before, Unseen) for before in followed.asked.values()):
         return followed
     texts = dict(names)
-    for number, (name, before) in enumerate(followed.asked.items()):
-        value = given(name) if isinstance(before, Unseen) else before
+    for number, (cell, before) in enumerate(followed.asked.items()):
+        value = given(cell) if isinstance(before, Unseen) else before
         if isinstance(value, Known) and isinstance(value.value, str):
             texts[f"p{number}"] = value.value
     nodes: dict[int, RosNode] = {}

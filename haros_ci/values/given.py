@@ -34,13 +34,17 @@ class Given(Known):
     """
 
     __slots__ = ("cells", "held", "mark", "seen")
+    cells: tuple[str, ...]
+    held: Any
+    mark: str | None
+    seen: set[str]
 
     def __init__(self, held: Any, mark: str | None, cells: tuple[str, ...], seen: set[str]) -> None:
         for name, value in (("held", held), ("mark", mark), ("cells", cells), ("seen", seen)):
             object.__setattr__(self, name, value)
 
     @property
-    def value(self) -> Any:  # type: ignore[override]
+    def value(self) -> Any:
         self.seen.update(self.cells)
         return self.held
 

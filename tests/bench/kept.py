@@ -26,7 +26,7 @@ from typing import Any
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.report.model_json import render
-from haros_ci.systems import following, ros2_system
+from haros_ci.systems import following, ros2_processes
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 
@@ -84,7 +84,7 @@ def counted(types: Any, entry: Any, *rest: Any) -> Any:
 
 _followed_in = following.followed_in
 following.followed_in = counted  # type: ignore[assignment]
-ros2_system.followed_in = counted  # type: ignore[attr-defined]
+ros2_processes.followed_in = counted  # type: ignore[attr-defined]
 
 
 def model(root: Path, store: Any) -> tuple[str, float]:

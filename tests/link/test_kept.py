@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 from follow_kit import CMAKE, ROS2_CMAKE, ROS2_HEAD, ROS2_NODE, main, script, workspace
 
-import haros_ci.systems.ros2_system as ros2_system
+import haros_ci.systems.ros2_processes as ros2_processes
 from haros_ci.analysis.architecture import architecture
 from haros_ci.config.settings import Settings
 from haros_ci.follow.made import Made
@@ -69,7 +69,7 @@ def followed(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         return original(types, entry, *rest)
 
     monkeypatch.setattr(following, "followed_in", counted)
-    monkeypatch.setattr(ros2_system, "followed_in", counted)
+    monkeypatch.setattr(ros2_processes, "followed_in", counted)
     return calls
 
 
@@ -280,10 +280,10 @@ def test_functions_that_begin_or_cease_to_make_something(followed: list[str]) ->
         ("p/src/names.hpp", '"t"', '"x"', True, [N]),
         (M, '"u"', '"x"', True, [M]),
         (M, '"m"', '"x"', False, [M]),  # the launch file renames it
-        ("p/launch/y.yaml", "given", "other", True, [N]),
+        ("p/launch/y.yaml", "given", "other", True, []),  # the node only passes it on
         ("p/launch/y.yaml", "a:", "b:", True, [N]),
         ("p/launch/y.yaml", '"given"', "1", True, [N]),
-        ("p/launch/l.launch.xml", 'name="x"', 'name="w"', True, [N]),
+        ("p/launch/l.launch.xml", 'name="x"', 'name="w"', True, []),
         ("p/launch/l.launch.xml", 'name="y"/>', 'name="y"><remap from="u" to="w"/></node>', True, [M]),
         ("p/CMakeLists.txt", "EXECUTABLE n", "EXECUTABLE k", True, [N]),  # it is started alone
         ("p/CMakeLists.txt", "SHARED src/n.cpp", "SHARED src/n.cpp src/m.cpp", False, [N]),

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import haros_ci.systems.ros2_system as ros2_system
+import haros_ci.systems.ros2_processes as ros2_processes
 import pytest
 from follow_kit import ROS2_HEAD, ROS2_NODE, ros2_files
 from haros_ci.analysis.architecture import architecture
@@ -55,14 +55,14 @@ def model(files: dict[str, str]) -> str:
 def follows(files: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> int:
     """How many times the program is followed for the launch file; the model is that of following each."""
     calls: list[Any] = []
-    original = ros2_system.followed_in
+    original = ros2_processes.followed_in
 
     def counted(*arguments: Any) -> Any:
         calls.append(arguments)
         return original(*arguments)
 
     with monkeypatch.context() as inside:
-        inside.setattr(ros2_system, "followed_in", counted)
+        inside.setattr(ros2_processes, "followed_in", counted)
         shared = model(files)
     with exact(monkeypatch):
         assert shared == model(files)

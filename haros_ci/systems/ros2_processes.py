@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Following a ROS 2 process, unless it has been followed before with all that it looks at."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from haros_ci.follow.context import Context
+from haros_ci.follow.follow import Entry
+from haros_ci.follow.ros import behavior_trees
+from haros_ci.graph.names import clean
+from haros_ci.graph.ros2_process import Parameters, Process, Rule
+from haros_ci.keeping.kept import Followed
+from haros_ci.model.architecture import Node, RemapRule
+from haros_ci.systems import sharing
+from haros_ci.systems.following import Types, files_key, followed_in
+from haros_ci.values.abstract import Known, Value
+from haros_ci.values.given import PARAMETER, Marks, filled
+
+
+@dataclass(frozen=True, slots=True)
+class Started:
+    """A process or component as it is started: its remapping rules, parameters, words of its command line."""
+
+    rules: tuple[Rule, ...]
+    parameters: Parameters
+    words: tuple[str, ...]
+    is_component: bool
+    #: The remapping rules of launch files, with the places they stand at.
+    written: tuple[RemapRule, ...] = ()
+    #: The rules of the container that a component is loaded into.
+    around: tuple[Rule, ...] = ()
+    #: Whether every plug-in that it could load is followed.
+    has_plugins: bool = False
+    #: Whether, of a behaviour tree that is not known, the nodes of every tree of the workspace are.
+    has_trees: bool = False
+
+
+def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
+    """Follow one process, unless it has been followed with the same rules and all that it asked for is the same again.
+
+    With the nodes of every behaviour tree it is followed only where it creates one that is not known without them.
+    """
+    if started.has_trees:
+        plain = run_process(types, entry, files, replace(started, has_trees=False), node)
+        if behavior_trees.UNKNOWN not in plain.gaps and not plain.problems:
+            return plain
+    (rules, around), names, instead = sharing.without_names(started.rules, started.around)
+    found = _shared(types, entry, files, replace(started, rules=rules, around=around), node, names, instead)
+    if found is None:
+        found = _shared(types, entry, files, started, node, {}, {}, is_exact=True)
+    assert found is not None
+    return found
+
+
+def _shared(
+    types: Types,
+    entry: Entry,
+    files: frozenset[str],
+    started: Started,
+    node: Node,
+    names: Mapping[str, str],
+    instead: Mapping[Rule, Rule],
+    *,
+    is_exact: bool = False,
+) -> Followed | None:
+    """A process followed with marks for *names* and parameters, put under those that it has; None where marks hide what is the same.
+
+    Where it *is_exact* there are no marks.
+    """
+    kinds = (started.is_component, started.has_plugins, started.has_trees, started.around, is_exact)
+    key = (2, entry.key, files_key(files), started.rules, started.words, *kinds)
+    earlier = types.followed.setdefault(key, [])
+    marks = Marks(names)
+
+    def parameter(full: str) -> Value | None:
+        if full in names:
+            return Known(names[full])
+        name, _, inner = filled(full, names).partition(":")
+        return started.parameters.get(clean(name) if name else name, inner, node.conditions)
+
+    for done in earlier:
+        if sharing.fits(done.asked, parameter):
+            return sharing.put_under(done, names, instead, parameter)
+    asked: dict[str, Value | None] = {}
+    given: dict[str, Value | None] = {}
+
+    def ask(name: str) -> Value | None:
+        if PARAMETER in name:
+            name = marks.looked_at(name)
+        if name not in asked:
+            value = parameter(name)
+            asked[name] = value
+            given[name] = value if is_exact else marks.given(name, f"p{len(asked) - 1}", value)
+        return given[name]
+
+    is_component = started.is_component
+    words = None if any("?" in word for word in started.words) else started.words
+    context = Context(
+        marks=marks,
+        name="",
+        namespace="/",
+        arguments=words,
+        plugins=types.plugins,
+        of_base=types.of_base if started.has_plugins else None,
+        trees=types.trees,
+        any_tree=started.has_trees,
+        xml=types.xml,
+        parameter=ask,
+        read_yaml=types.read_yaml,
+        process=Process(
+            rules=started.around if is_component else started.rules, component=started.rules if is_component else None
+        ),
+    )
+    earlier.append(followed_in(types, entry, files, context, asked, key))
+    return sharing.put_under(earlier[-1], names, instead, parameter)
