@@ -39,10 +39,9 @@ def check(project: Project) -> Iterator[Finding]:
             meant: dict[str, Need] = {}
             for need in needs[:MAX_NEEDS]:
                 alike = frozenset(each for each in need.providers - {name} if _is_meant(name, each, need))
-                if (
-                    alike
-                ):  # one that is there where the package is used: python3-x, where nothing here has keys of Python 2
-                    meant.setdefault(first_provider(alike, package), need)
+                there = _there(alike, package) or _there(need.providers if alike else frozenset(), package)
+                if there:  # the one to be had where the package is used: python3-x, where nothing here has keys of Python 2
+                    meant.setdefault(first_provider(there, package), need)
             if meant:
                 yield _finding(package, name, meant)
 
@@ -51,6 +50,11 @@ def _is_nowhere(name: str, package: ProjectPackage) -> bool:
     """Whether neither the workspace, nor a distribution, nor rosdep has *name*."""
     project, knowledge = package.project, package.project.knowledge
     return project.package(name) is None and knowledge.is_package(name) is False and not knowledge.is_key(name)
+
+
+def _there(names: frozenset[str], package: ProjectPackage) -> frozenset[str]:
+    """Those of *names* that somebody has: CMake's ``Eigen3`` is rosdep's ``eigen``."""
+    return frozenset(name for name in names if not _is_nowhere(name, package))
 
 
 def _declared(package: ProjectPackage) -> frozenset[str]:
