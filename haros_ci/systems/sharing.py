@@ -76,7 +76,7 @@ def put_under(
 
     None if two things that were made are one then.
     """
-    if not names and not any(isinstance(before, Unseen) for before in followed.asked.values()):
+    if not names and not any(map(_has_mark, followed.asked.values())):
         return followed
     texts = dict(names)
     for number, (cell, before) in enumerate(followed.asked.items()):
@@ -133,6 +133,10 @@ def put_under(
         nodes=tuple(map(node, followed.nodes)),
         twins=tuple(Twin(name(twin.name), twin.first, twin.second) for twin in followed.twins),
     )
+
+
+def _has_mark(asked: Any) -> bool:
+    return isinstance(asked, Unseen) or (isinstance(asked, Known) and isinstance(asked.value, str))
 
 
 def _number(made: Iterable[Made]) -> int:

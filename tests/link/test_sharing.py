@@ -136,6 +136,12 @@ def test_followed_for_each(body: str, nodes: tuple[str, ...], monkeypatch: pytes
     assert follows(files, monkeypatch) >= 2 or "namespace='/'" in nodes
 
 
+def test_a_text_that_is_looked_at_and_passed_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    body = READ + 'if (text == "a") { create_publisher<String>(text, 1); }'
+    files = ros2_files(program(body), started("parameters=[{'text': 'a'}]"))
+    assert follows(files, monkeypatch) == 1
+
+
 def test_two_topics_that_are_one_under_some_names(monkeypatch: pytest.MonkeyPatch) -> None:
     body = (
         'for (const std::string & key : {"a", "b"}) { create_publisher<String>(declare_parameter<std::string>(key, "x"), 1); }'
