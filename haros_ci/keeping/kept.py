@@ -38,6 +38,8 @@ class Followed:
     nodes: tuple[RosNode, ...] = ()
     twins: tuple[Twin, ...] = ()
     consulted: Consulted | None = None
+    #: The statements and calls that it took.
+    steps: int = 0
 
 
 def digest_of(*parts: Any) -> str:
@@ -115,7 +117,7 @@ def _written(each: Followed) -> list[Any]:
     gaps = [[said, to_json(where)] for said, where in each.gaps.items()]
     problems = [[problem.message, to_json(Location(problem.path, problem.line))] for problem in each.problems]
     twins = [[twin.name, to_json(twin.first), to_json(twin.second)] for twin in each.twins]
-    return [to_json(tuple(table)), len(each.nodes), made, asked, gaps, to_json(each.names), problems, twins]
+    return [to_json(tuple(table)), len(each.nodes), made, asked, gaps, to_json(each.names), problems, twins, each.steps]
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +161,7 @@ def read(
             if what is None:
                 continue
             try:
-                table, count, made, asked, gaps, names, problems, twins = moved(item, lines) if lines else item
+                table, count, made, asked, gaps, names, problems, twins, steps = moved(item, lines) if lines else item
             except Lost:
                 continue
             nodes = from_json(table)
@@ -174,6 +176,7 @@ def read(
                 nodes=nodes[: _count(count)],
                 twins=tuple(_twin(each) for each in twins),
                 consulted=what,
+                steps=_count(steps),
             )
             found.append((from_json(key), followed))
         return found

@@ -60,6 +60,8 @@ class Types:
     #: What nodes of one language and set of files have consulted, and what was followed in this run.
     traces: dict[Any, Trace] = field(default_factory=dict)
     fresh: list[tuple[Any, Followed]] = field(default_factory=list)
+    #: The steps of each result that counts for a ROS 2 entry, by its key and a digest of what it is of.
+    counted: dict[Any, dict[str, int]] = field(default_factory=dict)
     views: dict[frozenset[str], Relevance] = field(default_factory=dict)
     #: ROS 2: executables and components, by package and executable or class.
     ros2_programs: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]] = field(default_factory=dict)
@@ -205,6 +207,7 @@ def _followed_in(
         nodes,
         tuple(run.twins.values()),
         small(trace, relevance, view),
+        run.steps,
     )
     types.fresh.append((key, followed))
     return followed

@@ -51,6 +51,8 @@ from haros_ci.timing import timed
 
 #: A node with its endpoints, and what went wrong.
 Result = tuple[tuple[Node, ...], tuple[Problem, ...]]
+#: The same, all that was followed for it, and the steps that count for each program so far.
+Worked = tuple[Result, list[tuple[Any, Followed]], dict[Any, dict[str, int]]]
 #: Does jobs, each of a group that has work in common, and gives their results in order.
 Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
 
@@ -228,12 +230,14 @@ def linked(
     )  # large ones first: nobody waits at the end
     work = [partial(_worked, types, every[number]) for number in order]
     done = dict(zip(order, share(work, [every[number].group for number in order]), strict=True))
+    _count(types, done.values())
     made = ros2_library.seen_in(node for number in range(len(jobs)) for node in done[number][0][0])
     more = [ros2_library.job(types, each) for each in _libraries(types, made)] if wanted is None else []
     brought = share([partial(_worked, types, job) for job in more], [job.group for job in more])
+    _count(types, brought)
     if keeper is not None:
-        keeping.hand_on(keeper, key, old, [each for _, fresh in (*done.values(), *brought) for each in fresh])
-    present.remember(types, (fresh for _, fresh in (*done.values(), *brought)))
+        keeping.hand_on(keeper, key, old, [each for _, fresh, _ in (*done.values(), *brought) for each in fresh])
+    present.remember(types, (fresh for _, fresh, _ in (*done.values(), *brought)))
     results = (done[number][0] for number in range(len(jobs)))
     other_results = (done[number][0] for number in range(len(jobs), len(every)))
     completion = Completion(workspace, builds, types)
@@ -254,7 +258,7 @@ def linked(
             name = f"{node.package}/{node.type}"
             taken = node.kind == "nodelet" and any(c.name == name for c in configurations)
             configurations.append(Configuration(name=f"{name} (nodelet)" if taken else name, nodes=nodes))
-    for (nodes, _), _ in brought:
+    for (nodes, _), *_ in brought:
         if nodes[0].kind != system.PROGRAM and ros2_library.tells(nodes, made):
             name = f"{nodes[0].package}/{nodes[0].type} ({LIBRARY})"
             configurations.append(Configuration(name=name, nodes=nodes))
@@ -306,10 +310,18 @@ def _given(jobs: Sequence[Job], results: Sequence[Result]) -> tuple[Parameter, .
     )
 
 
-def _worked(types: Types, job: Job) -> tuple[Result, list[tuple[Any, Followed]]]:
-    """What a job gives, and all that was followed for it."""
+def _worked(types: Types, job: Job) -> Worked:
+    """What a job gives, all that was followed for it, and the steps that count for its program so far."""
     before = len(types.fresh)
-    return job.follow(), types.fresh[before:]
+    made = job.follow()
+    return made, types.fresh[before:], types.counted
+
+
+def _count(types: Types, done: Iterable[Worked]) -> None:
+    """Let the steps count here that went into programs in other processes."""
+    for _, _, counted in done:
+        for entry, steps in counted.items():
+            types.counted.setdefault(entry, {}).update(steps)
 
 
 def _libraries(types: Types, made: Seen) -> Iterator[Library]:

@@ -5,18 +5,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 from haros_ci.follow.context import Context
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.ros import behavior_trees
 from haros_ci.graph.names import clean
 from haros_ci.graph.ros2_process import Parameters, Process, Rule
-from haros_ci.keeping.kept import Followed
+from haros_ci.keeping.kept import Followed, digest_of
 from haros_ci.model.architecture import Node, RemapRule
+from haros_ci.model.workspace import Problem
 from haros_ci.systems import sharing
 from haros_ci.systems.following import Types, files_key, followed_in
 from haros_ci.values.abstract import Known, Value
 from haros_ci.values.given import PARAMETER, Marks, filled
+
+#: Steps that may go into one program, however many times and ways it is started.
+OF_ONE_PROGRAM = 500_000
+TOO_OFTEN = (
+    "the program is large and started with many different parameters: it is followed for the first ones, for others what it makes is not known"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,9 +88,17 @@ def _shared(
         name, _, inner = filled(full, names).partition(":")
         return started.parameters.get(clean(name) if name else name, inner, node.conditions)
 
+    counted = types.counted.setdefault((entry.key, started.has_plugins), {})
+    is_over = sum(counted.values()) > OF_ONE_PROGRAM
     for done in earlier:
         if sharing.fits(done.asked, parameter):
+            digest = _digest(key, done)
+            if is_over and digest not in counted:
+                break  # what an earlier run has followed; this one would not
+            counted[digest] = done.steps
             return sharing.put_under(done, names, instead, parameter)
+    if is_over:
+        return Followed((), (Problem(entry.source.path, TOO_OFTEN),), (), {}, {})
     asked: dict[str, Value | None] = {}
     given: dict[str, Value | None] = {}
 
@@ -113,5 +129,11 @@ def _shared(
             rules=started.around if is_component else started.rules, component=started.rules if is_component else None
         ),
     )
-    earlier.append(followed_in(types, entry, files, context, asked, key))
-    return sharing.put_under(earlier[-1], names, instead, parameter)
+    done = followed_in(types, entry, files, context, asked, key)
+    earlier.append(done)
+    counted[_digest(key, done)] = done.steps
+    return sharing.put_under(done, names, instead, parameter)
+
+
+def _digest(key: Any, done: Followed) -> str:
+    return digest_of(key, *done.asked.items())

@@ -203,3 +203,27 @@ def test_filled(text: str, texts: dict[str, str], expected: str) -> None:
 )
 def test_shape(value: Any, expected: str | None) -> None:
     assert shape(value) == expected
+
+
+def test_a_program_that_is_started_too_often(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The budget of one program: what is beyond is named, and is the same from a cache and in other processes."""
+    body = COUNT + 'for (int i = 0; i < count; ++i) { create_publisher<String>("x" + std::to_string(i), 1); }'
+    files = ros2_files(program(body), started(*(f"name='n{i}', parameters=[{{'count': {i + 1}}}]" for i in range(9))))
+    whole = model(files)
+    assert ros2_processes.TOO_OFTEN not in whole
+    monkeypatch.setattr(ros2_processes, "OF_ONE_PROGRAM", 20)
+    cache = Cache()
+
+    def kept() -> str:
+        settings = Settings(root=Path("/nowhere"))
+        return render(architecture(digested(files, 2), settings, cache, environment={}))
+
+    cut = kept()
+    assert cut.count(ros2_processes.TOO_OFTEN) > 1
+    assert cut == kept() == model(files)
+    settings = Settings(root=Path("/nowhere"))
+    assert cut == render(architecture(digested(files, 2), settings, Cache(), environment={}, processes=2))
+    monkeypatch.setattr(ros2_processes, "OF_ONE_PROGRAM", 10**6)
+    assert kept() == whole
+    monkeypatch.setattr(ros2_processes, "OF_ONE_PROGRAM", 20)
+    assert kept() == cut
