@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from test_check_levels import levels
 
+from haros_ci.checking.page import filled
 from haros_ci.results.rule import Level
 
 NODE = "import rclpy\nfrom std_srvs.srv import Trigger\nrclpy.init()\nnode = rclpy.create_node({0!r})\n{1}\nrclpy.spin(node)\n"
@@ -28,4 +29,4 @@ TWO = '<node pkg="demo" exec="server.py" name="one"/><node pkg="demo" exec="serv
 def test_two_servers(files: dict[str, str], expected: Level, tmp_path: Path) -> None:
     launches = {f"launch/{name}.launch.xml": f"<launch>{text}</launch>\n" for name, text in files.items()}
     code = {"server.py": SERVER} | ({"client.py": CLIENT} if any("client.py" in text for text in files.values()) else {})
-    assert levels("several-servers", launches | code, tmp_path) == [expected]
+    assert levels("several-servers", filled(launches | code), tmp_path) == [expected]
