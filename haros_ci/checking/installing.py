@@ -94,6 +94,23 @@ def landings(package: ProjectPackage, path: str) -> tuple[str, ...]:
     return tuple(found)
 
 
+def is_made_program_later(package: ProjectPackage, path: str, earlier: Installed) -> bool:
+    """Whether a later install(PROGRAMS) puts the file at *path* to where the row *earlier* puts it.
+
+    The one that comes last gives the mode, also where the file is up to date (cmFileCopier::InstallFile of CMake).
+    """
+    target = f"{earlier.destination}/{earlier.name}"
+    if earlier.kind == "directory":
+        target = f"{earlier.destination}/{path if earlier.path == '.' else path[len(earlier.path) + 1 :]}"
+    is_later = False
+    for row in package.build.installed:
+        if row is earlier:
+            is_later = True
+        elif is_later and row.kind == "program" and row.path == path and f"{row.destination}/{row.name}" == target:
+            return True
+    return False
+
+
 def install_place(package: ProjectPackage) -> Location:
     """Where another install() goes: the last one that there is, else the end of CMakeLists.txt or data_files of setup.py."""
     last = [
