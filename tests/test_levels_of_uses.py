@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_check_levels import CATKIN, ROS1, levels
+from test_check_levels import CATKIN, CMAKE, ROS1, ROS2, levels
 
 from haros_ci.checking.page import filled
 from haros_ci.results.rule import Level
@@ -68,3 +68,46 @@ def test_what_a_model_needs_that_is_not_installed(is_installed: bool, expected: 
         "meshes/b.dae": "<COLLADA/>\n",
     }
     assert levels("directory-not-installed", files, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("program", "text", "is_made"),
+    [
+        ("src/a.cpp", 'void f(std::string d)\n{\n  std::ofstream file(fmt::format("{}/made.yaml", d));\n}\n', True),
+        ("src/a.cpp", 'void f(std::string d)\n{\n  std::ofstream file(d + "/made.yaml");\n}\n', True),
+        ("src/a.py", "def f(d):\n    with open(f'{d}/made.yaml', 'w') as file:\n        file.write('')\n", True),
+        (
+            "src/a.py",
+            "import yaml\n\n\ndef f(d):\n    path = d / 'made.yaml'\n    yaml.dump({}, path.open('w'))\n",
+            True,
+        ),
+        ("src/a.sh", "#!/bin/sh\necho a: 1 > config/made.yaml\n", True),
+        ("src/a.sh", "#!/bin/sh\ncat config/made.yaml > /tmp/other\n", False),
+        ("src/a.cpp", 'void f(std::string d)\n{\n  std::ifstream file(d + "/made.yaml");\n}\n', False),
+        ("src/a.cpp", 'void f()\n{\n  std::ofstream o("other.yaml");\n  YAML::LoadFile("made.yaml");\n}\n', False),
+        ("src/a.py", "def f(d):\n    # made.yaml\n    open('homemade.yaml', 'w').write('')\n", False),
+        ("src/a.py", "def f(d):\n    return yaml.safe_load(open('made.yaml'))\n", False),
+    ],
+)
+@pytest.mark.parametrize(
+    ("check", "tag"),
+    [
+        (
+            "parameter-file-missing",
+            '<node pkg="demo" exec="n"><param from="$(find-pkg-share demo)/config/made.yaml"/></node>',
+        ),
+        ("missing-launch-file", '<node pkg="demo" exec="n" args="$(find-pkg-share demo)/config/made.yaml"/>'),
+    ],
+)
+def test_a_file_that_a_program_writes(
+    check: str, tag: str, program: str, text: str, is_made: bool, tmp_path: Path
+) -> None:
+    files = {
+        "package.xml": ROS2,
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch config DESTINATION share/demo)"),
+        "config/other.yaml": "/**:\n  ros__parameters:\n    a: 1\n",
+        "launch/a.launch.xml": f"<launch>{tag}</launch>\n",
+        program: text,
+    }
+    grave = Level.ERROR if check == "parameter-file-missing" else Level.WARNING
+    assert levels(check, files, tmp_path) == [Level.NOTE if is_made else grave]

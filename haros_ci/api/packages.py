@@ -110,6 +110,7 @@ from haros_ci.checking.uninstalled import (
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
+from haros_ci.checking.writers import writer_of
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
     Build,
@@ -197,6 +198,7 @@ __all__ = [
     "is_for_noetic",
     "is_given_to_another",
     "is_made_program_later",
+    "writer_of",
     "is_ignored",
     "is_left_out",
     "is_of_tests",
