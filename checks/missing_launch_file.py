@@ -42,11 +42,13 @@ def check(system: System) -> Iterator[Finding]:
         made = _made(system, use)
         # files in one directory that is not there are one slip of a launch file
         folder = "" if made else _lost_folder(use, folders)
-        key = (use.location.path, use.package, folder, use.presence, use.included) if folder else (use,)
+        key: tuple[object, ...] = (
+            (use.location.path, use.package, folder, use.presence, use.included) if folder else (use,)
+        )
         lost.setdefault(key, []).append((use, made))
-    for (_, *key), group in lost.items():
+    for key, group in lost.items():
         if len(group) > 1:
-            yield _several([use for use, _ in group], str(key[1]))
+            yield _several([use for use, _ in group], str(key[2]))
         else:
             yield _finding(*group[0])
 

@@ -86,6 +86,7 @@ def test_what_a_model_needs_that_is_not_installed(is_installed: bool, expected: 
         ("src/a.cpp", 'void f(std::string d)\n{\n  std::ifstream file(d + "/made.yaml");\n}\n', False),
         ("src/a.cpp", 'void f()\n{\n  std::ofstream o("other.yaml");\n  YAML::LoadFile("made.yaml");\n}\n', False),
         ("src/a.py", "def f(d):\n    # made.yaml\n    open('homemade.yaml', 'w').write('')\n", False),
+        ("launch/b.launch.py", "def f(d):\n    open(d + '/made.yaml', 'w').write('')\n", False),
         ("src/a.py", "def f(d):\n    return yaml.safe_load(open('made.yaml'))\n", False),
     ],
 )

@@ -13,8 +13,10 @@ _MOST = 400_000
 #: What opens a file for writing in Python and C++, or hands data over to be written.
 _WRITES = re.compile(
     r"ofstream|\bfstream\b|\bfopen\s*\([^;\n]{0,200}[\"'][wa]|\bopen\s*\([^\n]{0,200}[\"'][wax]b?\+?[\"']|\bdump\s*\(|\.write\w*\s*\(|write_text|write_bytes"
-    r"|to_csv|savetxt|imwrite|\bsave\w*\s*\(|\bcopy\w*\s*\("
+    r"|to_csv|savetxt|imwrite|\bsave\w*\s*\("
 )
+#: Python files that only start others.
+_LAUNCH = re.compile(r"launch\.py$|(?:^|/)launch/")
 #: A line that reads, whatever else the file does.
 _READS = re.compile(
     r"ifstream|LoadFile|load\w*\s*\(|\bread\w*\s*\(|[\"']rb?[\"']|\bexists\s*\(|is_?file\s*\(|include", re.IGNORECASE
@@ -30,6 +32,8 @@ def writer_of(workspace: Workspace, path: str) -> str:
     shell = re.compile(rf">\s{{0,9}}[\"']?[^\s;&|<>\"']{{0,200}}(?<![\w.-]){re.escape(base)}(?![\w.-])")
     for file in workspace.files:
         if file.language not in ("cpp", "python") and not file.path.endswith((".sh", ".bash")):
+            continue
+        if _LAUNCH.search(file.path):
             continue
         text = workspace.text(file.path)[:_MOST]
         if base not in text:
