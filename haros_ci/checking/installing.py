@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.model.build import Installed
 from haros_ci.model.location import Location
 from haros_ci.results.fix import Edit, Fix
 
