@@ -69,6 +69,7 @@ def check(project: Project) -> Iterator[Finding]:
             for folder, place in _launch_folders(package, leftovers):
                 needs.setdefault((package.name, folder), _Need())
             yield from _headers(package, devel)
+    idle = needs.keys() - _wanted(project, needs)
     programs = Programs(project)
     wanting: dict[str, dict[str, _Need]] = {}
     for (name, thing), need in needs.items():
@@ -86,11 +87,38 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         if not installs_nothing(package):
             for thing, need in things.items():
-                yield _finding(package, thing, need, devel)
+                yield _finding(package, thing, need, (name, thing) in idle or devel.has(package))
         elif all(each.level is Level.NOTE for each in uninstalled(package, programs)):
             # else target-not-installed tells that the package has no install() at all
             is_one = len(things) == 1 and package.ros == 2
-            yield _finding(package, *next(iter(things.items())), devel) if is_one else _nothing(package, things)
+            yield (
+                _finding(package, *next(iter(things.items())), devel.has(package))
+                if is_one
+                else _nothing(package, things)
+            )
+
+
+def _wanted(project: Project, needs: Mapping[tuple[str, str], _Need]) -> set[tuple[str, str]]:
+    """Those of *needs* that something needs which is installed, or ought to be: a launch directory, or what is needed in turn."""
+    owners = {file.path: file.package for file in project.workspace.files}
+    wanted = {key for key, need in needs.items() if not need.places}
+    keys: dict[str, tuple[str, str] | None] = {}
+    for need in needs.values():
+        for place, _ in need.places:
+            package = project.package(owners.get(place.path) or "")
+            if package is None or not _is_readable(package) or place.path == package.manifest_path:
+                keys[place.path] = None
+            elif place.path not in keys:
+                inner = place.path if package.path == "." else place.path.removeprefix(f"{package.path}/")
+                is_kept = bool(landings(package, place.path)) or _is_made(package, inner)
+                keys[place.path] = None if is_kept else (package.name, inner.partition("/")[0])
+    before = -1
+    while len(wanted) != before:
+        before = len(wanted)
+        for key, need in needs.items():
+            if any(keys[place.path] is None or keys[place.path] in wanted for place, _ in need.places):
+                wanted.add(key)
+    return wanted
 
 
 def _is_told(package: ProjectPackage, thing: str, need: _Need, told: set[str]) -> bool:
@@ -264,7 +292,7 @@ def _install_all(package: ProjectPackage, things: Iterable[str]) -> str:
     return "\n".join(f"install({kind} {' '.join(names)} DESTINATION {share})" for kind, names in kinds if names)
 
 
-def _finding(package: ProjectPackage, thing: str, need: _Need, devel: DevelSpaces) -> Finding:
+def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) -> Finding:
     is_folder = package.inside(thing) in package.project.directories
     is_old = package.ros == 1
     what = f"the directory {thing}" if is_folder else f"the file {thing}"
@@ -281,14 +309,17 @@ def _finding(package: ProjectPackage, thing: str, need: _Need, devel: DevelSpace
         message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files"
     if not need.wrong and is_folder and package.build.commands:
         fix = install_directory(package, thing)
-    is_idle = not need.wrong and devel.has(package)
     return Finding(
         at=install_place(package),
         message=message,
         about=(package.name, thing),
         apart=(thing,),
         related=tuple(need.places[:_SHOWN]),
-        level=Level.ERROR if need.places and not is_old else Level.NOTE if is_idle else Level.WARNING,
+        level=Level.NOTE
+        if is_idle and not need.wrong and (need.places or is_old)
+        else Level.ERROR
+        if need.places and not is_old
+        else Level.WARNING,
         fixes=(fix,) if fix is not None else (),
     )
 

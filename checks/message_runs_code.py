@@ -68,6 +68,7 @@ def check(project: Project) -> Iterator[Finding]:
                 continue
             value, what, needs_text = found
             content = frozenset(path for path in carried(value, marks) if path)  # the text of a whole message is quoted
+            content = frozenset(path for path in content if not _is_number(project, callback, path))
             if not content or (needs_text and not _is_text(project, callback, content, value)):
                 continue
             seen.add(id(call))
@@ -143,13 +144,32 @@ def _is_text(
 ) -> bool:
     """Whether one of the members is surely a text; numbers run nothing."""
     kind = _message(project.code, callback)
-    for path in content:
-        path = path[1:] if path[:1] == ("request",) else path
-        while path[-1:] == ("c_str",) or path[-1:] == ("",):
-            path = path[:-1]
-        if kind is not None and _field(project, kind, path, callback.kind) == "string":
-            return True
-    return False
+    return kind is not None and any(
+        _plain(_field(project, kind, _members(path), callback.kind)) == "string" for path in content
+    )
+
+
+def _is_number(project: Project, callback: Callback, path: tuple[str, ...]) -> bool:
+    """Whether what *path* leads to is surely a number, a truth value or a time: no array, which may be bytes of anything."""
+    kind, members = _message(project.code, callback), _members(path)
+    if kind is None:
+        return False
+    return any(
+        _field(project, kind, members[:length], callback.kind) in NUMBERS for length in range(1, len(members) + 1)
+    )
+
+
+def _members(path: tuple[str, ...]) -> tuple[str, ...]:
+    """*path* without what is no member of a message: the request that holds it, and how its text is had."""
+    path = path[1:] if path[:1] == ("request",) else path
+    while path[-1:] in (("c_str",), ("",)):
+        path = path[:-1]
+    return path
+
+
+def _plain(kind: str | None) -> str | None:
+    """A type without the bounds of its array or text."""
+    return kind.partition("[")[0].partition("<")[0] if kind is not None else None
 
 
 def _message(code: Codebase, callback: Callback) -> str | None:
@@ -167,9 +187,10 @@ def _message(code: Codebase, callback: Callback) -> str | None:
 
 
 def _field(project: Project, kind: str, path: tuple[str, ...], role: str) -> str | None:
-    """The type of a member of a message or request, as its definition says."""
+    """The type of a member of a message or request, as its definition says, with its bounds."""
     at: str | None = kind
     for name in path:
+        at = _plain(at)
         if at is None:
             return None
         known = STANDARD.get(at, {}).get(name)
@@ -178,7 +199,7 @@ def _field(project: Project, kind: str, path: tuple[str, ...], role: str) -> str
             known = next(
                 (field.type for field in found.sections[0] if field.name == name and not field.is_constant), None
             )
-        at = known.partition("[")[0].partition("<")[0] if known is not None else None
+        at = known
     return at
 
 

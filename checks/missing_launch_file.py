@@ -8,11 +8,13 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, System
 from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, meant
-from haros_ci.api.packages import is_ignored
+from haros_ci.api.packages import is_ignored, writer_of
 
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
 _WRITES = re.compile(r"output|save|write|dump|record|store|cache|result|calibrat|camera_info|log", re.I)
+#: So many places of one finding are shown.
+_SHOWN = 10
 _WHAT = {
     "include": "includes",
     "parameters": "loads parameters from",
@@ -25,6 +27,8 @@ _WHAT = {
 def check(system: System) -> Iterator[Finding]:
     # What a ROS 2 node is given is told by parameter-file-missing, also of the argument that leads there.
     said = {use.text for use in system.facts(ParameterFileUse) if use.is_found is False and use.ros == 2}
+    lost: dict[tuple[object, ...], list[tuple[FileUse, str]]] = {}
+    folders = _folders(system)
     for use in system.facts(FileUse):
         if use.is_found is not False or use.text in said:
             continue
@@ -35,19 +39,90 @@ def check(system: System) -> Iterator[Finding]:
         ):
             continue
         said.add(use.text)
-        is_made = system.workspace is not None and use.path is not None and is_ignored(system.workspace, use.path)
-        hint = "; .gitignore names it, so that it may be made elsewhere" if is_made else meant(use.similar)
-        level = None if use.kind in ("include", "parameters", "text") else Level.WARNING
-        what = _WHAT[use.kind] + (f" of {use.name!r}," if use.kind == "default" else "")
-        yield Finding(
-            at=use.location,
-            message=f"{what} {use.inner} of {use.package}, but this file does not exist{hint}",
-            about=(f"{use.package}/{use.inner}",),
-            flow=included_by(use),
-            apart=(use.text,),
-            level=Level.NOTE if is_made else level,
-            presence=use.presence,
+        made = _made(system, use)
+        # files in one directory that is not there are one slip of a launch file
+        folder = "" if made else _lost_folder(use, folders)
+        key: tuple[object, ...] = (
+            (use.location.path, use.package, folder, use.presence, use.included) if folder else (use,)
         )
+        lost.setdefault(key, []).append((use, made))
+    for key, group in lost.items():
+        if len(group) > 1:
+            yield _several([use for use, _ in group], str(key[2]))
+        else:
+            yield _finding(*group[0])
+
+
+def _made(system: System, use: FileUse) -> str:
+    """Why the file may be made elsewhere; "" if nothing says so."""
+    if system.workspace is None or use.path is None:
+        return ""
+    if is_ignored(system.workspace, use.path):
+        return "; .gitignore names it, so that it may be made elsewhere"
+    if use.kind == "include":
+        return ""  # programs write no launch files
+    writer = writer_of(system.workspace, use.path)
+    return f"; {writer} writes a file of this name, so that it may be made at run time" if writer else ""
+
+
+def _folders(system: System) -> frozenset[str]:
+    """The directories of the workspace that have a file in them, at whatever depth."""
+    found: set[str] = set()
+    for name in system.workspace.names if system.workspace is not None else ():
+        folder = name.rpartition("/")[0]
+        while folder and folder not in found:
+            found.add(folder)
+            folder = folder.rpartition("/")[0]
+    return frozenset(found)
+
+
+def _lost_folder(use: FileUse, folders: frozenset[str]) -> str:
+    """The highest directory above the file, inside its package, that does not exist; "" if there is none."""
+    if use.path is None or not f"/{use.path}".endswith(f"/{use.inner}") or not folders:
+        return ""
+    path = use.path.removesuffix(use.inner)
+    for part in use.inner.split("/")[:-1]:
+        path += part
+        if path not in folders:
+            return path[len(use.path) - len(use.inner) :]
+        path += "/"
+    return ""
+
+
+def _level(use: FileUse) -> Level | None:
+    return None if use.kind in ("include", "parameters", "text") else Level.WARNING
+
+
+def _several(uses: list[FileUse], folder: str) -> Finding:
+    """One finding for *uses* of files below the directory *folder*, which their package does not have."""
+    first, *others = sorted(uses, key=lambda use: (_level(use) is not None, use.location.sort_key))
+    more = f" and {len(others)} more files" if len(others) > 1 else f" and {others[0].inner}"
+    return Finding(
+        at=first.location,
+        message=f"{_what(first)} {first.inner}{more} of {first.package}, but the package has no directory {folder}{meant(first.similar)}",
+        about=(f"{first.package}/{folder}",),
+        related=tuple((use.location, f"{_what(use)} {use.inner}") for use in others[:_SHOWN]),
+        flow=included_by(first),
+        apart=(folder,),
+        level=_level(first),
+        presence=first.presence,
+    )
+
+
+def _what(use: FileUse) -> str:
+    return _WHAT[use.kind] + (f" of {use.name!r}," if use.kind == "default" else "")
+
+
+def _finding(use: FileUse, made: str) -> Finding:
+    return Finding(
+        at=use.location,
+        message=f"{_what(use)} {use.inner} of {use.package}, but this file does not exist{made or meant(use.similar)}",
+        about=(f"{use.package}/{use.inner}",),
+        flow=included_by(use),
+        apart=(use.text,),
+        level=Level.NOTE if made else _level(use),
+        presence=use.presence,
+    )
 
 
 CHECK = Check(

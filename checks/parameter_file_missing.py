@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, System
 from haros_ci.api.launch import FileUse, ParameterFileUse
-from haros_ci.api.packages import is_ignored
+from haros_ci.api.packages import is_ignored, writer_of
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -27,6 +27,8 @@ def check(system: System) -> Iterator[Finding]:
         is_made = system.workspace is not None and use.path is not None and is_ignored(system.workspace, use.path)
         if is_made:
             hint = "; .gitignore names it, so that it may be made elsewhere"
+        elif system.workspace is not None and (writer := writer_of(system.workspace, use.path or use.text)):
+            is_made, hint = True, f"; {writer} writes a file of this name, so that it may be made at run time"
         yield Finding(
             at=use.location,
             message=f"the parameter file {use.text} does not exist: {what}{hint}",

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed, syntax
 from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import Installed, Programs, is_for_noetic, is_given_to_another
+from haros_ci.api.packages import Installed, Programs, is_for_noetic, is_given_to_another, is_made_program_later
 
 _PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(python)(2[\d.]*)?[ \t]*\r?\Z")
 _LAUNCH = ("launch.py", "__init__.py", "setup.py", "conftest.py")
@@ -193,7 +193,7 @@ def _mode(each: Installed, package: ProjectPackage, level: Level, programs: Prog
     if not text.startswith("#!"):
         return
     if each.kind == "file":
-        if _is_read_alone(each, package, programs):
+        if _is_read_alone(each, package, programs) or is_made_program_later(package, each.path, each):
             return
         if not each.keeps_mode and _is_program(each.path, package.project) and not _gives_modes(each, package):
             yield Finding(
@@ -239,9 +239,9 @@ def _unpacked(each: Installed, package: ProjectPackage) -> Iterator[Finding]:
     if _gives_modes(each, package) or each.keeps_mode:
         return
     inside = [file.path for file in package.files if file.path.startswith(f"{each.path}/")]
-    programs = [
-        path for path in inside if package.project.text(path).startswith("#!") and _is_program(path, package.project)
-    ]
+    programs = [path for path in inside if package.project.text(path).startswith("#!")]
+    programs = [path for path in programs if _is_program(path, package.project)]
+    programs = [path for path in programs if not is_made_program_later(package, path, each)]
     if programs:
         yield Finding(
             at=each.location,

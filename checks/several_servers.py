@@ -15,6 +15,10 @@ CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
 _OF_LIBRARIES = frozenset(
     ("tf2_msgs/FrameGraph", "tf2_msgs/srv/FrameGraph", "roscpp/GetLoggers", "roscpp/SetLoggerLevel", "roscpp/Empty")
 )
+#: How servers are ended in rclpy, with what is given.
+_DESTROYED = re.compile(r"\bdestroy_service\s*\(\s*([\w.]{0,80})\s{0,9}(\[?)")
+#: What a call is assigned to, before it.
+_KEPT = re.compile(r"([A-Za-z_][\w.]{0,80})\s{0,9}(?::[^=\n]{0,80})?=(?!=)\s{0,80}\Z")
 #: Two nodes, and what both offer: the channel with the server of each.
 _Pairs = dict[tuple[str, str], list[tuple[Channel, End, End]]]
 
@@ -30,7 +34,27 @@ def check(system: System) -> Iterator[Finding]:
     for each in _pairs(system).values():
         first, *others = _systems_with(each, system)
         if first[0] is system:
-            yield _finding(each, [node for _, node in others])
+            systems = [first[0], *(other for other, _ in others)]
+            yield _finding(each, [node for _, node in others], _level(each, systems))
+
+
+def _level(pairs: list[tuple[Channel, End, End]], systems: list[System]) -> Level | None:
+    """How grave two servers are: a note where nothing calls one of them."""
+    channels = [channel for channel, _, _ in pairs]
+    _, first, second = pairs[0]
+    if first.node is second.node:
+        return None if first.in_source and second.in_source else Level.WARNING
+    if not any(_is_called(channel, system) for channel in channels for system in systems):
+        return Level.NOTE
+    is_near = any(_is_called_in(channel, system) for channel in channels for system in systems)
+    # other releases of a library may have other services
+    return None if is_near and first.in_source and second.in_source else Level.WARNING
+
+
+def _is_called_in(channel: Channel, system: System) -> bool:
+    """Whether a node of *system* has a client of *channel*."""
+    every = system.services if channel.kind == "service" else system.actions
+    return any(each.name == channel.name and each.takers for each in every)
 
 
 def _systems_with(pairs: list[tuple[Channel, End, End]], system: System) -> list[tuple[System, SystemNode]]:
@@ -60,14 +84,19 @@ def _pairs(system: System) -> _Pairs:
         if len(channel.servers) < 2:
             continue
         servers = [end for end in channel.servers if not end.implicit and not end.conditions]
-        pair = next(((a, b) for a, b in can_meet(servers, servers) if _are_two(a, b)), None)
+        pair = next(((a, b) for a, b in can_meet(servers, servers) if _are_two(a, b, system)), None)
         if pair is not None and (pair[0].in_source or pair[1].in_source or _is_called(channel, system)):
             found.setdefault((pair[0].node.name, pair[1].node.name), []).append((channel, *pair))
     return found
 
 
 def _is_called(channel: Channel, system: System) -> bool:
-    """Whether something in the workspace has a client of *channel*, or a command that calls it: seen in a system, or written in a file."""
+    """Whether something in the workspace has a client of *channel*, or a command that calls it: seen in a system, or written in a file.
+
+    A client that a node of a library has by itself counts in its own system alone.
+    """
+    if _is_called_in(channel, system):
+        return True
     known = _CALLED.setdefault(system.whole, {})
     if (channel.kind, channel.name) not in known:
         known[channel.kind, channel.name] = _calls(channel, system)
@@ -75,8 +104,9 @@ def _is_called(channel: Channel, system: System) -> bool:
 
 
 def _calls(channel: Channel, system: System) -> bool:
-    if any(each.name == channel.name and each.kind == channel.kind and each.takers for each in _channels(system)):
-        return True
+    for each in _channels(system):
+        if each.name == channel.name and each.kind == channel.kind and any(end.in_source for end in each.takers):
+            return True
     if system.workspace is None:
         return False
     name = re.escape(channel.name.lstrip("/"))
@@ -102,14 +132,46 @@ def _channels(system: System) -> Iterator[Channel]:
         yield from each.actions
 
 
-def _are_two(one: End, other: End) -> bool:
+def _are_two(one: End, other: End, system: System) -> bool:
     """Whether both exist; of two nodes under one name it is the name that is to be told."""
     if one.node is other.node:
-        return one.location != other.location and _OF_LIBRARIES.isdisjoint((one.type, other.type))
+        return (
+            one.location != other.location
+            and _OF_LIBRARIES.isdisjoint((one.type, other.type))
+            and not any(_is_destroyed(end, system) for end in (one, other))
+        )
     return one.node.name != other.node.name
 
 
-def _finding(found: list[tuple[Channel, End, End]], likewise: list[SystemNode]) -> Finding:
+def _is_destroyed(end: End, system: System) -> bool:
+    """Whether the code around *end* ends the server again: by its variable, or by one that is not known."""
+    if system.workspace is None or not end.in_source:
+        return False
+    text = system.workspace.text(end.location.path)
+    kept = _KEPT.search(_statement(text.splitlines()[: end.location.line], end.location.column))
+    ended = {match[1] for match in _DESTROYED.finditer(text) if not match[2]}
+    if kept is None:  # it may be in a list, which a loop goes over
+        return any(match[2] or "." not in match[1] for match in _DESTROYED.finditer(text))
+    name = kept[1]
+    last = name.rpartition(".")[2]
+    if name in ended:
+        return True
+    if end.location.path.endswith(".py"):
+        return end.node.ros == 1 and re.search(rf"{re.escape(name)}\.shutdown\s*\(", text) is not None
+    ends = rf"\b{re.escape(last)}\s*(?:\.\s*(?:reset|shutdown)\s*\(\s*\)|=\s*nullptr)"
+    again = rf"\b{re.escape(last)}\s*=[^=;]{{0,80}}create_service"
+    return re.search(ends, text) is not None or (end.node.ros == 2 and len(re.findall(again, text)) > 1)
+
+
+def _statement(lines: list[str], column: int | None) -> str:
+    """The text before the call in the last of *lines*, with the lines before it where it begins its own."""
+    last = lines[-1] if lines else ""
+    call = re.search(r"[\w.>-]*\b(?:create_service|advertiseService|Service)\b", last)
+    before = last[: column - 1] if column else last[: call.start()] if call is not None else ""
+    return before if before.strip() else "\n".join((*lines[-3:-1], before))
+
+
+def _finding(found: list[tuple[Channel, End, End]], likewise: list[SystemNode], level: Level | None) -> Finding:
     channel, first, second = found[0]
     if second.node.ros == 1:
         effect = "the server that registers later takes over, and the other one gets no calls"
@@ -130,7 +192,7 @@ def _finding(found: list[tuple[Channel, End, End]], likewise: list[SystemNode]) 
             *((node.location, f"{node} is started beside {first.node} here, too") for node in likewise),
         ),
         flow=way_to(second),
-        level=None if first.in_source and second.in_source else Level.WARNING,  # other releases may have other services
+        level=level,
     )
 
 

@@ -105,6 +105,12 @@ CFG_CMAKE = (
             },
             "note",
         ),
+        (
+            {"doc/workspace.md": "git@example.org:a.git origin/noetic-devel\ngit@example.org:b.git origin/indigo\n"},
+            "note",
+        ),
+        ({"doc/workspace.md": "git@example.org:b.git origin/noetic-devel\nor Melodic\n"}, "warning"),
+        ({"doc/workspace.md": "git@example.org:b.git origin/noetic\n"}, "warning"),
     ],
 )
 def test_files_of_dynamic_reconfigure(more: dict[str, str], expected: str, tmp_path: Path) -> None:

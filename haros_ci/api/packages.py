@@ -24,6 +24,7 @@ from haros_ci.checking.installing import (
     install_directory,
     install_line,
     install_place,
+    is_made_program_later,
     is_said_not_installed,
     landings,
     left_out_on_purpose,
@@ -109,6 +110,7 @@ from haros_ci.checking.uninstalled import (
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
+from haros_ci.checking.writers import writer_of
 from haros_ci.knowledge.knowledge import Knowledge, knowledge
 from haros_ci.model.build import (
     Build,
@@ -195,6 +197,8 @@ __all__ = [
     "is_asked_for",
     "is_for_noetic",
     "is_given_to_another",
+    "is_made_program_later",
+    "writer_of",
     "is_ignored",
     "is_left_out",
     "is_of_tests",

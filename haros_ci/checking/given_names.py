@@ -9,6 +9,7 @@ from weakref import WeakKeyDictionary
 
 from haros_ci.checking.system import System, SystemNode
 from haros_ci.checking.whole import Whole
+from haros_ci.checking.written_names import is_written
 from haros_ci.model.architecture import RemapRule
 
 #: Of all systems that are seen together, what _ends() found.
@@ -48,6 +49,8 @@ def is_given_away(node: SystemNode, rule: RemapRule, system: System) -> bool:
     if _has_foreign_part(node, system):
         return True
     names = {rule.source, rule.source.lstrip("/"), rule.source.removeprefix("~/"), rule.source.removeprefix("~")}
+    if is_written(node, {name.strip("/") for name in names if name.strip("/")}, system):
+        return True
     ends = _ends(system.whole)
     own = set(ends.get(node.type, ()))
     others = {path for files in ends.values() for path in files} - own

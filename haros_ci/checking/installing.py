@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.model.build import Installed
 from haros_ci.model.location import Location
 from haros_ci.results.fix import Edit, Fix
 
@@ -92,6 +93,23 @@ def landings(package: ProjectPackage, path: str) -> tuple[str, ...]:
             rest = path if row.path == "." else path[len(row.path) + 1 :]
             found.append(f"{row.destination}/{rest}")
     return tuple(found)
+
+
+def is_made_program_later(package: ProjectPackage, path: str, earlier: Installed) -> bool:
+    """Whether a later install(PROGRAMS) puts the file at *path* to where the row *earlier* puts it.
+
+    The one that comes last gives the mode, also where the file is up to date (cmFileCopier::InstallFile of CMake).
+    """
+    target = f"{earlier.destination}/{earlier.name}"
+    if earlier.kind == "directory":
+        target = f"{earlier.destination}/{path if earlier.path == '.' else path[len(earlier.path) + 1 :]}"
+    is_later = False
+    for row in package.build.installed:
+        if row is earlier:
+            is_later = True
+        elif is_later and row.kind == "program" and row.path == path and f"{row.destination}/{row.name}" == target:
+            return True
+    return False
 
 
 def install_place(package: ProjectPackage) -> Location:

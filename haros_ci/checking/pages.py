@@ -18,11 +18,11 @@ _CHANGES = re.compile(r"(?:^|/)changelog[^/]*$", re.IGNORECASE)
 #: Of one page so much is read.
 _MAX = 200_000
 _NOETIC = re.compile(
-    r"\bros-noetic-|\bros:noetic|/opt/ros/noetic\b|\brosdistro[= ]noetic\b|\bROS_DISTRO[=:]\s*[\"']?noetic\b|\bROS[ \t]+(?:1[ \t]+)?Noetic\b|:noetic-",
+    r"\bros-noetic-|\bros:noetic|/opt/ros/noetic\b|\brosdistro[= ]noetic\b|\bROS_DISTRO[=:]\s*[\"']?noetic\b|\bROS[ \t]+(?:1[ \t]+)?Noetic\b|:noetic-|\bnoetic-devel\b",
     re.IGNORECASE,
 )
 #: A branch that is called after an older one is often that of Noetic, too, and an address tells of another project.
-_NO_NAME = re.compile(r"https?://\S{0,300}|[\w/]{0,40}-devel\b")
+_NO_NAME = re.compile(r"https?://\S{0,300}|[\w/]{0,40}-devel\b|\borigin/[\w-]{1,40}")
 _OLDER = re.compile(r"\b(?:groovy|hydro|indigo|jade|kinetic|lunar|melodic)\b", re.IGNORECASE)
 
 

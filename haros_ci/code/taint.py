@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 
 from haros_ci import syntax
@@ -18,7 +19,10 @@ CLEANING = frozenset(
 )
 #: Operators whose result is no text.
 TESTS = frozenset("== != < > <= >= && || ! and or not in is".split())
-
+#: The fields of ``"…".format()`` and of ``"…" % …``, each with its type of presentation, and those types that no text has.
+_BRACES = re.compile(r"\{[^{}:]{0,80}(?::[^{}]{0,40}?([A-Za-z%])?)?\}")
+_PERCENT = re.compile(r"%(?:\(\w{1,60}\))?[-+#0 ]{0,5}[\d*]{0,5}(?:\.[\d*]{0,5})?([A-Za-z%])")
+_NUMERIC = frozenset("bcdeEfFgGiouxXn%")
 
 Marks = Mapping[str, frozenset[tuple[str, ...]]]
 
@@ -36,7 +40,11 @@ def carried(expression: Expression, marks: Marks) -> frozenset[tuple[str, ...]]:
     if isinstance(expression, syntax.Subscript):
         return carried(expression.object, marks)
     if isinstance(expression, syntax.Operation):
-        return frozenset() if expression.operator in TESTS else _any(expression.operands, marks)
+        if expression.operator in TESTS or (
+            expression.operator == "%" and _is_numeric(expression.operands[0], _PERCENT)
+        ):
+            return frozenset()
+        return _any(expression.operands, marks)
     if isinstance(expression, syntax.ListLiteral):
         return _any(expression.items, marks)
     if isinstance(expression, syntax.Format):
@@ -50,10 +58,18 @@ def carried(expression: Expression, marks: Marks) -> frozenset[tuple[str, ...]]:
         receiver: frozenset[tuple[str, ...]] = frozenset()
         if isinstance(expression.callee, syntax.Member):
             receiver = carried(expression.callee.object, marks)
+            if name == "format" and _is_numeric(expression.callee.object, _BRACES):
+                return frozenset()
             if name in ("get", "lookup", "at") and not receiver:  # what is looked up is not what it is looked up by
                 return frozenset()
         return receiver | _any(expression.arguments, marks)
     return frozenset()
+
+
+def _is_numeric(text: Expression, holes: re.Pattern[str]) -> bool:
+    """Whether *text* is a format, all *holes* of which take a number alone."""
+    found = list(holes.finditer(text.value)) if isinstance(text, syntax.String) else []
+    return bool(found) and all(match[1] in _NUMERIC for match in found)
 
 
 def _any(every: tuple[Expression, ...], marks: Marks) -> frozenset[tuple[str, ...]]:

@@ -73,6 +73,14 @@ def library_call(
         inherited = inherited_call(run, frame, frame.this, callee.name, args, targs, location)
         if inherited is not None:
             return inherited
+    if isinstance(function.this, Object) and frame.source.separator == ".":  # a method under another name
+        for owner in library_objects.owners(run, function.this):
+            called = f"{owner}.{last}"
+            bound = (
+                api_rows.call(run, frame, called, function.this, args, targs, location) if called in run.rows else None
+            )
+            if bound is not None:
+                return bound
     modelled = library.function(run, frame, name, args, targs, location)
     if modelled is not None:
         return modelled

@@ -45,6 +45,10 @@ class LaunchContext(Protocol):
 
     def set_configuration(self, name: str, value: Performed) -> None: ...
 
+    def set_any_configuration(self) -> None:
+        """Something may have been set under a name that is not known."""
+        ...
+
     def test(self, test: Test) -> bool | None:
         """Whether a condition holds; None if that is not known."""
         ...

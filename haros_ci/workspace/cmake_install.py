@@ -41,7 +41,7 @@ def _install_targets(state: State, names: list[str]) -> None:
 
 
 def install_files(state: State, call: Call, kind: str, words: list[str]) -> None:
-    """What install(FILES | PROGRAMS | DIRECTORY) names. A directory that ends in a slash becomes its destination."""
+    """What install(FILES | PROGRAMS | DIRECTORY) names. A directory that ends in a slash, or in a dot, becomes its destination."""
     given = under(words, _FLAGS, _SINGLE, _LISTS)
     destination = readable(next(iter(given.get("DESTINATION", [])), ""))
     destination = tidy(destination) or _TYPES.get(next(iter(given.get("TYPE", [])), ""), "")
@@ -56,7 +56,8 @@ def install_files(state: State, call: Call, kind: str, words: list[str]) -> None
             continue
         base = path.rpartition("/")[2]
         if kind == "directory":
-            final = destination if element.endswith("/") else f"{destination}/{base}".lstrip("/")
+            is_content = element.endswith(("/", "/.")) or element == "."
+            final = destination if is_content else f"{destination}/{base}".lstrip("/")
             state.installed.setdefault((path, kind, final, ""), call.location)
         else:
             state.installed.setdefault((path, kind, destination, readable(renamed) or base), call.location)

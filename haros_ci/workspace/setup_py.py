@@ -237,6 +237,8 @@ class _Reader:
         node = self.given.get("data_files")
         found: list[Installed] = []
         for pair in [] if node is None else self.elements(node):
+            if isinstance(pair, (ast.Call, ast.Name)) and self.package.ros != 1:
+                self.problem(pair, "data_files")
             if not isinstance(pair, (ast.Tuple, ast.List)) or len(pair.elts) != 2:
                 continue
             destination = self.value(pair.elts[0])
@@ -253,7 +255,8 @@ class _Reader:
         """The items of a list that is written out, in one piece or in parts; a problem where it is computed."""
         self.looked += 1
         if isinstance(node, (ast.List, ast.Tuple)):
-            return list(node.elts)
+            items = [[item] if not isinstance(item, ast.Starred) else self.starred(item, depth) for item in node.elts]
+            return [item for each in items for item in each]
         parts = summands(node) if isinstance(node, ast.BinOp) else self.nodes.get(dotted(node), [])
         if parts in ([], [node]) or depth > MAX_NESTED or self.looked > MAX_ITEMS:
             if self.package.ros != 1:
@@ -262,6 +265,10 @@ class _Reader:
         if dotted(node) in self.filled and self.package.ros != 1:
             self.problem(node, "data_files")
         return [item for part in parts for item in self.elements(part, depth + 1)]
+
+    def starred(self, node: ast.Starred, depth: int) -> list[ast.expr]:
+        """The items of ``*list``; a problem where it is a call or another value that is computed."""
+        return self.elements(node.value, depth + 1) if depth <= MAX_NESTED else []
 
     def put(self, path: str, kind: str, destination: str, node: ast.expr, *, keeps_mode: bool = False) -> Installed:
         return Installed(

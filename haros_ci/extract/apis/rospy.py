@@ -230,6 +230,20 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "interactive_markers.interactive_marker_server.InteractiveMarkerServer.setCallback",
      "calls": ["1", "feedback_cb"]},
     {"call": "interactive_markers.menu_handler.MenuHandler.insert", "calls": ["2", "callback"]},
+
+    # smach_ros/service_state.py, simple_action_state.py, monitor_state.py, condition_state.py, wiki.ros.org/smach: states that
+    # call a service, send a goal, or wait for a message; of the
+    # callbacks those that are given by name.
+    {"call": "smach_ros.ServiceState",
+     "makes": [{"kind": "clients", "name": "{0|service_name}", "type": "{typename(1|service_spec)}"}],
+     "calls": ["request_cb", "response_cb"]},
+    {"call": "smach_ros.SimpleActionState",
+     "makes": [{"kind": "action_clients", "name": "{0|action_name}", "type": "{typename(1|action_spec)}"}],
+     "calls": ["goal_cb", "result_cb"]},
+    {"call": "smach_ros.MonitorState",
+     "makes": [{"kind": "subscribers", "name": "{0|topic}", "type": "{typename(1|msg_type)}"}],
+     "calls": ["2", "cond_cb"]},
+    {"call": "smach_ros.ConditionState", "calls": ["0", "cond_cb"]},
 )
 # fmt: on
 

@@ -23,7 +23,7 @@ from haros_ci.launch.python.values import (
     text_of,
     why,
 )
-from haros_ci.model.launch_actions import PREFIX, SHARE, Performed, Phrase, Substitution, Test
+from haros_ci.model.launch_actions import PREFIX, SHARE, Action, Performed, Phrase, Substitution, Test
 from haros_ci.model.location import Location
 
 
@@ -59,6 +59,7 @@ def configuration(run: Run, context: Context, name: Value, place: Location) -> V
 def set_configuration(run: Run, context: Context, name: Value, value: Value) -> None:
     """``context.launch_configurations[name] = value``; under a condition that is not known the value is not known."""
     if not isinstance(name, str):
+        context.launch.set_any_configuration()
         return
     text = phrase(value)
     if len(run.heap.journals) > context.depth:
@@ -102,6 +103,8 @@ def configurations_attribute(run: Run, value: Configurations, name: str, place: 
     """``get`` of the launch configurations; what else there is to ask is not followed."""
     if name == "get":
         return Native(name, lambda run, call: get(run, value.context, call))
+    if name in ("update", "setdefault"):
+        return Native(name, lambda run, call: set_several(run, value.context, name, call))
     return run.unknown(f"launch_configurations.{name} is not followed", place)
 
 
@@ -111,6 +114,38 @@ def get(run: Run, context: Context, call: Call) -> Value:
     if isinstance(name, str) and context.launch.configuration(name) is None:
         return bound.get("default")
     return configuration(run, context, name, call.location)
+
+
+def set_several(run: Run, context: Context, name: str, call: Call) -> Value:
+    """``update`` and ``setdefault`` of the launch configurations."""
+    given = call.args[0] if call.args else {}
+    if name == "setdefault":
+        if not isinstance(given, str) or context.launch.configuration(given) is None:
+            set_configuration(run, context, given, call.args[1] if len(call.args) > 1 else None)
+        return run.unknown("what setdefault gives is not followed", call.location)
+    if not isinstance(given, dict) or call.unknown:
+        context.launch.set_any_configuration()
+        return None
+    for key, value in (*given.items(), *call.keywords.items()):
+        run.budget.step()
+        set_configuration(run, context, key, value)
+    return None
+
+
+def executed(run: Run, action: Action, call: Call) -> Value:
+    """``action.execute(context)`` or ``visit``: what is set counts; what else is done there is not followed."""
+    context = call.args[0] if call.args else call.keywords.get("context")
+    if isinstance(context, Context) and action.kind in ("let", "arg"):
+        name = perform(run, context, action.get("name") or (), call.location)
+        value = perform(run, context, action.get("value") or (), call.location) if action.kind == "let" else None
+        if action.tests or action.kind == "arg":
+            value = run.unknown("whether this is done is not known", call.location)
+        if action.kind == "let" or not isinstance(name, str) or context.launch.configuration(name) is None:
+            set_configuration(run, context, name, value)
+        return None
+    if isinstance(context, Context):
+        context.launch.set_any_configuration()
+    return run.unknown(f"what an action '{action.kind}' does when it is executed is not followed", call.location)
 
 
 def perform_substitutions(run: Run, call: Call) -> Value:

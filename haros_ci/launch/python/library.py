@@ -21,6 +21,8 @@ from haros_ci.launch.python.values import (
     Bound,
     Call,
     Class,
+    Configurations,
+    Context,
     Function,
     Instance,
     Library,
@@ -102,7 +104,11 @@ def call_library(run: Run, function: Library, call: Call) -> Value:
 
 
 def havoc(run: Run, call: Call, reason: str) -> None:
-    """A function that is not known may change the lists and dictionaries that it is given, and those in them."""
+    """A function that is not known may change the lists and dictionaries that it is given, and those in them.
+
+    One that is given the launch context may set any configuration; performing a substitution sets none.
+    """
+    is_asking = call.name.rpartition(".")[2] in ("perform", "evaluate", "perform_substitution")
     todo = [(value, 0) for value in (*call.args, *call.keywords.values())]
     while todo:
         value, depth = todo.pop()
@@ -111,6 +117,10 @@ def havoc(run: Run, call: Call, reason: str) -> None:
             todo.extend((item, depth + 1) for item in value)
         elif depth < 6 and isinstance(value, dict):
             todo.extend((item, depth + 1) for item in value.values())
+        if isinstance(value, Configurations):
+            value = value.context
+        if isinstance(value, Context) and not is_asking:
+            value.launch.set_any_configuration()
         target = value.fields.get("entities") if isinstance(value, Made) else value
         if isinstance(target, (list, dict, set)):
             run.heap.touch(target)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.launch.python.contexts import holds
+from haros_ci.launch.python.contexts import executed, holds
 from haros_ci.launch.python.moveit import made_by_moveit, moveit_attribute
 from haros_ci.launch.python.run import Run
 from haros_ci.launch.python.values import Bound, Call, Function, Made, Native, Unknown, Value
@@ -27,6 +27,9 @@ def made_attribute(run: Run, made: Made, name: str, place: Location) -> Value:
     test = made.fields.get("test")
     if name == "evaluate" and isinstance(test, Test):
         return Native(name, lambda run, call: holds(run, call.bind("context").get("context"), (test,), call.location))
+    action = made.action
+    if name in ("execute", "visit") and action is not None:
+        return Native(name, lambda run, call: executed(run, action, call))
     if name in made.fields and isinstance(made.fields[name], str):
         return made.fields[name]
     return run.unknown(f"{made.name.rpartition('.')[2]}.{name} is not followed", place)

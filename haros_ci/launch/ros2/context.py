@@ -216,6 +216,9 @@ class Context:
     def set_configuration(self, name: str, value: Performed) -> None:
         self.scope.configurations[name] = as_text(value)
 
+    def set_any_configuration(self) -> None:
+        self.facts.is_open = True
+
     def test(self, test: Test) -> bool | None:
         """Whether *test* holds; None, with a problem where launch would stop, if that is not known."""
         if test.kind in ("if", "unless") and test.phrases:

@@ -22,6 +22,8 @@ def name_of(context: Context, action: Action) -> str | None:
     if name.known:
         return name.raw
     context.problem(action.location, f"the name that is set here is not known: {name.reasons[0]}")
+    if action.kind in ("let", "arg"):
+        context.set_any_configuration()
     return None
 
 

@@ -39,6 +39,7 @@ class Context:
 
     def __init__(self, **configurations: str) -> None:
         self.configurations = {name: Performed(value) for name, value in configurations.items()}
+        self.is_open = False
 
     def perform(self, phrase: Phrase) -> Performed:
         text, reason = "", ""
@@ -64,6 +65,9 @@ class Context:
 
     def set_configuration(self, name: str, value: Performed) -> None:
         self.configurations[name] = value
+
+    def set_any_configuration(self) -> None:
+        self.is_open = True
 
     def test(self, test: Test) -> bool | None:
         if test.kind in ("if", "unless"):
